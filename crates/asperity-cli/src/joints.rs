@@ -1,7 +1,7 @@
 //! What `unload`, `slip` and their variants share.
 
 use anyhow::{Result, bail};
-use asperity::joints::{EnergyGain, Joint, PartialSlip, Work};
+use asperity::joints::{EnergyGain, Joint, PartialSlip, Unloading, Work};
 use asperity::{At, ContactError, SeparationUnit};
 use asperity_plot::{Axis, Curve};
 
@@ -77,22 +77,27 @@ pub fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
     Ok(slip.amplitude_at(force)?)
 }
 
-/// The given preload in its columns, with blank results.
-pub fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
+/// Load, pressure and separation of a preload, of those that are given.
+pub fn given_preload(scene: &LoadedScene, place: At) -> [Option<f64>; 3] {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
-    let mut numbers = [None; 8];
     match place {
-        At::Load(load) => {
-            [numbers[0], numbers[1]] = [Some(load), Some(load / contact.nominal_area)];
-        }
-        At::Pressure(pressure) => {
-            [numbers[0], numbers[1]] = [Some(pressure * contact.nominal_area), Some(pressure)];
-        }
         At::Separation(closest) => {
             let closest = closest.measured_in(SeparationUnit::Sigma, from, contact);
-            numbers[2] = closest.ok().map(|closest| closest.value);
+            [None, None, closest.ok().map(|closest| closest.value)]
         }
-        _ => {}
+        at => [at.load(contact), at.pressure(contact), None],
     }
-    numbers
+}
+
+/// Load, pressure and separation of a preload: what is given is printed with its own digits.
+pub fn preload(
+    scene: &LoadedScene,
+    place: At,
+    joint: &Unloading,
+) -> Result<[f64; 3], ContactError> {
+    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    let [load, pressure, separation] = given_preload(scene, place);
+    let load = load.map_or_else(|| joint.force(0.0).map(|force| force.value()), Ok)?;
+    let closest = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
+    Ok([load, pressure.unwrap_or(load / contact.nominal_area), separation.unwrap_or(closest.value)])
 }

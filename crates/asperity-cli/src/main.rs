@@ -15,7 +15,7 @@ mod scene;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser};
+use clap::{CommandFactory, FromArgMatches, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
 /// boundary elements
@@ -38,8 +38,17 @@ struct Cli {
 
 fn main() -> ExitCode {
     input::set_program(Cli::command());
-    let Cli { command, quiet } = Cli::parse_from(with_negative_numbers(std::env::args_os()));
+    let program = Cli::command();
+    let arguments = with_negative_numbers(std::env::args_os());
+    let arguments = program.clone().get_matches_from(arguments);
+    let Cli { command, quiet } =
+        Cli::from_arg_matches(&arguments).unwrap_or_else(|error| error.exit());
     output::set_quiet(quiet);
+    if let Some((name, given)) = arguments.subcommand()
+        && let Some(used) = program.find_subcommand(name)
+    {
+        input::list_notes::note_lists(used, given);
+    }
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,
         Ok(()) => ExitCode::SUCCESS,

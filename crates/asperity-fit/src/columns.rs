@@ -3,6 +3,7 @@
 use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
 
 use crate::observation::{LOAD, PRESSURE, SEPARATION};
+use crate::units::{OtherUnit, in_other_unit};
 use crate::{DataColumn, FitError, Measured, Observation};
 
 /// The largest number of rows.
@@ -37,10 +38,15 @@ fn kind(name: &str) -> Result<Kind, FitError> {
     };
     // A name without its unit is nearest to the column that it begins.
     let begun = || known.iter().copied().find(|known| known.starts_with(plain) && plain.len() > 2);
-    found(plain).ok_or_else(|| FitError::UnknownColumn {
-        name: name.into(),
-        near: nearest_name(plain, known.iter().copied()).or_else(begun).map(Into::into),
-        known: known.join(", "),
+    found(plain).ok_or_else(|| match in_other_unit(plain, &known) {
+        Some(OtherUnit { column, unit, si, factor }) => {
+            FitError::ColumnUnit { name: plain.into(), column: column.into(), unit, si, factor }
+        }
+        None => FitError::UnknownColumn {
+            name: name.into(),
+            near: nearest_name(plain, known.iter().copied()).or_else(begun).map(Into::into),
+            known: known.join(", "),
+        },
     })
 }
 

@@ -3,13 +3,14 @@
 use nalgebra::DMatrix;
 
 use crate::Parameter;
+use crate::remark::Remark;
 
 /// Shares of a direction below this are errors of the derivatives.
 const NONE: f64 = 1e-4;
 
 /// Says which combinations of the parameters the data fix, for directions (columns) in which the
 /// data do not change: "only asperity_density x asperity_radius^0.5 is determined".
-pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) -> Vec<String> {
+pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) -> Vec<Remark> {
     let Some((pivots, exponents)) = reduced(directions) else { return vec![] };
     let has = |row: usize, column: usize| exponents[(row, column)].abs() > NONE;
     let involved = |row: usize| (0..pivots.len()).any(|column| has(row, column));
@@ -17,12 +18,15 @@ pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) 
         (0..parameters.len()).filter(|row| !pivots.contains(row) && involved(*row)).collect();
     let name = |row: usize| parameters[row].name.as_str();
     let alone = |column: usize| rows.iter().all(|row| !has(*row, column));
-    let mut found: Vec<String> = (0..pivots.len())
-        .filter(|column| alone(*column))
-        .map(|column| {
-            format!("{} is not determined: it does not change the data", name(pivots[column]))
-        })
-        .collect();
+    let without_effect = |column: usize| Remark {
+        parameters: vec![pivots[column]],
+        sentence: format!(
+            "{} is not determined: it does not change the data",
+            name(pivots[column])
+        ),
+    };
+    let idle = (0..pivots.len()).filter(|column| alone(*column));
+    let mut found: Vec<Remark> = idle.map(without_effect).collect();
     let together: Vec<usize> = (0..pivots.len()).filter(|column| !alone(*column)).collect();
     if together.is_empty() {
         return found;
@@ -32,7 +36,8 @@ pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) 
     of.sort_unstable();
     let names: Vec<&str> = of.iter().map(|row| name(*row)).collect();
     if !of.iter().all(|row| parameters[*row].is_log()) {
-        found.push(format!("{} are not determined separately", list(&names)));
+        let sentence = format!("{} are not determined separately", list(&names));
+        found.push(Remark { sentence, parameters: of });
         return found;
     }
     let product = |row: &usize| {
@@ -48,7 +53,8 @@ pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) 
         true => format!("of {}, ", list(&names)),
         false => String::new(),
     };
-    found.push(format!("{among}only {} {verb} determined", list(&products)));
+    let sentence = format!("{among}only {} {verb} determined", list(&products));
+    found.push(Remark { sentence, parameters: of });
     found
 }
 
@@ -98,6 +104,10 @@ pub(crate) fn list(names: &[&str]) -> String {
 mod tests {
     use super::*;
 
+    fn said(parameters: &[Parameter], directions: &DMatrix<f64>) -> Vec<String> {
+        crate::remark::sentences(undetermined(parameters, directions))
+    }
+
     fn parameters(names: &[&str]) -> Vec<Parameter> {
         names.iter().map(|name| Parameter::new(*name, "", 1.0, [0.1, 10.0], 1.0).unwrap()).collect()
     }
@@ -107,18 +117,19 @@ mod tests {
         let three = parameters(&["density", "radius", "std"]);
         let one = DMatrix::from_column_slice(3, 1, &[-0.4472136, 0.8944272, 1e-9]);
         let wanted = ["of density and radius, only density x radius^0.5 is determined"];
-        assert_eq!(undetermined(&three, &one), wanted);
+        assert_eq!(said(&three, &one), wanted);
+        assert_eq!(undetermined(&three, &one)[0].parameters, [0, 1]);
         let both = parameters(&["density", "radius"]);
-        let found = undetermined(&both, &one.rows(0, 2).into_owned());
+        let found = said(&both, &one.rows(0, 2).into_owned());
         assert_eq!(found, ["only density x radius^0.5 is determined"]);
         let shift = DMatrix::from_column_slice(3, 1, &[0.0, 0.0, 1.0]);
-        let found = undetermined(&three, &shift);
+        let found = said(&three, &shift);
         assert_eq!(found, ["std is not determined: it does not change the data"]);
         let two = DMatrix::from_column_slice(3, 2, &[0.5, 1.0, 0.0, 2.0, 0.0, 1.0]);
-        let found = undetermined(&three, &two);
+        let found = said(&three, &two);
         assert_eq!(found.len(), 1);
         assert!(found[0].starts_with("only ") && found[0].ends_with(" is determined"), "{found:?}");
-        assert!(undetermined(&three, &DMatrix::zeros(3, 0)).is_empty());
+        assert!(said(&three, &DMatrix::zeros(3, 0)).is_empty());
     }
 
     #[test]
@@ -127,6 +138,6 @@ mod tests {
         both.push(Parameter::new("separation_offset", "m", 0.0, [-1.0, 1.0], 1.0).unwrap());
         let one = DMatrix::from_column_slice(2, 1, &[0.6, 0.8]);
         let wanted = ["std and separation_offset are not determined separately"];
-        assert_eq!(undetermined(&both, &one), wanted);
+        assert_eq!(said(&both, &one), wanted);
     }
 }

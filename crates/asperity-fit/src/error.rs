@@ -1,6 +1,6 @@
 //! Why a fit is refused.
 
-use asperity_core::{ContactError, nearest_hint};
+use asperity_core::{ContactError, nearest_hint, short};
 
 /// Why data or parameters are refused, or a fit ended.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -15,6 +15,20 @@ pub enum FitError {
         near: Option<String>,
         /// All known names.
         known: String,
+    },
+    /// A column in another unit than the one of its name.
+    #[error("column {name:?} is in {unit}: give {column}, in {si}, {} times as large", short(*.factor))]
+    ColumnUnit {
+        /// The name of the column.
+        name: String,
+        /// The column in its SI unit.
+        column: String,
+        /// The unit of the name.
+        unit: &'static str,
+        /// The SI unit.
+        si: &'static str,
+        /// The unit in SI units.
+        factor: f64,
     },
     /// Columns that do not make a table of measurements.
     #[error("{column}: {reason}")]

@@ -12,6 +12,7 @@ use crate::limits::limits;
 use crate::misfit::{misfit, rms};
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
+use crate::remark::{Remark, concerns, sentences};
 use crate::search::{Found, search};
 use crate::spread::Spread;
 use crate::{Data, Estimate, FitError, Fitted, Parameter, Residual};
@@ -153,9 +154,14 @@ impl<'f> Fit<'f> {
         let rank = spread.as_ref().map_or(self.parameters.len(), Spread::rank);
         let freedom = self.data.len().saturating_sub(rank);
         let chi = squares(&residuals) / freedom as f64;
-        let mut undetermined = free.unwrap_or_default();
         let limits = limits(problem, best);
-        let notes = self.notes(found, &estimates, freedom, &mut undetermined, &limits);
+        let mut undetermined = free.unwrap_or_default();
+        let others = if undetermined.is_empty() { &found.others[..] } else { &[] };
+        let notes = self.notes(others, freedom);
+        if freedom > 0 || self.data.has_std() {
+            let open = self.without_interval(&estimates, &[&limits[..], &undetermined].concat());
+            undetermined.extend(open);
+        }
         let rms = rms(self.data, &values);
         // As many parameters as values: each value is reached, or named as unreachable.
         let is_exact = self.data.len() == self.parameters.len();
@@ -169,9 +175,9 @@ impl<'f> Fit<'f> {
             correlation: count.clone().map(correlation).collect(),
             parameters: estimates,
             condition: spread.as_ref().and_then(Spread::condition),
-            undetermined,
+            undetermined: sentences(undetermined),
             unreachable: unreachable(problem, best, &scene, &values),
-            limits,
+            limits: sentences(limits),
             notes,
             residuals: self.residuals(&values, &residuals),
             evaluations: 0,
@@ -193,7 +199,8 @@ impl<'f> Fit<'f> {
     /// The Bayesian information criterion, for normal residuals of known or unknown deviation.
     fn bic(&self, squares: f64, rank: usize) -> Option<f64> {
         let count = self.data.len() as f64;
-        if self.data.len() <= rank {
+        // One value ranks no model, also where no parameter changes it.
+        if self.data.len() <= rank.max(1) {
             return None;
         }
         let misfit = match self.data.has_std() {
@@ -203,37 +210,33 @@ impl<'f> Fit<'f> {
         Some(misfit + rank as f64 * count.ln())
     }
 
-    /// Remarks on intervals and other minima.
-    fn notes(
-        &self,
-        found: &Found,
-        estimates: &[Estimate],
-        freedom: usize,
-        undetermined: &mut Vec<String>,
-        limits: &[String],
-    ) -> Vec<String> {
+    /// Remarks on parameters without an interval that no other remark explains.
+    fn without_interval(&self, estimates: &[Estimate], explained: &[Remark]) -> Vec<Remark> {
+        let open =
+            self.parameters.iter().zip(estimates).enumerate().filter(|(place, (_, found))| {
+                found.lower.is_none() && found.upper.is_none() && !concerns(explained, *place)
+            });
+        let remark = |(place, (parameter, _)): (usize, (&Parameter, &Estimate))| Remark {
+            parameters: vec![place],
+            sentence: format!(
+                "{} is not determined: 95 % intervals include all values from {} to {}",
+                parameter.name,
+                short(parameter.bounds[0]),
+                parameter.shown(parameter.bounds[1])
+            ),
+        };
+        open.map(remark).collect()
+    }
+
+    /// Notes on missing intervals, and on other minima.
+    fn notes(&self, others: &[Minimum], freedom: usize) -> Vec<String> {
         let mut notes = vec![];
-        let combined = undetermined.join(" ");
-        for (parameter, estimate) in self.parameters.iter().zip(estimates) {
-            let (name, [low, high]) = (&parameter.name, parameter.bounds);
-            let stops = limits.iter().any(|limit| limit.starts_with(&format!("{name} ")));
-            let open = estimate.lower.is_none() && estimate.upper.is_none();
-            let known = freedom > 0 || self.data.has_std();
-            if open && known && !stops && !combined.contains(name.as_str()) {
-                undetermined.push(format!(
-                    "{name} is not determined: 95 % intervals include all values from {} to {}",
-                    short(low),
-                    parameter.shown(high)
-                ));
-            }
-        }
         if freedom == 0 && !self.data.has_std() {
             notes.push(
                 "no intervals: as many parameters as measured values, without standard deviations"
                     .into(),
             );
         }
-        let others = if combined.is_empty() { &found.others[..] } else { &[] };
         let other = |other: &Minimum| {
             let each = self.parameters.iter().zip(&other.coordinates);
             let each = each.map(|(p, x)| format!("{} = {}", p.name, p.shown(p.value(*x))));

@@ -14,8 +14,10 @@ mod parameter;
 mod problem;
 mod ranking;
 mod reach;
+mod remark;
 mod search;
 mod spread;
+mod units;
 
 pub use data::Data;
 pub use error::FitError;

@@ -4,6 +4,7 @@ use asperity_core::{ContactError, short};
 
 use crate::Parameter;
 use crate::problem::{Minimum, Problem};
+use crate::remark::Remark;
 
 /// A coordinate this near a bound, relative to the range, is at the bound.
 const AT_BOUND: f64 = 1e-6;
@@ -13,11 +14,14 @@ const AT_END: f64 = 1e-5;
 /// its limit read the same.
 const BEYOND: f64 = 0.05;
 
-/// A sentence for each parameter at a limit.
-pub(crate) fn limits(problem: &Problem<'_>, minimum: &Minimum) -> Vec<String> {
+/// A remark on each parameter at a limit.
+pub(crate) fn limits(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Remark> {
     let each = problem.parameters.iter().enumerate();
     let each = each.flat_map(|(place, parameter)| {
-        [false, true].map(|upper| limit(problem, minimum, place, parameter, upper))
+        [false, true].map(|upper| {
+            let sentence = limit(problem, minimum, place, parameter, upper)?;
+            Some(Remark { parameters: vec![place], sentence })
+        })
     });
     each.flatten().collect()
 }

@@ -3,7 +3,9 @@
 use asperity_core::{Quantity, short};
 
 use crate::problem::{Problem, squares};
+use crate::remark::Remark;
 use crate::search::search;
+use crate::units::UNITS;
 use crate::{Data, FitError, Measured, Observation};
 
 /// Data are not described where the root mean square of ln(fitted/measured) is above this.
@@ -12,19 +14,6 @@ const HOPELESS: f64 = 1.0;
 /// [`EXPLAINED`].
 const SHARE: f64 = 0.25;
 const EXPLAINED: f64 = 0.5;
-
-/// Units in which data are usually recorded, with their size in the SI unit of the column.
-const UNITS: [(&str, &[(&str, f64)]); 9] = [
-    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6)]),
-    ("Pa", &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9)]),
-    ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
-    ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
-    ("N/m", &[("N/um", 1e6), ("N/mm", 1e3), ("N/nm", 1e9)]),
-    ("W/K", &[("mW/K", 1e-3), ("kW/K", 1e3)]),
-    ("W/(m2 K)", &[("kW/(m2 K)", 1e3), ("W/(cm2 K)", 1e4)]),
-    ("1/ohm", &[("kS", 1e3), ("mS", 1e-3)]),
-    ("", &[("%", 0.01)]),
-];
 
 /// Root mean square of the logarithms of fitted over measured values.
 pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
@@ -41,14 +30,15 @@ pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
 pub(crate) fn misfit(
     problem: &Problem<'_>,
     found: Option<f64>,
-    limits: &[String],
+    limits: &[Remark],
 ) -> Result<Option<String>, FitError> {
     let Some(rms) = found.filter(|rms| *rms > HOPELESS) else { return Ok(None) };
     let advice = match likely_unit(problem, rms)? {
         Some(unit) => unit,
         None => {
             let check = "check the columns and their units, and the other numbers of the scene";
-            [limits, &[check.to_string()]].concat().join("; ")
+            let limits = limits.iter().map(|limit| limit.sentence.as_str());
+            limits.chain([check]).collect::<Vec<_>>().join("; ")
         }
     };
     Ok(Some(format!(

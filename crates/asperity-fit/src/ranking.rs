@@ -19,25 +19,29 @@ pub struct Ranking {
     pub summary: String,
 }
 
-/// Orders models by their BIC, then by the misfit; those that did not converge come last.
+/// Orders models by their BIC or, if one of them has none, by the misfit; those that did not converge
+/// come last.
 #[must_use]
 pub fn rank(mut models: Vec<Fitted>) -> Ranking {
+    let has_bic = models.iter().all(|fitted| fitted.bic.is_some());
     let key = |fitted: &Fitted| {
-        let misfit = fitted.bic.or(fitted.rms).unwrap_or(f64::INFINITY);
-        (!fitted.converged, misfit)
+        let misfit = if has_bic { fitted.bic } else { fitted.rms };
+        (!fitted.converged, misfit.unwrap_or(f64::INFINITY))
     };
     models.sort_by(|a, b| {
         let ((a, one), (b, other)) = (key(a), key(b));
         a.cmp(&b).then(one.total_cmp(&other))
     });
-    let summary = summary(&models);
+    let summary = summary(&models, has_bic);
     Ranking { models, summary }
 }
 
-fn summary(models: &[Fitted]) -> String {
+fn summary(models: &[Fitted], has_bic: bool) -> String {
     let [first, others @ ..] = models else { return "no model was fitted".into() };
-    let Some(least) = first.bic else {
-        return "as many parameters as measured values leave nothing to rank models by".into();
+    let least = match (first.bic, first.residuals.len()) {
+        (Some(least), _) if has_bic => least,
+        (_, 1) => return "one measured value cannot choose between models".into(),
+        _ => return "as many parameters as measured values leave nothing to rank models by".into(),
     };
     if others.is_empty() {
         return format!(
@@ -50,7 +54,7 @@ fn summary(models: &[Fitted]) -> String {
     let lead = match near[..] {
         [] => format!("{} fits best by BIC, clearly before the others", first.model),
         _ => format!(
-            "{} fits best by BIC, but {} within {STRONG} of it cannot be told from it by these data",
+            "{} fits best by BIC, but these data do not distinguish it from {} (BIC within {STRONG})",
             first.model,
             list(&near)
         ),

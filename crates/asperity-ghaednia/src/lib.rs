@@ -174,6 +174,15 @@ mod tests {
     }
 
     #[test]
+    fn the_force_jumps_where_hertz_ends_as_stated() {
+        let steel = asperity(192e9, 0.3, 0.0, 330e6, 1.4e-3);
+        let force = Ghaednia.force(&steel, Tolerance::default()).unwrap();
+        let end = ELASTIC_END * force.interference_unit;
+        let jump = at(&steel, end * (1.0 + 1e-9))[0] / at(&steel, end * (1.0 - 1e-9))[0] - 1.0;
+        assert!((jump - 0.0047).abs() < 5e-5, "{jump}");
+    }
+
+    #[test]
     fn hardening_up_to_youngs_modulus_is_nearly_hertz() {
         let hard = asperity(200e9, 0.3, 0.999_999 * 200e9, 400e6, 1e-3);
         let w = 2e-6f64;

@@ -33,6 +33,7 @@ m4 = 6e9
 WAYS: list[tuple[Any, dict[str, float]]] = [
     (asperity.Surface.from_moments, {"m0": 1e-12, "m2": 1e-4, "m4": 5e4}),
     (asperity.Surface.from_iso25178, {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3}),
+    (asperity.Surface.from_gradient, {"sq": 1.1e-6, "spd": 2e8, "sdq": 0.058}),
     (
         asperity.Surface.from_surface_std,
         {"asperity_radius": 2e-4, "asperity_density": 2e8, "surface_height_std": 1.1e-6},

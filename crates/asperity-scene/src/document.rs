@@ -13,9 +13,9 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
-use crate::decimal_comma::with_decimal_point;
-use crate::quantity::{QuantityError, in_si, joined};
-use crate::template::{counterface_keys, keys_of};
+use crate::in_si::{QuantityError, in_si};
+use crate::notation::{with_decimal_point, without_thousands};
+use crate::template::{counterface_keys, joined, keys_of};
 use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
@@ -162,9 +162,7 @@ impl<'a> Document<'a> {
         let at = self.at("TOML", error.span().map_or(0, |span| span.start));
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
-        let advice = decimal_point(found)
-            .map(|same| format!("write a decimal point, as in {same}; "))
-            .unwrap_or_default();
+        let advice = other_notation(found).unwrap_or_default();
         let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
         SceneError::Syntax { at, reason }
     }
@@ -234,21 +232,25 @@ impl<'a> Document<'a> {
     }
 }
 
-/// The number of a line with a decimal comma, with a decimal point.
-fn decimal_point(line: &str) -> Option<String> {
-    let (_, value) = line.split_once('=')?;
-    with_decimal_point(value.split('#').next()?)
+/// Advice for a line whose number has a decimal comma or thousands separators.
+fn other_notation(line: &str) -> Option<String> {
+    let value = line.split_once('=')?.1.split('#').next()?;
+    let point = with_decimal_point(value).map(|same| format!("a decimal point, as in {same}"));
+    let plain = without_thousands(value).map(|same| format!("{same}, without separators"));
+    let both: Vec<String> = point.into_iter().chain(plain).collect();
+    (!both.is_empty()).then(|| format!("write {}; ", both.join(", or ")))
 }
 
 /// The text of a file; `place` gives its place in an error.
 pub(crate) fn read_text(path: &Path, place: impl FnOnce() -> Place) -> Result<String, SceneError> {
-    let mut text = String::new();
-    let read =
-        File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
-    let reason = match read {
+    let mut bytes = vec![];
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    let reason = match read.map(|_| String::from_utf8(bytes)) {
         Err(error) => error.to_string(),
-        Ok(_) if text.len() as u64 > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
-        Ok(_) => return Ok(text),
+        Ok(Ok(text)) if text.len() as u64 > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
+        // Text in UTF-16 has zeros, too.
+        Ok(Ok(text)) if !text.contains('\0') => return Ok(text),
+        Ok(_) => "the file is binary, or a text that is not in UTF-8; a spreadsheet is exported as csv in UTF-8".into(),
     };
     Err(SceneError::Unreadable { at: Box::new(place()), reason })
 }

@@ -5,8 +5,8 @@ use toml::de::Error;
 
 use crate::SceneError;
 use crate::document::{Document, shorten};
-use crate::quantity::joined;
-use crate::template::key;
+use crate::iso_units::gradient;
+use crate::template::{joined, key};
 
 impl Document<'_> {
     /// Converts an error of serde: the place, the value found and a similar name.
@@ -41,7 +41,9 @@ impl Document<'_> {
         };
         let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
         let near = nearest_name(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
+        let slope = || gradient(found.trim_matches('"')).filter(|_| name == "sdq");
         let near = near.map(Into::into).or_else(|| near_table(&found, &needed));
+        let near = near.or_else(|| slope().map(asperity::short));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 

@@ -140,7 +140,7 @@ impl SceneFile {
         let reason = match name {
             "m0" | "m2" | "m4" => "; m0, m2 and m4 need a surface that is given by them",
             "sq" | "spd" | "spc" | "sdq" => {
-                "; sq, spd and spc need a surface that is given by them (with sdq, vary surface_height_std, mean_slope and asperity_density)"
+                "; sq, spd and spc need a surface that is given by them (sdq in the place of spc)"
             }
             "surface_height_std" => "; surface_height_std needs a surface that is given by it",
             "mean_plane_offset" => "; mean_plane_offset needs a scene that gives it",

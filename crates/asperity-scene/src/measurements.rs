@@ -5,6 +5,7 @@ use std::path::Path;
 use asperity::fit::DataColumn;
 
 use crate::document::{read_text, shorten};
+use crate::notation::without_thousands;
 use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
@@ -50,7 +51,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                 "{} cells under a header of {} columns: one cell for each column was required{}",
                 record.len(),
                 columns.len(),
-                if record.len() == 2 * columns.len() { DECIMAL_COMMAS } else { "" }
+                if record.len() > columns.len() { too_many(delimiter) } else { "" }
             );
             return Err(syntax(line, reason));
         }
@@ -68,7 +69,12 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                     return Err(SceneError::value(place(line, name), shorten(given), needed));
                 }
                 given => Some(number(given).ok_or_else(|| {
-                    SceneError::value(place(line, name), shorten(given), "a number, or nothing")
+                    let plain = without_thousands(given);
+                    let needed = match plain.filter(|plain| plain.parse::<f64>().is_ok()) {
+                        Some(plain) => format!("a number without thousands separators, {plain},"),
+                        None => "a number, or nothing".into(),
+                    };
+                    SceneError::value(place(line, name), shorten(given), &needed)
                 })?),
             });
         }
@@ -82,9 +88,15 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
     Ok(columns)
 }
 
-/// Advice where twice as many cells as columns look like decimal commas.
-const DECIMAL_COMMAS: &str =
-    "; numbers with decimal commas are read where semicolons or tabs separate the columns";
+/// Advice for a row with more cells than columns.
+fn too_many(delimiter: u8) -> &'static str {
+    match delimiter {
+        b',' => {
+            "; numbers with decimal commas are read where semicolons or tabs separate the columns"
+        }
+        _ => "",
+    }
+}
 
 /// The delimiter of the header, the first line that is no comment.
 fn delimiter(text: &str) -> u8 {
@@ -138,15 +150,23 @@ mod tests {
         ] {
             assert_eq!(read(text).unwrap(), wanted, "{text:?}");
         }
-        for text in ["load_N;area_m2\n1.500,5;2e-9\n", "load_N;area_m2\n1,5,0;2e-9\n"] {
-            let refused = read(text).unwrap_err();
-            assert!(refused.contains("a number, or nothing was required"), "{refused}");
+        for (cell, wanted) in [
+            ("1.500,5", "a number without thousands separators, 1500.5 was required"),
+            ("1.500.000", "a number without thousands separators, 1500000 was required"),
+            ("1,5,0", "a number, or nothing was required"),
+        ] {
+            let refused = read(&format!("load_N;area_m2\n{cell};2e-9\n")).unwrap_err();
+            assert!(refused.contains(wanted), "{refused}");
         }
         // 1.500 may be 1500 there.
         let refused = read("load_N;area_m2\n1.500;2,0e-9\n").unwrap_err();
         assert!(refused.contains("a number without a point"), "{refused}");
-        let refused = read("load_N,area_m2\n1,5,2,0e-9\n").unwrap_err();
-        assert!(refused.ends_with("where semicolons or tabs separate the columns"), "{refused}");
+        assert_eq!(read("load_N;area_m2\n1,5e6;3e8\n").unwrap()[0].1, [Some(1.5e6)]);
+        for row in ["1,5,2,0e-9", "1,5e6,3e8"] {
+            let refused = read(&format!("load_N,area_m2\n{row}\n")).unwrap_err();
+            let hint = "decimal commas are read where semicolons or tabs separate the columns";
+            assert!(refused.ends_with(hint), "{refused}");
+        }
     }
 
     #[test]
@@ -163,6 +183,13 @@ mod tests {
         ] {
             let refused = read(text).unwrap_err();
             assert!(refused.starts_with(wanted), "{refused}");
+        }
+        let folder = tempfile::tempdir().unwrap();
+        for bytes in [&b"PK\x03\x04\x14\x00"[..], b"\xff\xfel\0o\0", b"l\0o\0a\0d\0"] {
+            let path = folder.path().join("data.xlsx");
+            fs::write(&path, bytes).unwrap();
+            let refused = read_measurements(&path).unwrap_err().to_string();
+            assert!(refused.contains("cannot be read: the file is binary, or a text"), "{refused}");
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

@@ -1,5 +1,7 @@
 //! Scenes with other numbers.
 
+use std::f64::consts::PI;
+
 use asperity::{
     Body, ContactError, Diagnostics, Interface, ProfileMoments, Scene, Surface, TabulatedHeights,
 };
@@ -19,6 +21,8 @@ pub enum Roughness {
     Moments([f64; 3]),
     /// Parameters of ISO 25178: Sq, Spd and Spc.
     Iso25178([f64; 3]),
+    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
+    Gradient([f64; 3]),
 }
 
 impl Roughness {
@@ -30,6 +34,7 @@ impl Roughness {
             Self::MeanSlope(_) => &["surface_height_std", "mean_slope", "asperity_density"],
             Self::Moments(_) => &["m0", "m2", "m4"],
             Self::Iso25178(_) => &["sq", "spd", "spc"],
+            Self::Gradient(_) => &["sq", "spd", "sdq"],
         }
     }
 
@@ -40,7 +45,8 @@ impl Roughness {
             Self::SurfaceStd(numbers)
             | Self::MeanSlope(numbers)
             | Self::Moments(numbers)
-            | Self::Iso25178(numbers) => *numbers,
+            | Self::Iso25178(numbers)
+            | Self::Gradient(numbers) => *numbers,
         }
     }
 
@@ -52,6 +58,7 @@ impl Roughness {
             Self::MeanSlope(_) => Self::MeanSlope(numbers),
             Self::Moments(_) => Self::Moments(numbers),
             Self::Iso25178(_) => Self::Iso25178(numbers),
+            Self::Gradient(_) => Self::Gradient(numbers),
         }
     }
 
@@ -65,7 +72,8 @@ impl Roughness {
             Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
             Self::SurfaceStd([.., std])
             | Self::MeanSlope([std, ..])
-            | Self::Iso25178([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
+            | Self::Iso25178([std, ..])
+            | Self::Gradient([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
         })
     }
 
@@ -81,10 +89,28 @@ impl Roughness {
             Self::MeanSlope([std, slope, density]) => Surface::from_mean_slope(std, slope, density),
             Self::Moments([m0, m2, m4]) => Surface::from_moments(&ProfileMoments { m0, m2, m4 }),
             Self::Iso25178([sq, spd, spc]) => Surface::from_iso25178(sq, spd, spc),
+            Self::Gradient([sq, spd, sdq]) => from_gradient(sq, spd, sdq),
         }?;
         surface.check()?;
         Ok(surface)
     }
+}
+
+/// Sdq over √π is the mean absolute slope of profiles of an isotropic Gaussian surface.
+fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
+    let made = Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd);
+    made.map_err(|error| match error {
+        ContactError::OutOfRange { field, value, required } => {
+            let (field, value) = match field {
+                "surface_height_std" => ("sq", value),
+                "asperity_density" => ("spd", value),
+                "mean_slope" => ("sdq", sdq),
+                other => (other, value),
+            };
+            ContactError::OutOfRange { field, value, required }
+        }
+        error => error,
+    })
 }
 
 impl SceneFile {

@@ -1,164 +1,13 @@
-//! Conversion of numbers with a unit, "210 GPa", to SI units.
-
-use std::fmt::Write;
-use std::ops::Range;
+//! Conversion of a number with a unit, "210 GPa", to SI units.
 
 use asperity::nearest_hint;
-use toml::de::{DeTable, DeValue};
 
-use crate::decimal_comma::{comma_readings, may_be_thousands};
-use crate::sides;
+use crate::notation::notation_hint;
 use crate::template::key;
-
-type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
-
-/// The SI unit as in the template, an example, and the units with their powers of ten. Spaces, dots
-/// between units, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-const UNITS: [Units; 10] = [
-    (
-        "Pa",
-        "210 GPa",
-        &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
-    ),
-    ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
-    ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
-    ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
-    ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
-    (
-        "m/N",
-        "2 nm/N",
-        &[("mm/kN", -6), ("um/kN", -9), ("mm/N", -3), ("um/N", -6), ("nm/N", -9), ("m/N", 0)],
-    ),
-    ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
-    (
-        "1/m^2",
-        "200 1/mm2",
-        &[("1/m2", 0), ("1/cm2", 4), ("1/mm2", 6), ("1/um2", 12), ("1/nm2", 18)],
-    ),
-    (
-        "W/(m K)",
-        "50 W/(m K)",
-        &[
-            ("mW/(mK)", -3),
-            ("mW/mK", -3),
-            ("W/(mK)", 0),
-            ("W/mK", 0),
-            ("W/m/K", 0),
-            ("kW/(mK)", 3),
-            ("kW/mK", 3),
-            ("W/(cmK)", 2),
-            ("W/(mmK)", 3),
-        ],
-    ),
-    (
-        "ohm m",
-        "17 uohm cm",
-        &[("uohmcm", -8), ("uohmm", -6), ("nohmm", -9), ("mohmm", -3), ("ohmcm", -2), ("ohmm", 0)],
-    ),
-];
-
-/// The error for a text that is not a number in the unit of its key.
-pub(crate) struct QuantityError {
-    /// The key with its sections.
-    pub(crate) path: String,
-    pub(crate) found: String,
-    /// The same number with a unit that differs only in case.
-    pub(crate) near: Option<String>,
-    pub(crate) needed: String,
-}
-
-/// A number with its unit in a text.
-struct Stated {
-    /// The key with its sections.
-    path: String,
-    span: Range<usize>,
-    /// In SI units.
-    value: f64,
-}
-
-/// The text with plain numbers instead of numbers with units, and the keys of these; line numbers
-/// stay.
-pub(crate) fn in_si(
-    text: &str,
-    table: &DeTable<'_>,
-) -> Result<(String, Vec<String>), QuantityError> {
-    let mut found = vec![];
-    collect(table, "", &mut found)?;
-    found.sort_by_key(|stated: &Stated| stated.span.start);
-    let (mut rewritten, mut done) = (String::with_capacity(text.len()), 0);
-    let mut paths = vec![];
-    for Stated { path, span, value } in found {
-        paths.push(path);
-        rewritten.push_str(text.get(done..span.start).unwrap_or_default());
-        // A text in three quotes may contain newlines.
-        let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
-        let _ = write!(rewritten, "{value:?}");
-        if lines > 0 {
-            rewritten.push_str(" #");
-            rewritten.extend(std::iter::repeat_n('\n', lines));
-        }
-        done = span.end;
-    }
-    rewritten.push_str(text.get(done..).unwrap_or_default());
-    Ok((rewritten, paths))
-}
-
-/// A key behind its section.
-pub(crate) fn joined(section: &str, key: &str) -> String {
-    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
-    format!("{section}{dot}{key}")
-}
-
-fn collect(
-    table: &DeTable<'_>,
-    section: &str,
-    found: &mut Vec<Stated>,
-) -> Result<(), QuantityError> {
-    let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
-    for (name, value) in items {
-        match value.get_ref() {
-            DeValue::Table(inner) => collect(inner, &joined(section, &name), found)?,
-            DeValue::Array(tables) => {
-                for (table, k) in tables.iter().zip(1..) {
-                    if let DeValue::Table(inner) = table.get_ref() {
-                        collect(inner, &format!("{name}[{k}]"), found)?;
-                    }
-                }
-            }
-            DeValue::String(given) => {
-                let bare = section.split('[').next().unwrap_or(section);
-                if let Some(units) = units_of(bare, &name) {
-                    let dot = if section.is_empty() { "" } else { "." };
-                    let path = format!("{section}{dot}{name}");
-                    let Some(number) = read(given, units) else {
-                        let ((si, example, _), known) = (units, list(units.2));
-                        let with_point = comma_readings(given);
-                        let needed = match (converted(given, si), with_point) {
-                            (Some(same), _) => {
-                                format!("a known unit, as in \"{same}\", which is the same,")
-                            }
-                            (_, Some(both)) if may_be_thousands(given) => {
-                                format!("a number without a comma, {both},")
-                            }
-                            (_, Some(same)) => format!("a decimal point, as in \"{same}\","),
-                            _ => format!(
-                                "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
-                            ),
-                        };
-                        let near = in_other_case(given, units);
-                        return Err(QuantityError { path, found: given.to_string(), near, needed });
-                    };
-                    found.push(Stated { path, span: value.span(), value: number });
-                }
-            }
-            _ => {}
-        }
-    }
-    Ok(())
-}
+use crate::units::{UNITS, Units, converted, in_other_case, list, read};
 
 /// The units of a key; its meaning in the template begins with the SI unit.
-fn units_of(section: &str, name: &str) -> Option<Units> {
+pub(crate) fn units_of(section: &str, name: &str) -> Option<Units> {
     let key = key(section, name)?;
     let si = |known: &str| {
         let rest = key.meaning.strip_prefix(known);
@@ -203,9 +52,8 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
             let same = same.replace(' ', "");
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
         }
-        if let Some(same) = comma_readings(text) {
-            let comma = if may_be_thousands(text) { "comma" } else { "decimal comma" };
-            return format!("{text:?} has a {comma}; write {same}");
+        if let Some(hint) = notation_hint(text) {
+            return format!("{text:?} {hint}");
         }
         let (_, example, names) = units;
         let near = nearest_hint(in_other_case(text, units));
@@ -215,96 +63,9 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
         )
     })
 }
-
-/// Units that are not decimal, with their size in a decimal unit.
-const OTHERS: [(&str, &str, f64, &str); 8] = [
-    ("Pa", "HV", 9.80665e-3, "GPa"),
-    ("Pa", "kgf/mm2", 9.80665, "MPa"),
-    ("Pa", "ksi", 6.894_757_3, "MPa"),
-    ("Pa", "psi", 6.894_757_3, "kPa"),
-    ("N", "kgf", 9.80665, "N"),
-    ("N", "lbf", 4.448_221_6, "N"),
-    ("m", "uin", 25.4, "nm"),
-    ("m", "in", 25.4, "mm"),
-];
-
-/// A number in a unit that is not decimal, in one that is: 2.452 GPa for 250 HV.
-fn converted(given: &str, si: &str) -> Option<String> {
-    let text = plain(given);
-    let other = OTHERS.iter().filter(|(of, ..)| *of == si);
-    other.into_iter().find_map(|(_, unit, factor, decimal)| {
-        let value = scale(text.strip_suffix(unit)?, 0)?;
-        Some(format!("{} {decimal}", asperity::short(factor * value)))
-    })
-}
-
-fn list(units: &[(&str, i32)]) -> String {
-    units.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ")
-}
-
-/// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
-/// mN).
-fn in_other_case(given: &str, units: Units) -> Option<String> {
-    let text = plain(given);
-    let mut alike = units.2.iter().filter_map(|(unit, _)| {
-        let start = text.len().checked_sub(unit.len())?;
-        let (number, end) = (text.get(..start)?, text.get(start..)?);
-        let same = end.eq_ignore_ascii_case(unit) && scale(number, 0).is_some();
-        same.then(|| format!("{number}{unit}"))
-    });
-    alike.next().filter(|_| alike.next().is_none())
-}
-
-/// The text without ignored characters, in ASCII.
-fn plain(given: &str) -> String {
-    let left_out = |c: char| c.is_whitespace() || "^\u{b7}".contains(c);
-    let text: String = given.chars().filter(|c| !left_out(*c)).collect();
-    // Between units; between numbers it is a product.
-    let is_product = |(_, rest): (&str, &str)| rest.starts_with(|c: char| c.is_ascii_digit());
-    let text = match text.split_once('*').is_some_and(is_product) {
-        true => text,
-        false => text.replace('*', ""),
-    };
-    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
-    text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
-}
-
-/// A number with one of the units.
-fn read(given: &str, (si, _, units): Units) -> Option<f64> {
-    let text = plain(given);
-    if si == "m^2" && text.contains(['x', 'X', '\u{d7}', '*']) {
-        let lengths = UNITS.iter().find(|(known, ..)| *known == "m")?.2;
-        return sides::area(&text, lengths, units);
-    }
-    let value_in = |unit: &str, power| scale(text.strip_suffix(unit)?, power);
-    units.iter().find_map(|(unit, power)| {
-        // 1/mm2 may be written /mm2 or mm-2.
-        let inverse = || {
-            let length = unit.strip_prefix("1/")?.strip_suffix('2')?;
-            value_in(&format!("/{length}2"), *power)
-                .or_else(|| value_in(&format!("{length}-2"), *power))
-        };
-        value_in(unit, *power).or_else(inverse)
-    })
-}
-
-/// A decimal number times a power of ten, rounded once.
-pub(crate) fn scale(number: &str, power: i32) -> Option<f64> {
-    let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    let is_number = digits.chars().all(|c| c.is_ascii_digit() || "+-._".contains(c));
-    let exponent = own.parse::<i32>().ok()?.checked_add(power)?;
-    let text = format!("{}e{exponent}", digits.replace('_', ""));
-    text.parse().ok().filter(|_| is_number)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn value(text: &str, key: &str) -> Option<f64> {
-        let units = units_of("", key).unwrap();
-        read(text, units)
-    }
 
     #[test]
     fn other_units_are_converted() {
@@ -338,6 +99,11 @@ mod tests {
                 None => assert!(!error.contains("nearest"), "{error}"),
             }
         }
+    }
+
+    fn value(text: &str, key: &str) -> Option<f64> {
+        let units = units_of("", key).unwrap();
+        read(text, units)
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Areas given by two sides: 10 mm x 20 mm.
 
-use crate::quantity::scale;
+use crate::scaled::scale;
 
 /// An area in m² by its two sides: `10mm x 20mm`, `10 x 20 mm` or `10 x 20 mm2`, without spaces and
 /// ignored characters.

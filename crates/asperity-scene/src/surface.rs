@@ -1,12 +1,11 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use std::f64::consts::PI;
-
 use asperity::{Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
 use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
+use crate::iso_units::{likely_angle, likely_units};
 use crate::measured::{Asked, SurfaceDescription, measured};
 use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
@@ -31,44 +30,6 @@ const MEAN_SLOPE: &str = "mean_slope";
 
 /// The alternative to `spc`, with `sq` and `spd`.
 const GRADIENT: &str = "sdq";
-
-/// The units, SI first, in which instruments report ISO 25178 parameters.
-const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
-    ("sq", [("m", 1.0), ("um", 1e-6), ("nm", 1e-9)]),
-    ("spd", [("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)]),
-    ("spc", [("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)]),
-];
-
-/// The units in which ISO 25178 parameters that were given without one describe a usual surface.
-fn likely_units(document: &Document<'_>, section: &str, given: [f64; 3]) -> Option<String> {
-    // Indices of units; one of them is tried for a number without a unit only.
-    let triples = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9]);
-    let si = |[a, b, c]: &[usize; 3]| [*a, *b, *c].iter().filter(|k| **k == 0).count();
-    let converted = |units: &[usize; 3], k: usize| {
-        let (key, known) = ISO_UNITS.get(k)?;
-        let (index, value) = (*units.get(k)?, *given.get(k)?);
-        let (unit, factor) = known.get(index)?;
-        let stated = document.stated.contains(&format!("{section}.{key}"));
-        (index == 0 || !stated).then_some((*key, value, *unit, value * factor))
-    };
-    let [from, to] = Surface::USUAL_ASPERITY_ROUGHNESS;
-    let usual = |units: &[usize; 3]| {
-        let number = |k| converted(units, k).map(|(.., meant)| meant);
-        let numbers = number(0).zip(number(1)).zip(number(2));
-        let surface = numbers.map(|((sq, spd), spc)| Surface::from_iso25178(sq, spd, spc));
-        surface.and_then(Result::ok).is_some_and(|surface| {
-            surface.findings().is_empty() && (from..=to).contains(&surface.roughness_parameter())
-        })
-    };
-    let units = triples.filter(usual).max_by_key(si)?;
-    let changed = (0..3).filter(|k| units.get(*k).is_some_and(|index| *index > 0));
-    let hint = |(key, value, unit, meant): (&str, f64, &str, f64)| {
-        let [value, meant] = [value, meant].map(asperity::short);
-        format!("{key} = {value} looks like {unit}; {value} {unit} is {meant} in SI units")
-    };
-    let hints: Vec<String> = changed.filter_map(|k| converted(&units, k)).map(hint).collect();
-    Some(hints.join("; "))
-}
 
 /// The numbers among the keys of `[surface]`.
 #[derive(Deserialize)]
@@ -96,6 +57,8 @@ struct Numbers {
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
     follows_from: &'static [&'static str],
+    /// A warning of an rms gradient in another unit.
+    angle: Option<Diagnostic>,
 }
 
 impl Numbers {
@@ -138,13 +101,15 @@ pub(crate) fn surface(
             .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
             .from_origin(document.place(section).to_string())
     };
-    let notes = assumed.map(note).collect::<Vec<_>>();
+    let angles = [&first, &second].into_iter().flatten().filter_map(|n| n.angle.clone());
+    let notes: Vec<Diagnostic> = angles.chain(assumed.map(note)).collect();
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
             let roughness = Roughness::Moments([m0, m2, m4]);
             let surface = roughness.surface().map_err(document.refused("surface"))?;
-            Numbers { surface, follows_from: roughness.keys(), roughness: Some(roughness) }
+            let follows_from = roughness.keys();
+            Numbers { surface, follows_from, roughness: Some(roughness), angle: None }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -241,13 +206,13 @@ fn numbers(
         ISO => {
             let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
             Some(match keys.sdq {
-                // The mean absolute slope of profiles of an isotropic Gaussian surface.
-                Some(sdq) => Roughness::MeanSlope([sq, sdq / PI.sqrt(), spd]),
+                Some(sdq) => Roughness::Gradient([sq, spd, sdq]),
                 None => Roughness::Iso25178([sq, spd, needed("spc", keys.spc)?]),
             })
         }
         _ => None,
     };
+    let angle = keys.sdq.and_then(likely_angle);
     let surface = match (roughness, way) {
         (Some(roughness), _) => {
             let surface = roughness.surface();
@@ -255,6 +220,10 @@ fn numbers(
                 && let Some(units) = likely_units(document, section, numbers)
             {
                 return Err(SceneError::Measured { at: document.place(section), reason: units });
+            }
+            if let (Err(_), Some(angle)) = (&surface, &angle) {
+                let reason = angle.to_string();
+                return Err(SceneError::Measured { at: document.place(section), reason });
             }
             surface.map_err(&refused)?
         }
@@ -275,5 +244,5 @@ fn numbers(
         (None, 0) => &[][..],
         _ => WAYS[way],
     };
-    Ok(Some((Numbers { surface, roughness, follows_from }, key)))
+    Ok(Some((Numbers { surface, roughness, follows_from, angle }, key)))
 }

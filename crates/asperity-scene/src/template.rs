@@ -112,6 +112,12 @@ pub(crate) fn counterface_keys() -> Vec<&'static str> {
     keys_of("surface").into_iter().filter(|name| !of_pair.contains(name)).collect()
 }
 
+/// A key behind its section.
+pub(crate) fn joined(section: &str, key: &str) -> String {
+    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
+    format!("{section}{dot}{key}")
+}
+
 /// The key of this name in a section, or else the first of this name.
 pub(crate) fn key(section: &str, name: &str) -> Option<Key> {
     let here = |key: &Key| key.section.trim_matches(['[', ']']) == section && key.name == name;

@@ -63,8 +63,8 @@ enum HeightsIn<'a> {
 impl SceneFile {
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
-    /// absolute. For numbers changed since reading, the interface replaces the bodies, and the
-    /// asperities replace other descriptions of the surface.
+    /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface
+    /// keeps the kind of its keys if these were changed, and else has its asperities.
     ///
     /// ```
     /// use asperity_scene::{parse, template};
@@ -191,9 +191,14 @@ impl SceneFile {
 
     fn surface_keys(&self, heights_in: HeightsIn<'_>) -> Result<Table, SceneError> {
         let scene = &self.scene;
-        let mut keys = match self.kept_surface() {
-            Some(keys) => keys.clone(),
-            None => Table::try_from(scene.surface).unwrap_or_default(),
+        let mut keys = match (self.kept_surface(), self.roughness) {
+            (Some(keys), _) => keys.clone(),
+            // Other numbers of the same kind.
+            (None, Some(kind)) if kind.surface().is_ok_and(|made| made == scene.surface) => {
+                let numbers = kind.keys().iter().zip(kind.numbers());
+                numbers.map(|(key, number)| ((*key).into(), number.into())).collect()
+            }
+            (None, _) => Table::try_from(scene.surface).unwrap_or_default(),
         };
         let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
         let heights: Option<Value> = match (&scene.heights, &self.table, heights_in) {

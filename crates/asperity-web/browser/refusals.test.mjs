@@ -84,8 +84,8 @@ test("a masked scan names the share of missing points at its own field", async (
 test("the message of a field has its name and the text as typed, and no line", async () => {
   await page.scene(example("wheel-rail"));
   for (const [path, typed, said] of [
-    ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a comma: write 0.3"],
-    ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa has a comma: write 210000 MPa for thousands or 210.000 MPa for decimals"],
+    ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a decimal comma; write 0.3"],
+    ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two"],
     ["body[1].hardness", "-5", "Hardness H: -5 Pa: a finite number above 0 was required"],
   ]) {
     await page.change([field(path), typed]);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_scene::{SceneError, comma_readings, quantity, unit_of};
+use asperity_scene::{SceneError, notation_hint, quantity, unit_of};
 use serde::Serialize;
 
 /// An error with its place.
@@ -39,8 +39,8 @@ fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> 
     Some(match error {
         SceneError::Value { at, near, needed, .. } => {
             let text = typed.get(&at.field)?;
-            if let Some(readings) = comma_readings(text) {
-                return Some(format!("{text} has a comma: write {readings}"));
+            if let Some(hint) = notation_hint(text) {
+                return Some(format!("{text} {hint}"));
             }
             let unit = unit_of(at.field.rsplit('.').next()?);
             let plain = text.parse::<f64>().is_ok();
@@ -132,25 +132,24 @@ mod tests {
     fn messages_of_fields_name_the_text_as_typed_and_no_line_of_the_file() {
         let units = "(units: GPa, MPa, kPa, Pa, bar, N/mm2, N/m2)";
         for (key, value, wanted) in [
-            ("poissons_ratio", "\"0,3\"", "0,3 has a comma: write 0.3".into()),
+            ("poissons_ratio", "\"0,3\"", "0,3 has a decimal comma; write 0.3".into()),
             (
                 "youngs_modulus",
                 "\"210,000 MPa\"",
-                "210,000 MPa has a comma: write 210000 MPa for thousands or 210.000 MPa for decimals"
-                    .into(),
+                "210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two".into(),
             ),
-            ("youngs_modulus", "\"0,21 TPa\"", "0,21 TPa has a comma: write 0.21 TPa".into()),
+            (
+                "youngs_modulus",
+                "\"0,21 TPa\"",
+                "0,21 TPa has a decimal comma; write 0.21 TPa".into(),
+            ),
             (
                 "youngs_modulus",
                 "\"210 mm\"",
                 format!("210 mm is not a number in Pa: write 210GPa, for example {units}"),
             ),
             ("youngs_modulus", "-5", "-5 Pa: a finite number above 0 was required".into()),
-            (
-                "poissons_ratio",
-                "0.7",
-                "0.7: a number above -1 and at most 0.5 was required".into(),
-            ),
+            ("poissons_ratio", "0.7", "0.7: a number above -1 and at most 0.5 was required".into()),
             (
                 "poissons_ratio",
                 "\"abc\"",

@@ -11,7 +11,8 @@ use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
-use crate::input::numbers::{Numbers, all, length, load, pressure};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{length, load, pressure};
 use crate::interrupt;
 use crate::output::contact_map;
 use crate::output::number::rounded;
@@ -155,7 +156,10 @@ impl BemCommand {
         };
         // Before the hours of the whole grid.
         let half_grid = self.refine.then(|| bem.half_grid()).transpose();
-        let half_grid = half_grid.context(REFINE)?;
+        let half_grid = half_grid.context(match bem.continuation() {
+            Continuation::Periodic => REFINE_PERIODIC,
+            _ => REFINE,
+        })?;
         let keep = self.map.is_some() || self.picture.is_some();
         let mut whole = run.solve(&bem, keep)?;
         let mut half = match half_grid.filter(|_| !interrupt::requested()) {
@@ -290,6 +294,9 @@ fn table(
 /// Why a grid cannot be halved.
 const REFINE: &str =
     "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
+
+/// The same for a scan whose crop would not be periodic.
+const REFINE_PERIODIC: &str = "--refine needs an even number of rows and columns; resample the period to such a grid (a crop is not periodic), or leave --refine out";
 
 const COLUMNS: [&str; 9] = [
     "load_N",

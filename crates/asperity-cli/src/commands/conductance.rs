@@ -4,20 +4,18 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
-use asperity_plot::{Axis, Curve, Scale};
+use asperity::{At, Body, ContactModel, Datum, Interface, Request, SeparationUnit};
+use asperity_scene::SceneFile;
 use clap::{ArgGroup, Args};
 
+use super::conductance_picture::{CONDUCTANCE, column, picture};
 use crate::input::args::{DrawnArgs, model_id};
-use crate::input::numbers::{
-    Numbers, all, length, load, of_unit, positive, positive_number, pressure,
-};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{length, load, of_unit, positive, positive_number, pressure};
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
-use crate::output::{once, plot, print_message, summary};
+use crate::output::{once, print_message, summary};
 use crate::scene::LoadedScene;
-
-const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 
 /// Thermal contact conductance per area, from models and from published correlations
 #[derive(Debug, Args)]
@@ -59,9 +57,10 @@ pub struct Conductance {
     /// Loads as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(pressure), group = "given")]
     pressure: Option<Numbers>,
-    /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2) in W/(m K), instead of the scene's
-    #[arg(long, value_name = "K", value_parser = conductivity)]
-    conductivity: Option<f64>,
+    /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2), or those of its two bodies, in
+    /// W/(m K), instead of the scene's
+    #[arg(long, value_name = "K|K1,K2", value_parser = interface_conductivity)]
+    conductivity: Option<Conductivity>,
     /// Thermal conductivity of a gas in the gap, in W/(m K)
     #[arg(long, value_name = "K", value_parser = conductivity)]
     gas: Option<f64>,
@@ -88,11 +87,12 @@ impl Conductance {
         };
         let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
         let mut scene = LoadedScene::load_for(&self.scene, &ids)?;
-        let known = &mut scene.file.scene.interface.thermal_conductivity;
-        *known = self.conductivity.or(*known);
-        if known.is_none() {
-            let how = "set it in both [[body]], or use --conductivity";
-            bail!("{}: thermal_conductivity is missing: {how}", scene.name);
+        match self.conductivity {
+            Some(given) => scene.file.scene.interface.thermal_conductivity = Some(given.value()),
+            None if scene.file.scene.interface.thermal_conductivity.is_none() => {
+                bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
+            }
+            None => {}
         }
         let contact = &scene.file.scene;
         let given = self.sigma.zip(self.mean_slope);
@@ -209,7 +209,7 @@ impl Conductance {
             bail!("{}: no model of the list has a conductance", scene.name);
         }
         if !Correlation::ALL.iter().any(wanted) {
-            return self.output.write(&table, || picture(&table));
+            return self.output.write(&table, || picture(&table, contact));
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
         let of = match (given, &scene.file.measured) {
@@ -221,7 +221,7 @@ impl Conductance {
             "note",
             &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"),
         );
-        self.output.write(&table, || picture(&table))
+        self.output.write(&table, || picture(&table, contact))
     }
 }
 
@@ -230,39 +230,6 @@ fn left_out(id: &str, scene: &LoadedScene, reason: &anyhow::Error) {
     let reason = summary(reason);
     let reason = reason.strip_prefix(&format!("{}: ", scene.name)).unwrap_or(&reason);
     print_message("warning", &format!("left out: {id}: {reason}"));
-}
-
-/// The head of the conductance of the gas, or of contacts and gas together.
-fn column(part: &str) -> String {
-    format!("{part}_{}", CONDUCTANCE.column())
-}
-
-/// The conductance of the contacts and, with a gas, in total against the pressure, one curve for
-/// each model and correlation.
-fn picture(table: &Table) -> Result<String> {
-    let pressures: Vec<f64> = table.rows.iter().filter_map(|row| row[2].number()).collect();
-    let mut x = Axis::new("pressure_Pa", "pressure (Pa)");
-    x.scale = Scale::fitting(&pressures);
-    let ids: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
-    let ids = once(&ids);
-    let few = table.rows.len() <= plot::MARKED * ids.len();
-    let curve = |(id, look): (&&Cell, usize)| {
-        let Cell::Text(id) = id else { return None };
-        let mut curve = Curve::new(look, id, id);
-        curve.every_point = few;
-        Some(curve)
-    };
-    let curves: Vec<Curve> = ids.iter().zip(0..).filter_map(curve).collect();
-    let (contacts, total) = (CONDUCTANCE.column(), column("total"));
-    let columns = [
-        (&*contacts, "h of the contacts (W/(m² K))"),
-        (&*total, "h of contacts and gas (W/(m² K))"),
-    ];
-    // Lines run from left to right for any order of the rows.
-    let mut sorted = table.clone();
-    let pressure = |row: &Vec<Cell>| row[2].number().unwrap_or(f64::NAN);
-    sorted.rows.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
-    plot::against(&sorted, &x, &columns, &curves)
 }
 
 /// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.
@@ -299,6 +266,59 @@ fn formula(name: &str) -> Result<Formula, String> {
     match known.into_iter().find(|id| name.trim().eq_ignore_ascii_case(id)) {
         Some(id) => Ok(Formula::Correlation(id)),
         None => model_id(name).map(Formula::Model),
+    }
+}
+
+/// The conductivity of an interface, or those of its two bodies \[W/(m K)\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Conductivity {
+    Interface(f64),
+    Bodies(f64, f64),
+}
+
+impl Conductivity {
+    /// That of the interface; says how two values are read.
+    fn value(self) -> f64 {
+        match self {
+            Self::Interface(conductivity) => conductivity,
+            Self::Bodies(first, second) => {
+                let mean = Interface::mean_conductivity(first, second);
+                let [k1, k2, k] = [first, second, mean].map(rounded);
+                let how = format!(
+                    "--conductivity {k1},{k2} is that of two bodies: 2 k1 k2/(k1 + k2) = {k} W/(m K); a decimal has a point"
+                );
+                print_message("note", &how);
+                mean
+            }
+        }
+    }
+}
+
+fn interface_conductivity(text: &str) -> Result<Conductivity, String> {
+    match Numbers::read(text, conductivity)?.0[..] {
+        [one] => Ok(Conductivity::Interface(one)),
+        [first, second] => Ok(Conductivity::Bodies(first, second)),
+        ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
+    }
+}
+
+/// What lacks a conductivity, and where to set it.
+fn missing_conductivity(file: &SceneFile) -> String {
+    let lacks = |(body, k): (&Body, usize)| {
+        body.thermal_conductivity.is_none().then(|| format!("body[{k}].thermal_conductivity"))
+    };
+    let lacking: Vec<String> = file.bodies.iter().zip(1..).filter_map(lacks).collect();
+    match (&lacking[..], file.bodies.len()) {
+        ([one], 2) => format!("{one} is missing: set it there, or use --conductivity"),
+        (_, 1) => {
+            "thermal_conductivity of a rigid counterface is unknown: use --conductivity".into()
+        }
+        (_, 0) => {
+            "interface.thermal_conductivity is missing: set it there, or use --conductivity".into()
+        }
+        _ => {
+            "thermal_conductivity is missing: set it in both [[body]], or use --conductivity".into()
+        }
     }
 }
 

@@ -12,7 +12,8 @@ use clap::{Args, ValueEnum};
 
 use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
-use crate::input::numbers::{Span, friction, load, pressure, range, relative_error};
+use crate::input::lists::{Span, range};
+use crate::input::numbers::{friction, load, pressure, relative_error};
 use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
 

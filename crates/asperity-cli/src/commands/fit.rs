@@ -61,8 +61,8 @@ pub struct FitCommand {
     /// Measurements, a csv
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
-    /// Free parameters, each with bounds if these are given
-    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',', required = true)]
+    /// Free parameters, at least one, each with bounds if these are given
+    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
     free: Vec<Free>,
     /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
@@ -91,6 +91,17 @@ impl FitCommand {
     pub fn run(self) -> Result<()> {
         self.check_plot();
         let scene = LoadedScene::load(&self.scene)?;
+        if self.free.is_empty() {
+            let keys = scene.file.all_inputs().into_iter();
+            let keys = keys.filter(|(_, input)| scene.file.value_of(*input).is_some());
+            let keys: Vec<String> = keys.map(|(name, _)| name).collect();
+            let text = format!(
+                "--free is missing; name the numbers to fit, for example --free asperity_height_std (of {}: {}; of the rig: separation_offset, series_compliance)",
+                scene.name,
+                keys.join(", ")
+            );
+            usage_error("fit", ErrorKind::MissingRequiredArgument, &text);
+        }
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
             bail!("bem: boundary elements are not fitted; `asperity models` lists other models");
@@ -205,7 +216,8 @@ impl FitCommand {
             say("warning", if one.unreachable.is_empty() { &one.limits } else { &[] });
             say("note", &one.notes);
         }
-        if !hopeless && ranking.models.iter().any(|one| one.bic.is_some()) {
+        let is_ranked = ranking.models.iter().any(|one| one.bic.is_some());
+        if !hopeless && (is_ranked || ranking.models.len() > 1) {
             print_message("note", &ranking.summary);
         }
     }

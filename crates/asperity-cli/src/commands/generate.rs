@@ -7,7 +7,8 @@ use asperity::bem::RandomSurface;
 use asperity_topography::Topography;
 use clap::Args;
 
-use crate::input::numbers::{all, length, number, positive_number};
+use crate::input::lists::all;
+use crate::input::numbers::{length, number, positive_number};
 use crate::output::number::rounded;
 use crate::output::{self, contact_map, print_message};
 

@@ -5,6 +5,7 @@ mod bem;
 mod check;
 mod compare;
 mod conductance;
+mod conductance_picture;
 mod curve;
 mod export;
 mod fit;

@@ -10,7 +10,8 @@ use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
 use crate::input::args::{model_id, svg_file};
-use crate::input::numbers::{Numbers, all, length, load, pressure};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{length, load, pressure};
 use crate::output::table::{Cell, Table};
 use crate::output::{self, print_message};
 use crate::scene::LoadedScene;

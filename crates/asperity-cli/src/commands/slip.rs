@@ -2,15 +2,16 @@
 
 use anyhow::{Context, Result};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Model, SeparationUnit, Tolerance, linspace};
+use asperity::{At, ContactError, Model, Tolerance, linspace, shortest_digits};
 use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
 use crate::input::args::{Closed, DrawnArgs, tolerance};
-use crate::input::numbers::{Numbers, all, friction, length, load};
-use crate::joints::{amplitude_at, blank_cycle};
-use crate::output::number::rounded;
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{friction, length, load};
+use crate::joints::{amplitude_at, given_preload, preload};
+use crate::output::number::{rounded, within};
 use crate::output::plot;
 use crate::output::print_message;
 use crate::output::table::{Cell, Table};
@@ -102,7 +103,7 @@ impl Slip {
                         amplitude_at(&joint.1, force).with_context(context)?
                     }
                 };
-                self.loops(&named.0, &joint, amplitude).with_context(context)
+                self.loops(&scene, &named.0, &joint, amplitude).with_context(context)
             }
             (several, [], amplitude) => {
                 let amplitude = amplitude.unwrap_or_default();
@@ -112,6 +113,11 @@ impl Slip {
                 self.forces(&scene, &named, places, forces).with_context(context)
             }
         }
+    }
+
+    /// A result with the digits of the tolerance.
+    pub(super) fn digits(&self, x: f64) -> f64 {
+        within(x, self.tolerance)
     }
 
     pub(super) fn joint(
@@ -128,6 +134,7 @@ impl Slip {
     /// The first shift and a steady cycle at one preload.
     fn loops(
         &self,
+        scene: &LoadedScene,
         id: &str,
         (joint, slip): &(Unloading, PartialSlip),
         amplitude: f64,
@@ -159,7 +166,7 @@ impl Slip {
                 first(&factor)?,
             ];
             let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(Cell::Number));
+            row.extend(numbers.map(|number| Cell::Number(number.map(|x| self.digits(x)))));
             table.rows.push(row);
         }
         print_message(
@@ -167,7 +174,7 @@ impl Slip {
             &format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})"),
         );
         let sliding = slip.shift_at(SLIDING)?;
-        check_amplitude(amplitude, sliding);
+        check_amplitude(scene, amplitude, sliding);
         let limit = self.friction * joint.force(0.0)?.value();
         let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
         let text = format!(
@@ -198,7 +205,8 @@ impl Slip {
                 }
                 Err(error) => {
                     left_out.push(error);
-                    blank_cycle(scene, *place)
+                    let [load, pressure, separation] = given_preload(scene, *place);
+                    [load, pressure, separation, None, None, None, None, None]
                 }
             };
             let mut row = vec![Cell::from(id)];
@@ -214,7 +222,7 @@ impl Slip {
                 &format!("{}: {id}: the row of a preload is blank: {error}", scene.name),
             );
         }
-        check_amplitude(amplitude, farthest);
+        check_amplitude(scene, amplitude, farthest);
         self.output.write(&table, || {
             let loads: Vec<f64> = table.rows.iter().filter_map(|row| row[1].number()).collect();
             let mut x = Axis::new("load_N", "load (N)");
@@ -243,32 +251,35 @@ impl Slip {
         place: At,
         amplitude: f64,
     ) -> Result<[f64; 8], ContactError> {
-        let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let (joint, slip) = self.joint(scene, model, place)?;
-        let load = joint.force(0.0)?.value();
-        let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
+        let [load, pressure, separation] = preload(scene, place, &joint)?;
         let (force, loss) = (slip.force(amplitude)?, slip.loss(amplitude)?);
-        Ok([
-            load,
-            load / contact.nominal_area,
-            separation.value,
+        let results = [
             force.value(),
             force.value() / amplitude,
             loss.value(),
             slip.loss_factor(amplitude)?,
             slip.shift_at(SLIDING)?,
-        ])
+        ];
+        let [force, stiffness, loss, factor, sliding] = results.map(|x| self.digits(x));
+        Ok([load, pressure, separation, force, stiffness, loss, factor, sliding])
     }
 }
 
-/// Warns of an amplitude far beyond the shift of gross slip.
-fn check_amplitude(amplitude: f64, sliding: f64) {
-    if amplitude > FAR * sliding {
-        let times = rounded((amplitude / sliding).round());
+/// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.
+fn check_amplitude(scene: &LoadedScene, amplitude: f64, sliding: f64) {
+    let height_std = scene.file.scene.surface.asperity_height_std;
+    let beyond = [(sliding, "the shift of gross slip"), (height_std, "asperity_height_std")];
+    let beyond = beyond.iter().filter(|(length, _)| amplitude > FAR * length);
+    let times = |(length, name): &(f64, &str)| format!("{:.0e} times {name}", amplitude / length);
+    let beyond: Vec<String> = beyond.map(times).collect();
+    if !beyond.is_empty() {
         print_message(
             "warning",
             &format!(
-                "amplitude is {amplitude:e} m, {times} times the shift of gross slip; write lengths with their unit, for example 100nm"
+                "amplitude is {} m, {}; write lengths with their unit, for example 100nm",
+                shortest_digits(amplitude),
+                beyond.join(" and ")
             ),
         );
     }

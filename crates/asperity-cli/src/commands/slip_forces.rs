@@ -1,12 +1,12 @@
 //! Cycles between amplitudes of the tangential force.
 
 use anyhow::{Result, anyhow, bail};
-use asperity::joints::{PartialSlip, Unloading};
-use asperity::{At, SeparationUnit};
+use asperity::At;
+use asperity::joints::PartialSlip;
 use asperity_plot::{Axis, Curve, Scale};
 
 use super::slip::Slip;
-use crate::joints::{amplitude_at, blank_cycle};
+use crate::joints::{amplitude_at, given_preload, preload};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::print_message;
@@ -31,10 +31,12 @@ impl Slip {
             let mut refused = vec![];
             for force in forces {
                 let found = joint.as_ref().map_err(|error| anyhow!(error.clone()));
-                let found = found.and_then(|(joint, slip)| under(scene, joint, slip, *force));
+                let found = found.and_then(|(joint, slip)| {
+                    self.under(preload(scene, *place, joint)?, slip, *force)
+                });
                 let numbers = found.map(|numbers| numbers.map(Some)).unwrap_or_else(|error| {
                     refused.push(error.to_string());
-                    let [load, pressure, separation, ..] = blank_cycle(scene, *place);
+                    let [load, pressure, separation] = given_preload(scene, *place);
                     [load, pressure, separation, Some(*force), None, None, None, None]
                 });
                 answered |= numbers[4].is_some();
@@ -56,39 +58,34 @@ impl Slip {
         }
         self.output.write(&table, || forces_picture(&table))
     }
-}
 
-/// Load, pressure, separation and the results of a cycle of this tangential force.
-fn under(
-    scene: &LoadedScene,
-    joint: &Unloading,
-    slip: &PartialSlip,
-    force: f64,
-) -> Result<[f64; 8]> {
-    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
-    let load = joint.force(0.0)?.value();
-    let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
-    let amplitude = amplitude_at(slip, force)?;
-    Ok([
-        load,
-        load / contact.nominal_area,
-        separation.value,
-        force,
-        amplitude,
-        force / amplitude,
-        slip.loss(amplitude)?.value(),
-        slip.loss_factor(amplitude)?,
-    ])
+    /// Load, pressure, separation and the results of a cycle of this tangential force.
+    fn under(
+        &self,
+        [load, pressure, separation]: [f64; 3],
+        slip: &PartialSlip,
+        force: f64,
+    ) -> Result<[f64; 8]> {
+        let amplitude = amplitude_at(slip, force)?;
+        let results = [
+            amplitude,
+            force / amplitude,
+            slip.loss(amplitude)?.value(),
+            slip.loss_factor(amplitude)?,
+        ];
+        let [amplitude, stiffness, loss, factor] = results.map(|x| self.digits(x));
+        Ok([load, pressure, separation, force, amplitude, stiffness, loss, factor])
+    }
 }
 
 /// The plot of cycles against their amplitudes of force, a curve for each preload.
 fn forces_picture(table: &Table) -> Result<String> {
     let mut long = table.clone();
     long.head[0] = "preload".into();
-    let preload = |row: &[Cell]| row[1].number().map_or("none".into(), |load| rounded(load) + " N");
+    let of_row = |row: &[Cell]| row[1].number().map_or("none".into(), |load| rounded(load) + " N");
     let mut preloads: Vec<String> = vec![];
     for row in &mut long.rows {
-        let name = preload(row);
+        let name = of_row(row);
         row[0] = name.as_str().into();
         if !preloads.contains(&name) {
             preloads.push(name);

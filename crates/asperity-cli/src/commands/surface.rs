@@ -18,7 +18,8 @@ use toml::Value;
 use crate::commands::glance;
 use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
-use crate::input::numbers::{have_units, length, share_or_0};
+use crate::input::lists::have_units;
+use crate::input::numbers::{length, share_or_0};
 use crate::output::table::{Format, Table};
 use crate::output::{self, print_message, progress, report};
 

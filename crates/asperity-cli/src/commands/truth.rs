@@ -10,7 +10,8 @@ use clap::{ArgAction, Args};
 
 use crate::commands::bem::Way;
 use crate::input::args::{OutputArgs, listed_model_id};
-use crate::input::numbers::{Numbers, all, load, pressure};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{load, pressure};
 use crate::interrupt;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, progress};

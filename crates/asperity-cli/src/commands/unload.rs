@@ -11,7 +11,7 @@ use clap::error::ErrorKind;
 use crate::commands::{history, unload_bem};
 use crate::input::args::{Closed, DrawnArgs, separation_unit, tolerance};
 use crate::input::distances::{Distances, warn_unit};
-use crate::input::numbers::{Numbers, turning_loads};
+use crate::input::lists::{Numbers, turning_loads};
 use crate::joints::{COLUMNS, READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
 use crate::output::plot;

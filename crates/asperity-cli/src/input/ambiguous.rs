@@ -1,9 +1,10 @@
-//! Lists of two values that are rather one number with a decimal comma.
+//! Commas in numbers of the command line: of lists, decimals or thousands.
 
-use asperity_scene::with_decimal_point;
+use asperity_scene::{notation_hint, with_decimal_point, without_thousands};
 
-/// Refuses two values that are rather one with a decimal comma, 1,5e6 or 1,5kN.
-pub fn refuse_decimal_comma(text: &str) -> Result<(), String> {
+/// Refuses lists that are rather one number, such as 1,5e6, 1,5kN or 1,000,000.
+pub fn refuse_one_number(text: &str) -> Result<(), String> {
+    refuse_thousands(text)?;
     let parts = with_decimal_point(text).zip(text.trim().split_once(','));
     let Some((one, (first, second))) = parts else { return Ok(()) };
     let ends = |c: char| c.is_alphabetic() || c == '\u{b5}';
@@ -16,13 +17,37 @@ pub fn refuse_decimal_comma(text: &str) -> Result<(), String> {
         false if !unit.is_empty() => format!("{first}{unit},{second}"),
         _ => return Ok(()),
     };
-    Err(format!("{text} is ambiguous; write {one} for one value, or {two} for two"))
+    let thousand = without_thousands(text).map(|same| format!(" or {same}")).unwrap_or_default();
+    Err(format!("{text} is ambiguous; write {one}{thousand} for one value, or {two} for two"))
+}
+
+/// Refuses groups of three digits, of which one begins with a 0, as no value of a list does.
+fn refuse_thousands(text: &str) -> Result<(), String> {
+    let is_number = text.contains(",0") && without_thousands(text).is_some();
+    match notation_hint(text).filter(|_| is_number) {
+        Some(hint) => Err(format!("{text} {hint}")),
+        None => Ok(()),
+    }
+}
+
+/// Why a number with a comma is refused where one value is taken.
+pub fn one_value_only(text: &str) -> Option<String> {
+    let one = with_decimal_point(text).filter(|_| without_thousands(text).is_none())?;
+    Some(format!("{text:?} has a decimal comma; write {one}, as two values are not possible here"))
+}
+
+/// The decimal that two plain values may be: 1.5 for 1,5. Decimals rarely end in 0.
+pub fn may_be_decimal(text: &str) -> Option<String> {
+    let decimal = with_decimal_point(text)?;
+    let is_plain = decimal.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+    (is_plain && !decimal.ends_with('0')).then_some(decimal)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::numbers::{all, load, number};
+    use crate::input::lists::all;
+    use crate::input::numbers::{load, number};
 
     #[test]
     fn decimal_commas_are_refused_with_both_readings() {
@@ -36,14 +61,57 @@ mod tests {
         ] {
             let wanted =
                 format!("{text} is ambiguous; write {one} for one value, or {two} for two");
-            assert_eq!(refuse_decimal_comma(text), Err(wanted));
+            assert_eq!(refuse_one_number(text), Err(wanted));
         }
-        for list in ["1,5", "0,100nm", "1.0,5e6", "1e5,2e6", "1,5,9e6", "1um,5um"] {
-            assert_eq!(refuse_decimal_comma(list), Ok(()), "{list}");
+        for (text, how) in [
+            ("1,000,000", "1,000,000 has thousands separators; write 1000000 or 1e6"),
+            ("1,050,200kN", "1,050,200kN has thousands separators; write 1050200kN"),
+            ("1,000", "1,000 is 1.000 or 1000; write one of the two"),
+            (
+                "1,500kN",
+                "1,500kN is ambiguous; write 1.500kN or 1500kN for one value, or 1kN,500kN for two",
+            ),
+        ] {
+            assert_eq!(refuse_one_number(text), Err(how.into()));
+        }
+        for list in [
+            "1,5",
+            "0,100nm",
+            "1.0,5e6",
+            "1e5,2e6",
+            "1,5,9e6",
+            "1um,5um",
+            "10,100",
+            "100,200,300",
+            "1,0,5",
+        ] {
+            assert_eq!(refuse_one_number(list), Ok(()), "{list}");
         }
         let refused = all(load)("0,5").unwrap_err();
         assert_eq!(refused, "0 is not above 0; write 0.5 for one value");
-        assert_eq!(number("0,5").unwrap_err(), "\"0,5\" has a decimal comma; write 0.5");
-        assert_eq!(load("1,5 kN").unwrap_err(), "\"1,5 kN\" has a decimal comma; write 1.5 kN");
+        let one = |text: &str, same: &str| {
+            format!(
+                "{text:?} has a decimal comma; write {same}, as two values are not possible here"
+            )
+        };
+        assert_eq!(number("0,5").unwrap_err(), one("0,5", "0.5"));
+        assert_eq!(load("1,5 kN").unwrap_err(), one("1,5 kN", "1.5 kN"));
+        let either = load("1,500").unwrap_err();
+        assert_eq!(either, "\"1,500\" is 1.500 or 1500; write one of the two");
+    }
+
+    #[test]
+    fn two_values_that_may_be_a_decimal_are_recognised() {
+        for (text, decimal) in [
+            ("1,5", Some("1.5")),
+            ("-0,25", Some("-0.25")),
+            ("10,100", None),
+            ("1,5,9", None),
+            ("1.5,2", None),
+            ("1, 5", None),
+            ("1,5e6", None),
+        ] {
+            assert_eq!(may_be_decimal(text).as_deref(), decimal, "{text}");
+        }
     }
 }

@@ -14,9 +14,8 @@ use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
-use crate::input::numbers::{
-    Numbers, all, load, load_or_tension, number, pressure, pressure_or_tension,
-};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{load, load_or_tension, number, pressure, pressure_or_tension};
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
 use crate::scene::{ALL_MODELS, LoadedScene, NamedModel};

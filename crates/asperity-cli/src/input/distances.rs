@@ -5,7 +5,8 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
-use crate::input::numbers::{Numbers, Span, have_units, number, of_unit};
+use crate::input::lists::{Numbers, Span, have_units};
+use crate::input::numbers::{number, of_unit};
 use crate::output::print_message;
 
 /// The values of one `--separation`: plain numbers in the unit of the command, or metres.

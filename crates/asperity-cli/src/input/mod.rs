@@ -3,6 +3,8 @@
 pub mod ambiguous;
 pub mod args;
 pub mod distances;
+pub mod list_notes;
+pub mod lists;
 pub mod numbers;
 
 use std::sync::OnceLock;

@@ -1,154 +1,9 @@
-//! Numbers on the command line: A:B:N, A:B:N:log or v,v,...
-
-use std::str::FromStr;
+//! Single numbers on the command line, plain or with their unit.
 
 use asperity::joints::coefficient_of_friction;
-use asperity::{linspace, shortest_digits};
-use asperity_scene::with_decimal_point;
+use asperity::shortest_digits;
 
-use crate::input::ambiguous::refuse_decimal_comma;
-
-/// The largest number of values in one range.
-const MOST: usize = 1_000_000;
-
-/// The values of one `--separation` or `--load`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Numbers(pub Vec<f64>);
-
-/// A range A:B, A:B:N or A:B:N:log.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
-    pub first: f64,
-    pub last: f64,
-    pub count: Option<usize>,
-    log: bool,
-}
-
-impl FromStr for Numbers {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Self::read(text, number)
-    }
-}
-
-impl Numbers {
-    /// Numbers, each as `number` reads it.
-    pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
-        have_units(text, number)?;
-        if !text.contains(':') {
-            let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
-            return values.map_err(|error| match (is_range(text), with_decimal_point(text)) {
-                (true, _) => format!("{error}; a range is written A:B:N, for example 1kN:50kN:6"),
-                (_, Some(one)) => format!("{error}; write {one} for one value"),
-                _ => error,
-            });
-        }
-        let Span { first, last, count, log } = Span::read(text, number)?;
-        let count = count.ok_or("the number of values is missing; write A:B:N")?;
-        if !log {
-            return Ok(Self(linspace(first, last, count)));
-        }
-        // Decades are exact, and so are the ends.
-        let powers = linspace(first.log10(), last.log10(), count).into_iter();
-        let mut values: Vec<f64> = powers.map(|power| 10f64.powf(power)).collect();
-        (values[0], values[count - 1]) = (first, last);
-        Ok(Self(values))
-    }
-}
-
-/// Whether a text looks like a range: 1-50kN, 1..50kN.
-fn is_range(text: &str) -> bool {
-    let ends = |by: &str| text.split_once(by).map(|(first, last)| [first.trim(), last.trim()]);
-    let number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-    let both = ends("..").or_else(|| ends("-"));
-    both.is_some_and(|[first, last]| number(first) && number(last))
-}
-
-impl Span {
-    fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
-        let parts: Vec<&str> = text.split(':').collect();
-        let [first, last, ref others @ ..] = parts[..] else {
-            return Err("write A:B or A:B:N".into());
-        };
-        let (first, last) = (number(first)?, number(last)?);
-        if first >= last {
-            let [first, last] = [first, last].map(shortest_digits);
-            return Err(format!("A is {first} and B is {last}; A must be below B"));
-        }
-        if !(last - first).is_finite() {
-            let [first, last] = [first, last].map(shortest_digits);
-            return Err(format!("the range from {first} to {last} exceeds f64"));
-        }
-        let count = others.first().map(|text| match text.trim().parse() {
-            Ok(count) if (2..=MOST).contains(&count) => Ok(count),
-            _ => Err(format!("N is {text}; N must be a whole number from 2 to {MOST}")),
-        });
-        let log = match others {
-            [] | [_] => false,
-            [_, kind] if kind.trim() == "log" && first > 0.0 => true,
-            [_, kind] if kind.trim() == "log" => {
-                return Err(format!("A is {first}; a log range must begin above 0"));
-            }
-            _ => return Err(format!("{text} has more parts than A:B:N; only :log may follow")),
-        };
-        Ok(Self { first, last, count: count.transpose()?, log })
-    }
-
-    /// A range A:B, or A:B:N in equal steps.
-    pub fn even(text: &str, number: ReadNumber) -> Result<Self, String> {
-        have_units(text, number)?;
-        match Self::read(text, number)? {
-            Self { log: true, .. } => Err("log is not allowed here; write A:B or A:B:N".into()),
-            span => Ok(span),
-        }
-    }
-}
-
-/// Whether the values of a list, or the ends of a range, have units: all of them or none (0 needs
-/// none), because the 1 of `1:20kN:5` is ambiguous.
-pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
-    let parts: Vec<&str> = match text.contains(':') {
-        true => text.split(':').take(2).collect(),
-        false => text.split(',').collect(),
-    };
-    if !text.contains(':') {
-        refuse_decimal_comma(text)?;
-    }
-    let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
-    let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
-    let units = parts.iter().any(has_unit);
-    match parts.iter().find(plain).filter(|_| units) {
-        Some(part) => {
-            let example = parts.iter().find(|part| has_unit(part)).map_or("", |part| part.trim());
-            Err(format!("{text}: {part} has no unit; give every value a unit, as in {example}"))
-        }
-        None => Ok(units),
-    }
-}
-
-/// A reader of a number.
-type ReadNumber = fn(&str) -> Result<f64, String>;
-
-/// Reads a list or range of numbers, each as `one` reads it.
-pub fn all(one: ReadNumber) -> impl Fn(&str) -> Result<Numbers, String> + Clone {
-    move |text| Numbers::read(text, one)
-}
-
-/// Reads a range A:B or A:B:N, whose ends `one` reads.
-pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
-    move |text| Span::even(text, one)
-}
-
-/// Forces above 0 at which a joint turns, in N or with their unit.
-pub fn turning_loads(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, |text| {
-        match of_unit(text, "N")? {
-        0.0 => Err("0 is not a turning load: any separation without contact carries it; give loads above 0, or an open separation such as 10 with --history".into()),
-        load => positive(load),
-    }
-    })
-}
+use crate::input::ambiguous::one_value_only;
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
@@ -182,7 +37,7 @@ pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match value.map_err(|error| match si {
         "N" if is("Pa") => format!("{text} is a pressure; use --pressure {text}"),
         "Pa" if is("N") => format!("{text} is a load; use --load {text}"),
-        _ => error,
+        _ => one_value_only(text).unwrap_or(error),
     })? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
@@ -201,10 +56,9 @@ pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
-        Err(_) => Err(match with_decimal_point(text) {
-            Some(same) => format!("{text:?} has a decimal comma; write {same}"),
-            None => format!("{text:?} is not a number such as 2, -0.5 or 1e-6"),
-        }),
+        Err(_) => Err(one_value_only(text)
+            .or_else(|| asperity_scene::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
+            .unwrap_or_else(|| format!("{text:?} is not a number such as 2, -0.5 or 1e-6"))),
     }
 }
 
@@ -234,9 +88,9 @@ pub fn share_or_0(text: &str) -> Result<f64, String> {
 
 /// A relative error, "1%" or "0.01".
 pub fn relative_error(text: &str) -> Result<f64, String> {
-    match (text.trim().strip_suffix('%'), with_decimal_point(text)) {
+    match (text.trim().strip_suffix('%'), one_value_only(text)) {
         // With its sign of per cent, which changes the value.
-        (_, Some(same)) => Err(format!("{text:?} has a decimal comma; write {same}")),
+        (_, Some(comma)) => Err(comma),
         (Some(percent), _) => positive_number(percent.trim()).map(|percent| percent / 100.0),
         (None, _) => positive_number(text),
     }
@@ -259,91 +113,23 @@ pub fn positive(value: f64) -> Result<f64, String> {
 mod tests {
     use super::*;
 
-    fn numbers(text: &str) -> Result<Vec<f64>, String> {
-        text.parse::<Numbers>().map(|numbers| numbers.0)
-    }
-
     #[test]
-    fn ranges_and_lists_are_read() {
-        assert_eq!(numbers("-1:4:11").unwrap()[..2], [-1.0, -0.5]);
-        assert_eq!(numbers("0:4:401").unwrap()[400..], [4.0]);
-        assert_eq!(numbers("-1e-6,2, 3").unwrap(), [-1e-6, 2.0, 3.0]);
-        let log = numbers("0.1:7:3:log").unwrap();
-        assert_eq!((log[0], log[2]), (0.1, 7.0));
-        assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
-        assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
-        assert_eq!(all(load)("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
-        assert_eq!(all(pressure)("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
-        assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
-        let span = Span::even("0:4", number).unwrap();
-        assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
-        assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
-        for (mixed, part) in
-            [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has"), ("1, 2kN", "1 has")]
-        {
-            let refused = [all(load)(mixed).unwrap_err(), all(load_or_tension)(mixed).unwrap_err()];
-            assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
-        }
-        for refused in [range(load)("1kN:20:5"), range(pressure)("1:2MPa")] {
-            assert!(refused.unwrap_err().contains("has no unit; give every value a unit"));
-        }
-        assert!(range(pressure)("0:1MPa").is_err() && range(load)("1:2kN:3:log").is_err());
-        assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
-    }
-
-    #[test]
-    fn mistaken_options_and_ranges_are_named() {
+    fn mistaken_options_are_named() {
         assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
         assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
-        for range in ["1-50kN", "1..50kN", "1 - 50 kN"] {
-            let error = Numbers::read(range, load).unwrap_err();
-            assert!(error.ends_with("a range is written A:B:N, for example 1kN:50kN:6"), "{error}");
-        }
-        assert!(!Numbers::read("kN-1", load).unwrap_err().contains("range"));
+        assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
     }
 
     #[test]
     fn everything_else_is_refused() {
-        for bad in [
-            "",
-            ",",
-            "1,,2",
-            "1:2",
-            "4:0:5",
-            "1:1:5",
-            "0:4:1",
-            "0:4:2.5",
-            "0:4:-3",
-            "0:4:9999999",
-            "a:b:c",
-            "0:4:5:6",
-            "1:4:5:lin",
-            "1:4:5:log:log",
-            "0:4:5:log",
-            "-1:4:5:log",
-            "nan",
-            "inf",
-            "0:inf:3",
-            "--model",
-            "0:4:",
-            "-1e308:1e308:3",
-            "1;2",
-        ] {
-            assert!(numbers(bad).is_err(), "{bad}");
-        }
-        assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
-        assert!(all(load_or_tension)("-1,0").is_err() && pressure_or_tension("0").is_err());
-        assert!(
-            turning_loads("1 kN,0").is_err()
-                && all(load)("1 mm").is_err()
-                && pressure("inf").is_err()
-        );
+        assert!(pressure_or_tension("0").is_err() && pressure("inf").is_err());
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);
-        assert_eq!(share("0,5%").unwrap_err(), "\"0,5%\" has a decimal comma; write 0.5%");
+        assert!(
+            share("0,5%").unwrap_err().starts_with("\"0,5%\" has a decimal comma; write 0.5%,")
+        );
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
         assert!(positive_number("0").is_err() && positive_number("-1").is_err());
-        assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

@@ -85,6 +85,19 @@ impl Bench {
         Run::of(self.command().args(arguments.split_whitespace()).output().unwrap())
     }
 
+    /// Runs with these arguments, and presses Ctrl-C while the program is at work.
+    #[cfg(unix)]
+    pub fn interrupted(&self, arguments: &str) -> Run {
+        let mut command = self.command();
+        let piped = std::process::Stdio::piped;
+        command.args(arguments.split_whitespace()).stdout(piped()).stderr(piped());
+        let child = command.spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(1500));
+        let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(kill.unwrap().success());
+        Run::of(child.wait_with_output().unwrap())
+    }
+
     /// The data of a run that succeeds.
     pub fn data(&self, arguments: &str) -> String {
         let run = self.run(arguments);

@@ -106,7 +106,8 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
     assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
     let none = bench.run("conductance soft.toml --pressure 100");
-    assert!(none.code == Some(1) && none.messages.contains("thermal_conductivity is missing"));
+    let rigid = "thermal_conductivity of a rigid counterface is unknown: use --conductivity";
+    assert!(none.code == Some(1) && none.messages.contains(rigid), "{}", none.messages);
 }
 
 #[test]
@@ -124,10 +125,47 @@ fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
     assert!((found[20].unwrap() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted}");
     let picture = std::fs::read_to_string(bench.path("h.svg")).unwrap();
-    for label in ["ke", "cmy", "mikic", "h of contacts and gas"] {
+    let labels = [
+        ">ke<",
+        ">cmy<",
+        "mikic (invalid: plastic contacts)",
+        ">conductance of contacts and gas (W/(m² K))<",
+    ];
+    for label in labels {
         assert!(picture.contains(label), "{label}");
     }
     for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1"] {
         assert_eq!(bench.run(&format!("{asked} {wrong}")).code, Some(2), "{wrong}");
+    }
+}
+
+#[test]
+fn the_conductivities_of_two_bodies_may_be_given_and_the_missing_one_is_named() {
+    let bench = Bench::new();
+    let asked = "conductance scene.toml --pressure 1MPa --format csv";
+    let two = bench.run(&format!("{asked} --conductivity 50,401"));
+    assert_eq!(two.code, Some(0), "{}", two.messages);
+    let note = "--conductivity 50,401 is that of two bodies: 2 k1 k2/(k1 + k2) = 88.9135 W/(m K)";
+    assert!(two.messages.contains(note), "{}", two.messages);
+    let mean = 2.0 * 50.0 * 401.0 / 451.0;
+    let one = bench.data(&format!("{asked} --conductivity {mean}"));
+    let value = |data: &str| column(data, "thermal_conductance_per_area_W_per_m2_per_K")[0];
+    assert!((value(&two.out) / value(&one) - 1.0).abs() < 1e-12);
+    for wrong in ["50,4,3", "50,-1", "0,5", "1,5e2", "50:60:3"] {
+        let run = bench.run(&format!("{asked} --conductivity {wrong}"));
+        assert_eq!(run.code, Some(2), "{wrong}: {}", run.messages);
+    }
+    // The first line of a conductivity stands in the first body.
+    let template = asperity_scene::template();
+    let first = template.replacen("# thermal_conductivity", "thermal_conductivity", 1);
+    bench.write("one.toml", &first);
+    bench.write("none.toml", crate::bench::NO_SHEAR);
+    for (scene, wanted) in [
+        ("one", "body[2].thermal_conductivity is missing: set it there, or use --conductivity"),
+        ("scene", "thermal_conductivity is missing: set it in both [[body]], or use --conductiv"),
+        ("none", "interface.thermal_conductivity is missing: set it there, or use --conductivity"),
+    ] {
+        let run = bench.run(&format!("conductance {scene}.toml --pressure 1MPa"));
+        assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
     }
 }

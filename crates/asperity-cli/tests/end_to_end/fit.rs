@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::bench::{Bench, Run, cells, column, column_of};
+use crate::bench::{Bench, cells, column, column_of};
 
 /// Areas and stiffnesses of KE on the scene with other numbers, as `curve` writes them.
 fn measured(bench: &Bench, change: (&str, &str), quantities: &str) -> String {
@@ -102,149 +102,8 @@ fn a_rig_is_fitted_and_the_picture_has_data_and_models() {
     }
 }
 
-const AREAS: &str = "load_N,area_m2\n10,5e-9\n100,5e-8\n";
-
-#[test]
-fn bad_data_are_refused_with_their_row_and_column() {
-    let bench = Bench::new();
-    for (text, wanted) in [
-        (
-            "load_N,aera_m2\n1,1\n",
-            "column \"aera_m2\" is not known (the nearest is \"area_m2\"): the columns are load_N,",
-        ),
-        ("load,area_m2\n1,1\n", "column \"load\" is not known (the nearest is \"load_N\")"),
-        (
-            "area_m2\n1e-9\n",
-            "the data have no load or separation: a column load_N, pressure_Pa or separation_m was",
-        ),
-        ("load_N\n1\n", "the data have no measured quantity: a column of a quantity"),
-        ("load_N,area_m2\n1,\n", "the data have no measured quantity"),
-        ("load_N,area_m2\n-1,1e-9\n", "row 1: load_N is -1.0: a load above 0 was required"),
-        (
-            "load_N,area_m2\n1,1e-9\n2,0\n",
-            "row 2: area_m2 is 0.0: a number above 0, or its standard deviation, was required",
-        ),
-        (
-            "load_N,area_m2,area_m2_std\n1,1e-9,0\n",
-            "row 1: area_m2_std is 0.0: a number above 0 was required",
-        ),
-        (
-            "load_N,area_m2,area_m2_std\n1,1e-9,1e-10\n2,2e-9,\n",
-            "area_m2: row 2 has no standard deviation, but area_m2 has one",
-        ),
-        (
-            "load_N,area_m2,tangent_N_per_m_std\n1,1e-9,1\n",
-            "tangent_N_per_m_std: the column of its values is missing",
-        ),
-        ("load_N,area_m2,area_m2\n1,1e-9,1e-9\n", "area_m2: the column is given twice"),
-        (
-            "load_N,area_m2\n1,big\n",
-            "data.csv:2: area_m2 is \"big\": a number, or nothing was required",
-        ),
-        ("1,1e-9\n2,2e-9\n", "data.csv:1: the header is \"1,1e-9\": a header, for example"),
-        ("load_N,area_m2\n1\n", "data.csv:2: CSV: 1 cells under a header of 2 columns"),
-        ("load_N,area_m2\n1,nan\n", "row 1: area_m2 is NaN: a finite number was required"),
-        ("load_N,area_m2\ninf,1\n", "row 1: load_N is inf: a finite number was required"),
-        (
-            "load_N,area_fraction\n1,2.5\n",
-            "row 1: area_fraction is 2.5: at most 1 (a number in per cent over 100) was required",
-        ),
-        (
-            "load_N,area_m2\n,1\n",
-            "row 1: area_m2 is 1.0: a load or a separation beside it was required",
-        ),
-        (
-            "load_N,force_N\n1,1\n",
-            "row 1: force_N is 1.0: either the load or this quantity was required",
-        ),
-        (
-            "model,load_N,area_m2\nke,1,1e-9\ngw,1,1e-9\n",
-            "model is \"ke and gw\": the rows of one model",
-        ),
-        ("", "data.csv:1: the header is \"\": a header, for example load_N"),
-    ] {
-        bench.write("data.csv", text);
-        let run = bench.run("fit scene.toml data.csv --free hardness");
-        assert_eq!(run.code, Some(1), "{text}: {}", run.messages);
-        assert!(run.messages.contains(wanted), "{text}: {}", run.messages);
-        assert!(run.out.is_empty(), "{}", run.out);
-    }
-}
-
-#[test]
-fn bad_parameters_are_refused_by_name() {
-    let bench = Bench::new();
-    bench.write("data.csv", AREAS);
-    for (free, wanted) in [
-        ("hardnes", "hardnes is not an input of this scene (the nearest is \"hardness\"): one of "),
-        ("hardness,hardness", "hardness: it is given twice"),
-        (
-            "hardness=4GPa:1GPa",
-            "hardness: the bounds are 4e9 and 1e9: two finite numbers, the smaller first,",
-        ),
-        (
-            "thermal_conductivity",
-            "thermal_conductivity: the scene gives no value above 0 to start from: give bounds,",
-        ),
-        (
-            "separation_offset",
-            "separation_offset: the data have no column that depends on it: separation_m was",
-        ),
-        (
-            "series_compliance",
-            "series_compliance: the data have no column that depends on it: separation_m or",
-        ),
-        (
-            "plasticity_index,asperity_radius",
-            "asperity_radius is given beside plasticity_index, which",
-        ),
-        (
-            "asperity_radius,asperity_density,asperity_height_std",
-            "2 measured values for 3 free parameters: at least",
-        ),
-        ("hardness --model bem", "bem: boundary elements are not fitted"),
-        ("m0", "m0, m2 and m4 need a surface that is given by them"),
-    ] {
-        let run = bench.run(&format!("fit scene.toml data.csv --free {free}"));
-        assert_eq!(run.code, Some(1), "{free}: {}", run.messages);
-        assert!(run.messages.contains(wanted), "{free}: {}", run.messages);
-    }
-    let run = bench.run("fit scene.toml none.csv --free hardness");
-    assert!(run.code == Some(1) && run.messages.contains("none.csv: the data cannot be read"));
-    for usage in [
-        "data.csv",
-        "data.csv --free hardness=1N:2N",
-        "data.csv --free hardness=1GPa",
-        "data.csv --free =1:2",
-        "--free hardness",
-        "--free hardness --target area=1e-9",
-        "--free hardness --target area_fraction=120% --load 1",
-        "--free hardness --target aera=1e-9 --load 1",
-        "--free hardness --target area=1e-9 --separation 2",
-        "data.csv --free hardness --target area=1e-9 --load 1",
-        "data.csv --free hardness --load 1",
-        "data.csv --free hardness --plot fit.png",
-        "data.csv --free hardness --plot a.svg --output a.svg",
-    ] {
-        let run = bench.run(&format!("fit scene.toml {usage}"));
-        assert_eq!(run.code, Some(2), "{usage}: {}", run.messages);
-    }
-}
-
-#[test]
-fn a_model_without_the_quantity_is_left_out_among_others() {
-    let bench = Bench::new();
-    bench.write("data.csv", "load_N,unloading_stiffness_N_per_m\n10,5e7\n100,5e8\n");
-    let fit = "fit scene.toml data.csv --free asperity_height_std --format csv --model";
-    let run = bench.run(&format!("{fit} gao,ke"));
-    assert_eq!((run.code, cells(&run.out, "model")), (Some(0), vec!["ke"]), "{}", run.messages);
-    assert!(run.messages.contains("warning: left out: gao has no value for the data"));
-    let run = bench.run(&format!("{fit} gao"));
-    assert!(run.code == Some(1) && run.messages.contains("gao has no value for the data at any"));
-}
-
 /// Stiffnesses of KE on the template against the pressure.
-fn stiffness_rows(bench: &Bench) -> Vec<[f64; 2]> {
+pub fn stiffness_rows(bench: &Bench) -> Vec<[f64; 2]> {
     let data = bench.data(
         "curve scene.toml --model ke --pressure 1e5:1e7:6:log --quantity unloading-stiffness",
     );
@@ -252,30 +111,9 @@ fn stiffness_rows(bench: &Bench) -> Vec<[f64; 2]> {
     column(&data, "pressure_Pa").into_iter().zip(stiffness).map(|(p, k)| [p, k]).collect()
 }
 
-fn write_rows(bench: &Bench, rows: impl IntoIterator<Item = [f64; 2]>) {
+pub fn write_rows(bench: &Bench, rows: impl IntoIterator<Item = [f64; 2]>) {
     let rows: String = rows.into_iter().map(|[p, k]| format!("{p:e},{k:e}\n")).collect();
     bench.write("data.csv", &format!("pressure_Pa,unloading_stiffness_N_per_m\n{rows}"));
-}
-
-#[test]
-fn data_in_another_unit_are_an_error_with_the_unit() {
-    let bench = Bench::new();
-    let rows = stiffness_rows(&bench);
-    let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
-    for (factors, wanted) in [
-        ([1e-6, 1.0], "pressure_Pa = 10 looks like MPa; 10 MPa is 1e7 Pa"),
-        ([1.0, 1e-6], " = 3716 looks like N/um; 3716 N/um is 3.716e9 N/m"),
-        ([1e-5, 1e-7], "check the columns and their units, and the other numbers of the scene"),
-    ] {
-        write_rows(&bench, rows.iter().map(|[p, k]| [p * factors[0], k * factors[1]]));
-        let run = bench.run(&format!("{fit},hardness --model ke"));
-        assert_eq!(run.code, Some(1), "{}", run.messages);
-        let why = "error: scene.toml: ke: no values within the bounds describe the data, which are off by a factor of ";
-        assert!(run.messages.contains(why) && run.messages.contains(wanted), "{}", run.messages);
-        // The values are meaningless, and nothing else is said of them.
-        assert!(!run.messages.contains("warning"), "{}", run.messages);
-        assert_eq!(column(&run.out, "value").len(), 2);
-    }
 }
 
 #[test]
@@ -337,13 +175,7 @@ fn an_interrupted_fit_keeps_the_models_that_are_done() {
     let grid = (0..20_000).map(|k| 1e5 * (1.0 + 1e-3 * f64::from(k)));
     write_rows(&bench, grid.map(|pressure| [pressure, 5e2 * pressure]));
     let arguments = "fit scene.toml data.csv --free asperity_height_std,hardness --model ke,jg";
-    let mut command = bench.command();
-    command.args(arguments.split(' ')).stdout(std::process::Stdio::piped());
-    let child = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(1500));
-    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
-    assert!(kill.unwrap().success());
-    let run = Run::of(child.wait_with_output().unwrap());
+    let run = bench.interrupted(arguments);
     assert_eq!(run.code, Some(130), "{}", run.messages);
     assert!(
         run.messages.contains("error: interrupted: 0 of 2 models are fitted"),

@@ -3,12 +3,15 @@
 
 mod adhesion;
 mod bem;
+mod bem_boundary;
 mod bench;
 mod conductance;
 mod curve;
+mod curve_messages;
 mod export;
 mod files;
 mod fit;
+mod fit_refusals;
 mod generate;
 mod help;
 mod joints;

@@ -86,10 +86,17 @@ impl Interface {
             && first.poissons_ratio.total_cmp(&second.poissons_ratio).is_eq();
         Ok(Self {
             tangent_modulus: softer.tangent_modulus.filter(|_| alike),
-            thermal_conductivity: conductivities.map(|(a, b)| 2.0 * a / (1.0 + a / b)),
+            thermal_conductivity: conductivities.map(|(a, b)| Self::mean_conductivity(a, b)),
             electrical_resistivity: resistivities.map(|(a, b)| 0.5 * a + 0.5 * b),
             ..Self::of_body(softer, (a.0 + b.0, a.1 + b.1))
         })
+    }
+
+    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from those of its bodies; all in
+    /// W/(m K).
+    #[must_use]
+    pub fn mean_conductivity(first: f64, second: f64) -> f64 {
+        2.0 * first / (1.0 + first / second)
     }
 
     /// A deformable body on a rigid one. Conductivity and resistivity are not set: those of the

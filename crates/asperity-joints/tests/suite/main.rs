@@ -9,4 +9,5 @@ mod references;
 mod refusals;
 mod scenes;
 mod skewed;
+mod stated;
 mod turning;

@@ -162,6 +162,8 @@ class Surface:
     def from_mean_slope(
         surface_height_std: _Number, mean_slope: _Number, asperity_density: _Number
     ) -> Surface: ...
+    @staticmethod
+    def from_gradient(sq: _Number, spd: _Number, sdq: _Number) -> Surface: ...
     asperity_radius: Final[float]
     asperity_density: Final[float]
     asperity_height_std: Final[float]

@@ -126,6 +126,20 @@ record! {
             Self::following(Roughness::MeanSlope([std, slope, density]))
         }
 
+        /// From parameters of ISO 25178, with the rms gradient Sdq of an isotropic Gaussian surface
+        /// instead of Spc: Sq [m], Spd [1/m^2] and Sdq, without a unit.
+        ///
+        /// >>> import asperity
+        /// >>> surface = asperity.Surface.from_gradient("1 um", "4000 1/mm2", 0.18)
+        /// >>> round(surface.asperity_radius, 9)
+        /// 1.4454e-05
+        #[staticmethod]
+        fn from_gradient(sq: &Arg<'_>, spd: &Arg<'_>, sdq: &Arg<'_>) -> PyResult<Self> {
+            let given = [("sq", sq), ("spd", spd), ("sdq", sdq)];
+            let [sq, spd, sdq] = numbers("Surface", given)?;
+            Self::following(Roughness::Gradient([sq, spd, sdq]))
+        }
+
         /// Density times radius times height_std.
         #[getter]
         fn roughness_parameter(&self) -> f64 {
@@ -165,6 +179,7 @@ impl Origin<Surface> for Option<Roughness> {
             Roughness::Moments(_) => "from_moments",
             Roughness::Iso25178(_) => "from_iso25178",
             Roughness::MeanSlope(_) => "from_mean_slope",
+            Roughness::Gradient(_) => "from_gradient",
             _ => "from_surface_std",
         };
         let numbers = PyTuple::new(record.py(), roughness.numbers())?;

@@ -7,6 +7,7 @@ mod hostile;
 mod measured;
 mod options;
 mod random_asperities;
+mod scene_errors;
 mod scene_files;
 mod tabulated_heights;
 mod two_surfaces;

@@ -165,6 +165,27 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
 }
 
 #[test]
+fn the_keys_of_a_surface_stay_when_its_numbers_change() {
+    let head = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n\
+                hardness = 2e9\n[surface]\n";
+    for (surface, changed, line) in [
+        ("sq = 1e-6\nspd = 2e9\nsdq = 0.15", "sdq", "sdq = 2e-1 "),
+        ("sq = 1e-6\nspd = 2e8\nspc = 5e3", "sq", "sq = 2e-1 "),
+        ("m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4", "m0", "m0 = 2e-1 "),
+    ] {
+        let file = read(&format!("{head}{surface}\n"));
+        let (text, _) = again(&file);
+        assert!(surface.lines().all(|line| text.contains(line.split(" =").next().unwrap())));
+        assert!(!text.contains("asperity_radius"), "{text}");
+        let inputs = file.inputs([changed]).unwrap();
+        let other = file.with_inputs(inputs.into_iter().map(|input| (input, 0.2))).unwrap();
+        let text = other.to_toml(&[]).unwrap();
+        assert!(text.contains(line) && !text.contains("asperity_radius"), "{text}");
+        assert_same(&read(&text), &other);
+    }
+}
+
+#[test]
 fn changed_numbers_are_written() {
     let mut file = read(template());
     file.scene.interface.hardness = Some(3e9);

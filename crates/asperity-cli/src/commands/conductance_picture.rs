@@ -1,0 +1,67 @@
+//! The plot of `asperity conductance`.
+
+use anyhow::Result;
+use asperity::joints::conductance::Correlation;
+use asperity::{Quantity, Scene};
+use asperity_plot::{Axis, Curve, Scale};
+
+use crate::output::table::{Cell, Table};
+use crate::output::{once, plot};
+
+pub const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
+
+/// The looks of correlations where they do not hold: grey, with dashes and markers of their own.
+const GREY: [usize; 2] = [9, 59];
+
+/// The head of the conductance of the gas, or of contacts and gas together.
+pub fn column(part: &str) -> String {
+    format!("{part}_{}", CONDUCTANCE.column())
+}
+
+/// The conductance of the contacts and, with a gas, in total against the pressure, one curve for
+/// each model and correlation; correlations are grey where they do not hold.
+pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
+    let pressures: Vec<f64> = table.rows.iter().filter_map(|row| row[2].number()).collect();
+    let mut x = Axis::new("pressure_Pa", "pressure (Pa)");
+    x.scale = Scale::fitting(&pressures);
+    let mut long = table.clone();
+    let ids: Vec<Cell> = long.rows.iter().map(|row| row[0].clone()).collect();
+    let ids = once(&ids);
+    for row in &mut long.rows {
+        let invalid = Correlation::ALL.into_iter().find(|known| row[0] == known.id().into());
+        if let Some(correlation) = invalid.filter(|_| row[5] == "no".into()) {
+            row[0] = invalid_name(correlation, scene).as_str().into();
+        }
+    }
+    let names: Vec<Cell> = long.rows.iter().map(|row| row[0].clone()).collect();
+    let (few, mut greys) = (long.rows.len() <= plot::MARKED * ids.len(), GREY.into_iter());
+    let curve = |name: &Cell| {
+        let Cell::Text(text) = name else { return None };
+        let look = ids.iter().position(|id| id == name).or_else(|| greys.next());
+        let mut curve = Curve::new(look.unwrap_or_default(), text, text);
+        curve.every_point = few;
+        Some(curve)
+    };
+    let mut curves: Vec<Curve> = once(&names).iter().filter_map(curve).collect();
+    // Below the others, which they may cover.
+    curves.sort_by_key(|curve| !GREY.contains(&curve.look));
+    let (contacts, total) = (CONDUCTANCE.column(), column("total"));
+    let columns = [
+        (&*contacts, "conductance of the contacts (W/(m² K))"),
+        (&*total, "conductance of contacts and gas (W/(m² K))"),
+    ];
+    // Lines run from left to right for any order of the rows.
+    let pressure = |row: &Vec<Cell>| row[2].number().unwrap_or(f64::NAN);
+    long.rows.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+    plot::against(&long, &x, &columns, &curves)
+}
+
+/// The name of a correlation where it does not hold, with the reason.
+fn invalid_name(correlation: Correlation, scene: &Scene) -> String {
+    let reason = match correlation.foreign(scene) {
+        Some(index) if index < 1.0 => "elastic contacts".into(),
+        Some(_) => "plastic contacts".into(),
+        None => format!("{} out of range", correlation.relative_pressure()),
+    };
+    format!("{} (invalid: {reason})", correlation.id())
+}

@@ -1,0 +1,196 @@
+//! What `curve` says beside its rows, and what it refuses.
+
+use asperity::Quantity;
+
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column};
+
+#[test]
+fn models_that_the_scene_does_not_allow_are_named() {
+    let bench = Bench::new();
+    bench.write("scene.toml", NO_SHEAR);
+    let run = bench.run("curve scene.toml --separation 2");
+    assert_eq!(run.code, Some(0));
+    assert_eq!(run.out.lines().count(), 9, "{}", run.out);
+    let arguments = &run.messages;
+    for id in ["gao", "at", "at-additive", "at-overlap"] {
+        assert!(
+            arguments.contains(&format!("note: left out: {id}: equivalent_shear_modulus")),
+            "{arguments}"
+        );
+    }
+    let refused = bench.run("curve scene.toml --model gw,gao");
+    assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
+    assert!(
+        refused.messages.contains("scene.toml: equivalent_shear_modulus is missing: Gao needs it")
+    );
+}
+
+#[test]
+fn unusual_results_are_printed_with_a_warning() {
+    let bench = Bench::new();
+    bench.write("scene.toml", NEGATIVE);
+    let run = bench.run("curve scene.toml --model at --separation 1,500 --quantity force,ln-force");
+    assert_eq!(run.code, Some(0));
+    let force = column(&run.out, "force_N");
+    assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
+    assert!(column(&run.out, &Quantity::LnForce.column())[1] < -1e5);
+    assert!(
+        run.messages.contains(" N) at a separation of 1 asp")
+            && run.messages.contains("force is negative ("),
+        "{}",
+        run.messages
+    );
+    assert!(run.messages.contains("too small for f64 at a separation of 500"), "{}", run.messages);
+}
+
+#[test]
+fn rows_without_a_value_are_blank_with_one_message() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model jg,ke --load 100,1e30,2e30");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    for name in ["separation_over_sigma", "separation_m", "area_m2", "tangent_N_per_m"] {
+        let blank: Vec<bool> = cells(&run.out, name).iter().map(|cell| cell.is_empty()).collect();
+        assert_eq!(blank, [false, true, true, false, true, true], "{name}");
+    }
+    assert_eq!(cells(&run.out, "load_N")[1], "1e30");
+    assert_eq!(run.messages.lines().count(), 2, "{}", run.messages);
+    assert!(run.messages.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
+    assert!(run.messages.contains("a load above 0 and at most"), "{}", run.messages);
+    let json = bench.run("curve scene.toml --model ke --load 5.0,1e30 --format json");
+    let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert!(rows[0]["area_m2"].is_f64() && rows[1]["area_m2"].is_null());
+    assert!(rows[1]["separation_m"].is_null() && rows[1]["load_N"].as_f64() == Some(1e30));
+    let separations = bench.run("curve scene.toml --model ke --separation 1.0,2e9");
+    assert_eq!(separations.code, Some(0));
+    assert_eq!(cells(&separations.out, "force_N")[1], "");
+    assert!(separations.messages.contains("no value in 1 of 2 rows"), "{}", separations.messages);
+}
+
+#[test]
+fn plots_other_than_svg_are_refused_first() {
+    let bench = Bench::new();
+    for name in ["x.png", "x", "x.svg.pdf", ".svg"] {
+        let run = bench.run(&format!("curve nowhere.toml --output out.csv --plot {name}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{name}");
+        assert!(
+            run.messages.contains(name) && run.messages.contains("ends in .svg"),
+            "{}",
+            run.messages
+        );
+    }
+    assert!(!bench.path("out.csv").exists());
+}
+
+#[test]
+fn messages_use_the_unit_and_the_plane_of_the_user() {
+    let bench = Bench::new();
+    bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
+    let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
+    let printed = "a separation of 1.5e-6 m from the mean plane of the surface";
+    assert!(run.messages.contains(printed), "{}", run.messages);
+    assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
+    let plan = bench.data("plan plane.toml --model ke --separation 1:3:3");
+    assert!(plan.contains("a separation of 1 asperity_height_std from the mean plane"), "{plan}");
+    let plan = bench.data("plan plane.toml --model ke --load 10:1000:50");
+    assert!(plan.contains("50 rows from a load of 1000 N to a load of 10 N"), "{plan}");
+}
+
+#[test]
+fn facts_about_a_model_are_not_repeated_with_results() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model gao,at --separation 2");
+    assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
+    let models = bench.data("models --format json");
+    assert!(models.contains("Gao: the angle density falls to 4 pi psi"), "{models}");
+}
+
+#[test]
+fn a_unit_without_its_separations_is_refused() {
+    let bench = Bench::new();
+    for arguments in [
+        "curve scene.toml",
+        "compare scene.toml",
+        "recommend scene.toml --load 5",
+        "export scene.toml --model ke --as csv --load 1:5:3",
+    ] {
+        let run = bench.run(&format!("{arguments} --separation-unit m"));
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}");
+        assert!(run.messages.contains("--separation"), "{arguments}");
+    }
+}
+
+#[test]
+fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
+    let bench = Bench::new();
+    let by_default = bench.data("curve scene.toml --separation 2");
+    assert_eq!(bench.data("curve scene.toml --separation 2 --model all"), by_default);
+    let asked = "curve scene.toml --model ke,jg --separation 2 --quantity area,thermal-conductance";
+    let run = bench.run(asked);
+    assert_eq!(run.messages.matches("thermal_conductivity is missing").count(), 1);
+    assert!(run.messages.contains("ke, jg: no thermal-conductance"), "{}", run.messages);
+}
+
+#[test]
+fn corrected_models_have_intervals_and_reasons_for_blanks() {
+    let bench = Bench::new();
+    let arguments =
+        "curve scene.toml --model ke,jg --pressure 1e6,1e7,1e11 --corrected --format csv";
+    let run = bench.run(&format!("{arguments} --quantity area,contacts"));
+    // At 1e11 Pa models need more than the nominal area.
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert_eq!(cells(&run.out, "model")[2..4], ["ke-corrected", "jg-corrected"]);
+    let [value, lower, upper] =
+        ["area_m2", "area_lower", "area_upper"].map(|name| cells(&run.out, name));
+    for row in [0, 1, 3, 4] {
+        let number = |cell: &str| cell.parse::<f64>().unwrap();
+        let [value, lower, upper] = [value[row], lower[row], upper[row]].map(number);
+        assert!(0.7 * value < lower && lower < value && value < upper, "{}", run.out);
+    }
+    assert!(value[2].is_empty() && value[5].is_empty(), "{}", run.out);
+    assert!(cells(&run.out, "contacts").iter().all(|cell| cell.is_empty()), "{}", run.out);
+    for printed in [
+        "warning: ke-corrected, jg-corrected: no contacts in 2 of 3 rows, first: contacts has no counterpart in boundary elements",
+        "warning: ke-corrected, jg-corrected: no value in 1 of 3 rows, first: no boundary-element solution is close: p/(E g) = ",
+    ] {
+        assert!(run.messages.contains(printed), "{}", run.messages);
+    }
+    let refused = bench.run("curve scene.toml --model ke --corrected");
+    assert!(refused.messages.contains("--corrected needs --load or --pressure"));
+    assert_eq!(refused.code, Some(1));
+    let solved = bench.data("solve scene.toml --model ke --load 100 --corrected --quantity area");
+    assert_eq!(cells(&solved, "model"), ["ke-corrected"]);
+}
+
+#[test]
+fn two_values_that_may_be_one_decimal_have_a_note() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model ke --pressure 1e6,2,5 --separation-unit m");
+    assert_eq!(run.code, Some(2), "{}", run.messages);
+    for (given, note) in [
+        (
+            "--pressure 1,5",
+            Some("--pressure 1,5 is read as two values, 1 and 5; a decimal is written 1.5"),
+        ),
+        ("--separation 1,2", Some("--separation 1,2 is read as two values, 1 and 2; a decimal is")),
+        ("--load 10,100", None),
+        ("--load 1.0,5", None),
+        ("--load 1,5,9", None),
+    ] {
+        let run = bench.run(&format!("curve scene.toml --model ke {given}"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        match note {
+            Some(note) => assert!(run.messages.contains(note), "{}", run.messages),
+            None => assert!(!run.messages.contains("is read as"), "{}", run.messages),
+        }
+    }
+    for (given, how) in [
+        ("--pressure 1,000,000", "1,000,000 has thousands separators; write 1000000 or 1e6"),
+        ("--pressure 1,000", "1,000 is 1.000 or 1000; write one of the two"),
+    ] {
+        let run = bench.run(&format!("curve scene.toml --model ke {given}"));
+        assert!(run.code == Some(2) && run.messages.contains(how), "{}", run.messages);
+    }
+    let run = bench.run("slip scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
+    let one = "\"1,5um\" has a decimal comma; write 1.5um, as two values are not possible here";
+    assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
+}

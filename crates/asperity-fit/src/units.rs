@@ -1,0 +1,62 @@
+//! Units in which measurements are usually recorded.
+
+/// Units with their size in the SI unit of a column.
+pub(crate) const UNITS: [(&str, &[(&str, f64)]); 9] = [
+    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6)]),
+    ("Pa", &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9)]),
+    ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
+    ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
+    ("N/m", &[("N/um", 1e6), ("N/mm", 1e3), ("N/nm", 1e9)]),
+    ("W/K", &[("mW/K", 1e-3), ("kW/K", 1e3)]),
+    ("W/(m2 K)", &[("kW/(m2 K)", 1e3), ("W/(cm2 K)", 1e4)]),
+    ("1/ohm", &[("kS", 1e3), ("mS", 1e-3)]),
+    ("", &[("%", 0.01)]),
+];
+
+/// A column in another unit than its own.
+pub(crate) struct OtherUnit<'k> {
+    /// The column in its SI unit.
+    pub(crate) column: &'k str,
+    pub(crate) unit: &'static str,
+    pub(crate) si: &'static str,
+    /// The unit in SI units.
+    pub(crate) factor: f64,
+}
+
+/// The known column that `name` is in another unit: `load_N` for `load_kN`.
+pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUnit<'k>> {
+    let written = |unit: &str| unit.replace("/(m2 K)", "_per_m2_per_K").replace('/', "_per_");
+    known.iter().find_map(|column| {
+        // Of m and N_per_m, the longer one is the unit.
+        let ends = UNITS
+            .iter()
+            .filter(|(si, _)| !si.is_empty() && column.ends_with(&format!("_{}", written(si))));
+        let (si, units) = ends.max_by_key(|(si, _)| si.len())?;
+        let given = name.strip_prefix(column.strip_suffix(&*written(si))?)?;
+        let (unit, factor) = *units.iter().find(|(unit, _)| written(unit) == given)?;
+        Some(OtherUnit { column, unit, si, factor })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_in_other_units_are_recognised() {
+        let known = ["load_N", "area_m2", "tangent_N_per_m", "separation_m"];
+        for (name, wanted) in [
+            ("load_kN", Some(("load_N", "kN", 1e3))),
+            ("area_mm2", Some(("area_m2", "mm2", 1e-6))),
+            ("tangent_N_per_um", Some(("tangent_N_per_m", "N/um", 1e6))),
+            ("separation_um", Some(("separation_m", "um", 1e-6))),
+            ("load_N", None),
+            ("load", None),
+            ("load_lbf", None),
+        ] {
+            let found = in_other_unit(name, &known);
+            let found = found.map(|other| (other.column, other.unit, other.factor));
+            assert_eq!(found, wanted, "{name}");
+        }
+    }
+}
