@@ -4,23 +4,17 @@ use std::collections::BTreeMap;
 
 use asperity::{Diagnostic, Severity};
 use asperity_scene::{HandedFiles, SceneFile};
-use asperity_topography::ReadOptions;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
+use crate::handed::{admit, readable};
 use crate::message::{Answer, AnswerRow, LoadKeys, LoadShown, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
     advice, code, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
 };
-
-/// The longest file, in bytes: each worker that solves the scene holds it.
-const MOST_FILE: u64 = 128 << 20;
-
-/// A file with a larger share of missing points has no surface to speak of.
-const MOST_MISSING: f64 = 0.99;
 
 /// A scene with the files that it names, and its compiled models.
 #[derive(Default)]
@@ -221,31 +215,6 @@ fn refused(rows: &[AnswerRow], load: &LoadShown) -> Option<String> {
     Some(said.join("; "))
 }
 
-/// Refuses a file that no keys of a scene make readable: unit, pixel size, channel and the share of
-/// missing points can be given.
-fn readable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
-    use asperity_topography::TopographyError::{Channel, PixelSizeMissing, UnitMissing};
-    let options = ReadOptions { max_missing: MOST_MISSING, ..ReadOptions::default() };
-    match asperity_topography::read_bytes(name, bytes, &options) {
-        Ok(_) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
-        Err(error) => Err(Refusal::at("surface.file", format!("{name}: {error}"))),
-    }
-}
-
-/// Refuses a file without bytes and one that is too large.
-fn admit(name: &str, size: u64) -> Result<(), Refusal> {
-    let reason = match size {
-        0 => format!("{name} is empty (0 bytes): choose another file"),
-        1..=MOST_FILE => return Ok(()),
-        _ => format!(
-            "{name} has {} MB, and the page reads at most {} MB: use the program, asperity surface {name}",
-            size >> 20,
-            MOST_FILE >> 20
-        ),
-    };
-    Err(Refusal::at("surface.file", reason))
-}
-
 fn json(value: impl Serialize) -> Result<Value, Refusal> {
     serde_json::to_value(value).map_err(Refusal::new)
 }
@@ -261,6 +230,7 @@ fn reply<T: Serialize>(answer: Result<T, Refusal>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::handed::MOST_FILE;
 
     fn call(desk: &mut Desk, message: Value) -> Value {
         serde_json::from_str(&desk.call(&message.to_string())).unwrap()

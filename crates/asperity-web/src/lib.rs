@@ -9,6 +9,7 @@ mod answer;
 mod code;
 mod desk;
 mod fields;
+mod handed;
 mod law;
 mod link;
 mod map_readings;

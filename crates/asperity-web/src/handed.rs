@@ -1,0 +1,52 @@
+//! Files that the page hands over: their size, and whether a scene can use them.
+
+use asperity_topography::ReadOptions;
+use asperity_topography::TopographyError::{Channel, PixelSizeMissing, UnitMissing};
+
+use crate::refusal::Refusal;
+
+/// The longest file, in bytes: each worker that solves the scene holds it.
+pub(crate) const MOST_FILE: u64 = 128 << 20;
+
+/// A file with a larger share of missing points has no surface to speak of.
+const MOST_MISSING: f64 = 0.99;
+
+/// Refuses a file without bytes and one that is too large.
+pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
+    let reason = match size {
+        0 => format!("{name} is empty (0 bytes): choose another file"),
+        1..=MOST_FILE => return Ok(()),
+        _ => format!(
+            "{name} has {} MB, and the page reads at most {} MB: use the program, asperity surface {name}",
+            size >> 20,
+            MOST_FILE >> 20
+        ),
+    };
+    Err(Refusal::at("surface.file", reason))
+}
+
+/// Refuses a file that no keys of a scene make readable: unit, pixel size, channel and the share of
+/// missing points can be given.
+pub(crate) fn readable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+    let options = ReadOptions { max_missing: MOST_MISSING, ..ReadOptions::default() };
+    match asperity_topography::read_bytes(name, bytes, &options) {
+        Ok(_) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
+        Err(error) => Err(Refusal::at("surface.file", format!("{name}: {error}"))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_that_lack_what_keys_can_give_are_readable_and_others_are_not() {
+        let row = |k: usize| format!("{} 2 {} 4 1 3 5 7\n", k * k % 7, k % 5);
+        let numbers: String = (0..8).map(row).collect();
+        assert!(readable("a.txt", numbers.as_bytes()).is_ok());
+        let refused = readable("a.x3p", b"PK\x03\x04 nothing").unwrap_err();
+        assert!(refused.message.starts_with("a.x3p: "), "{}", refused.message);
+        assert_eq!(refused.field.as_deref(), Some("surface.file"));
+        assert!(readable("a.txt", "nan nan\n".repeat(9).as_bytes()).is_err());
+    }
+}
