@@ -11,6 +11,7 @@ pub mod figures;
 pub mod files;
 pub mod folder;
 pub mod guide;
+pub mod head;
 pub mod page;
 pub mod report;
 pub mod table;

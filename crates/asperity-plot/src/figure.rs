@@ -189,6 +189,8 @@ pub struct Between {
     pub upper: String,
     /// The number of its colour, as for curves; the area is translucent.
     pub look: usize,
+    /// Its name in the legend; empty for an area without an entry.
+    pub label: String,
 }
 
 /// A shaded strip across the frame; an infinite end means the edge of the frame.

@@ -1,10 +1,11 @@
-//! The legend: for each curve a key with line, dash and marker, and its label. plotters' own legend
+//! The legend: for each curve a key with line, dash and marker, for each named area a swatch, and
+//! the label. plotters' own legend
 //! measures text by its bytes and stands inside one chart.
 
 use crate::canvas::{Canvas, Rect, Type};
 use crate::figure::Panel;
 use crate::series::Point;
-use crate::style::{BLACK, Curve};
+use crate::style::{BLACK, Colour, Curve};
 use crate::text::{CAPITAL, width};
 use crate::trace::simplified;
 
@@ -19,10 +20,33 @@ pub(crate) const AREA: f64 = 0.4;
 /// Width of curves.
 const CURVE: f64 = 2.0;
 
+/// A curve, or a shaded area without one.
+struct Entry<'a> {
+    label: &'a str,
+    colour: Colour,
+    curve: Option<&'a Curve>,
+    /// Whether its key shows an area.
+    filled: bool,
+}
+
+impl<'a> Entry<'a> {
+    fn of(panel: &'a Panel) -> impl Iterator<Item = Self> {
+        let filled = panel.stacked;
+        let curves = panel.curves.iter().map(move |curve| {
+            let (label, colour) = (curve.label.as_str(), curve.colour());
+            Self { label, colour, curve: Some(curve), filled }
+        });
+        let areas = panel.between.iter().map(|area| {
+            let colour = Curve::new(area.look, "", "").colour();
+            Self { label: &area.label, colour, curve: None, filled: true }
+        });
+        curves.chain(areas).filter(|entry| !entry.label.is_empty())
+    }
+}
+
 /// The legend of all panels, with its size.
 pub(crate) struct Legend<'a> {
-    /// Each curve, and whether the area under it is filled.
-    entries: Vec<(&'a Curve, bool)>,
+    entries: Vec<Entry<'a>>,
     rows: usize,
     column: f64,
     pub(crate) width: f64,
@@ -32,16 +56,14 @@ pub(crate) struct Legend<'a> {
 impl<'a> Legend<'a> {
     /// The legend in as many columns as fit into a width.
     pub(crate) fn new(panels: &'a [Panel], widest: f64) -> Self {
-        let mut entries: Vec<(&Curve, bool)> = vec![];
-        let curves =
-            panels.iter().flat_map(|p| p.curves.iter().map(move |curve| (curve, p.stacked)));
-        for (curve, filled) in curves.filter(|(curve, _)| !curve.label.is_empty()) {
-            match entries.iter_mut().find(|(entry, _)| entry.label == curve.label) {
-                Some(entry) => entry.1 |= filled,
-                None => entries.push((curve, filled)),
+        let mut entries: Vec<Entry> = vec![];
+        for entry in panels.iter().flat_map(Entry::of) {
+            match entries.iter_mut().find(|known| known.label == entry.label) {
+                Some(known) => known.filled |= entry.filled,
+                None => entries.push(entry),
             }
         }
-        let label = entries.iter().map(|(curve, _)| width(&curve.label, SIZE)).fold(0.0, f64::max);
+        let label = entries.iter().map(|entry| width(entry.label, SIZE)).fold(0.0, f64::max);
         let column = KEY + KEY_GAP + label;
         let fit = ((widest - 2.0 * PAD + COLUMN_GAP) / (column + COLUMN_GAP)).floor().max(1.0);
         let rows = entries.len().div_ceil(fit as usize);
@@ -58,18 +80,21 @@ impl<'a> Legend<'a> {
     pub(crate) fn draw(&self, canvas: &Canvas, (left, top): Point) {
         let edge = Rect::sized(left, top, self.width, self.height);
         canvas.outline(&edge, "#AAAAAA", 0.7);
-        for (index, (curve, filled)) in self.entries.iter().enumerate() {
+        for (index, entry) in self.entries.iter().enumerate() {
             let (column, row) = ((index / self.rows) as f64, (index % self.rows) as f64);
             let x = left + PAD + column * (self.column + COLUMN_GAP);
             let y = top + PAD + (row + 0.5) * ROW;
-            if *filled {
-                let swatch = Rect::sized(x, y, KEY, 6.5);
-                canvas.polygon(&swatch.corners(), curve.colour(), AREA);
+            if entry.filled {
+                let (top, height) = if entry.curve.is_some() { (y, 6.5) } else { (y - 5.0, 10.0) };
+                let swatch = Rect::sized(x, top, KEY, height);
+                canvas.polygon(&swatch.corners(), entry.colour, AREA);
             }
-            draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
-            canvas.marker((x + 0.5 * KEY, y), curve.marker(), curve.colour());
+            if let Some(curve) = entry.curve {
+                draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
+                canvas.marker((x + 0.5 * KEY, y), curve.marker(), entry.colour);
+            }
             let baseline = (x + KEY + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
-            canvas.text(&curve.label, baseline, Type::new(SIZE, BLACK, "start"));
+            canvas.text(entry.label, baseline, Type::new(SIZE, BLACK, "start"));
         }
     }
 }

@@ -246,13 +246,19 @@ mod tests {
         let csv = "curve,x,y\na,0,1\na,1,2\nlow,0,0.5\nlow,1,1\nhigh,0,2\nhigh,1,9\n";
         let mut figure = figure(&["a"], false);
         let panel = &mut figure.panels[0];
-        panel.between = vec![Between { lower: "low".into(), upper: "high".into(), look: 2 }];
+        panel.between = vec![Between {
+            lower: "low".into(),
+            upper: "high".into(),
+            look: 2,
+            label: "range".into(),
+        }];
         panel.strips = vec![Strip::upright(0.5, f64::INFINITY, "half")];
         panel.verticals = vec![Mark::new(0.25, "quarter")];
         panel.horizontals = vec![Mark::new(3.0, "three")];
         let svg = draw(&figure, csv).unwrap();
-        assert_eq!(svg.matches("<polygon").count(), 2);
-        for word in ["half", "quarter", "three"] {
+        // The area, its swatch in the legend, and the strip.
+        assert_eq!(svg.matches("<polygon").count(), 3);
+        for word in ["half", "quarter", "three", "range"] {
             assert!(svg.contains(&format!(">{word}<")), "{word}");
         }
     }

@@ -208,7 +208,12 @@ mod tests {
         assert_eq!(all[1].pieces, [vec![(0.0, 4.0), (1.0, 6.0)]]);
         panel.stacked = false;
         for (upper, fits) in [("b", true), ("c", false)] {
-            panel.between = vec![Between { lower: "a".into(), upper: upper.into(), look: 2 }];
+            panel.between = vec![Between {
+                lower: "a".into(),
+                upper: upper.into(),
+                look: 2,
+                label: String::new(),
+            }];
             assert_eq!(areas(&panel, &table, &mut []).is_ok(), fits);
         }
     }

@@ -183,8 +183,22 @@ test("values under the pointer come with the picture", async () => {
   assert.equal(await page.run("return document.querySelectorAll('#curve .reading').length"), 121);
 });
 
+test("pressures of the contact map are shown under the pointer", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.browser.until("return document.querySelector('#contact image')", "a map");
+  await page.browser.until(SETTLED);
+  const said = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
+    const at = (x, y) => {
+      document.getElementById("contact").dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
+      return document.getElementById("contact-reading").textContent;
+    };
+    return [at(0.001, 0.999), ...Array.from({ length: 4096 }, (_, k) => at(((k % 64) + 0.5) / 64, (Math.floor(k / 64) + 0.5) / 64))]`);
+  assert.match(said[0], /^x 1\.562 µm, y 198\.4 µm: /);
+  assert.ok(said.some((text) => /: no contact$/.test(text)) && said.some((text) => /: at most 7 GPa$/.test(text)), said[1]);
+});
+
 test("what to try beside the example does what it says, and an example can be opened again", async () => {
-  await page.change(["#example", "ground-steel"]);
+  await page.change(["#example", "made-here"]);
   assert.ok(await page.run("return !document.getElementById('try').hidden"));
   const press = async (k) => {
     await page.run("document.querySelectorAll('#tries button')[arguments[0]].click()", k);
@@ -197,10 +211,11 @@ test("what to try beside the example does what it says, and an example can be op
   assert.match(await page.value("scene"), /material = "copper/);
   await press(3);
   assert.equal(await page.run("return document.querySelectorAll('#solved tbody tr').length"), 1);
-  await page.change(["#example", "ground-steel"]);
+  await page.change(["#example", "made-here"]);
   assert.doesNotMatch(await page.value("scene"), /copper/);
+  const tries = await page.text("tries");
   await page.change(["#example", "wheel-rail"]);
-  assert.ok(await page.run("return document.getElementById('try').hidden"));
+  assert.notEqual(await page.text("tries"), tries);
 });
 
 test("Gao and AT appear when they are ready, and the others are there before", async () => {

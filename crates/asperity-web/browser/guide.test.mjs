@@ -1,6 +1,6 @@
 // The guide: every page on a narrow screen, and its search.
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { explorer, page as folder } from "./harness.mjs";
@@ -31,6 +31,35 @@ test("no page scrolls sideways at 360 px, and every picture is there", async () 
   await browser.cdp("Emulation.clearDeviceMetricsOverride", {});
 });
 
+test("letters of pictures are at least 9 px on a narrow screen", async () => {
+  const { browser, run } = page;
+  await browser.cdp("Emulation.setDeviceMetricsOverride", { width: 360, height: 800, deviceScaleFactor: 1, mobile: false });
+  const scales = `const images = [...document.images];
+    images.forEach((image) => { image.loading = "eager"; });
+    await Promise.allSettled(images.map((image) => image.decode()));
+    return images.filter(({ src }) => src.endsWith(".svg")).map((image) => {
+      const { paddingLeft, paddingRight } = getComputedStyle(image);
+      return [image.src, (image.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight)) / image.naturalWidth];
+    })`;
+  let pictures = 0;
+  for (const name of ["ke.html", "figures.html", "../gallery.html", "which-model.html"]) {
+    await browser.go(guide + name);
+    for (const [picture, scale] of await browser.later(scales)) {
+      const svg = readFileSync(join(folder, picture.slice(guide.length - "guide/".length)), "utf8");
+      // Lowered letters, in elements of their own, are smaller, as in print.
+      const sizes = [...svg.matchAll(/<text [^>]*?font-size="([0-9.]+)"/g)].map(([, size]) => (size > 50 ? 0.1 : 1) * size);
+      assert.ok(Math.min(...sizes) * scale >= 9, `${name} ${picture}: ${Math.min(...sizes)} px times ${scale}`);
+      pictures += 1;
+    }
+  }
+  assert.ok(pictures > 15, `${pictures} pictures`);
+  await browser.go(page.site.url);
+  await browser.until("return document.documentElement.dataset.state === 'ready'", "the explorer");
+  const drawn = await run(`const text = document.querySelector("#curve svg text"); return text.getBoundingClientRect().height`);
+  assert.ok(drawn >= 9, `${drawn} px`);
+  await browser.cdp("Emulation.clearDeviceMetricsOverride", {});
+});
+
 test("a heading is found by typing, and opened by keys", async () => {
   const { browser } = page;
   await browser.go(`${guide}index.html`);
@@ -40,4 +69,26 @@ test("a heading is found by typing, and opened by keys", async () => {
   await browser.keys(["\uE004", "\uE007"]);
   await browser.until("return location.hash === '#a-measured-surface'", "the page of the entry", 10);
   assert.match(await page.run("return location.pathname"), /guide.scan-to-stiffness.html$/);
+});
+
+test("words of the text are found with their section, and fast typing leaves the last answer", async () => {
+  const { browser, run } = page;
+  await browser.go(`${guide}index.html`);
+  await browser.type("input", "plasticity index");
+  await browser.until("return document.querySelector('#found small')", "sections", 10);
+  const found = await run("return [...document.querySelectorAll('#found a')].map((link) => [link.getAttribute('href'), link.querySelector('small')?.textContent ?? ''])");
+  assert.ok(found.some(([address, text]) => address === "gw.html#valid-for" && /plasticity index ψ/.test(text)), String(found));
+  // Each letter asks anew, and each answer follows the letters of its own.
+  for (const text of ["hertz", "measured surface", "persson"]) {
+    const shown = await browser.later(`const field = document.getElementById("query");
+      for (let k = 1; k <= values[0].length; k++) {
+        field.value = values[0].slice(0, k);
+        field.dispatchEvent(new Event("input"));
+      }
+      await new Promise((done) => setTimeout(done, 300));
+      return [...document.querySelectorAll("#found li")].map((row) => row.textContent.toLowerCase())`, text);
+    assert.ok(shown.length > 0 && shown.every((row) => text.split(" ").some((word) => row.includes(word))), `${text}: ${shown}`);
+  }
+  await browser.later(`const field = document.getElementById("query"); field.value = "zebra"; field.dispatchEvent(new Event("input")); await new Promise((done) => setTimeout(done, 200))`);
+  assert.match(await page.text("found"), /no section has these words/);
 });

@@ -41,7 +41,7 @@ export async function open({ width = 1280, height = 900, dark = false, downloads
   }
   const args = ["--headless=new", "--no-sandbox", "--disable-gpu", `--window-size=${width},${height}`];
   if (dark) args.push("--blink-settings=preferredColorScheme=0");
-  const prefs = downloads ? { "download.default_directory": downloads } : {};
+  const prefs = downloads ? { "download.default_directory": downloads, "profile.default_content_setting_values.automatic_downloads": 1 } : {};
   const wanted = { "goog:chromeOptions": { args, prefs }, "goog:loggingPrefs": { browser: "ALL", performance: "ALL" } };
   const { sessionId } = await send("POST", "/session", { capabilities: { alwaysMatch: wanted } });
   const call = (method, path, body) => send(method, `/session/${sessionId}${path}`, body);

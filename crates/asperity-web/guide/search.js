@@ -1,6 +1,8 @@
-// Finds titles and headings that have all the words; the index is a file beside this one.
+// Finds pages and sections that have all the words; the index is a file beside this one.
 
 const MOST = 20;
+// Letters of the text around what was found.
+const AROUND = 60;
 const place = document.getElementById("search");
 const query = document.getElementById("query");
 const found = document.getElementById("found");
@@ -8,35 +10,45 @@ let index;
 
 const plain = (text) => text.toLowerCase();
 
-function matches(entries, words) {
-  const rank = ({ page, heading }) => {
-    const [title, text] = [plain(page), plain(heading)];
-    if (!words.every((word) => title.includes(word) || text.includes(word))) return 0;
-    // Whole pages first, then headings that have a word themselves.
-    if (!heading) return 3;
-    return words.some((word) => text.includes(word)) ? 2 : 1;
-  };
-  const ranked = entries.map((entry) => [rank(entry), entry]).filter(([score]) => score > 0);
-  return ranked.sort(([a], [b]) => b - a).slice(0, MOST).map(([, entry]) => entry);
+// Titles first, then headings, then text in which the words stand side by side, then any other.
+function rank({ page, heading, text }, words) {
+  const [title, below] = [plain(page), plain(heading)];
+  const all = (...texts) => words.every((word) => texts.some((one) => one.includes(word)));
+  if (!heading && all(title)) return 5;
+  if (heading && all(below)) return 4;
+  if (words.some((word) => below.includes(word)) && all(title, below)) return 3;
+  const whole = plain(text);
+  if (whole.includes(words.join(" "))) return 2;
+  return all(title, below, whole) && words.some((word) => whole.includes(word)) ? 1 : 0;
 }
 
-function item({ page, heading, address }) {
-  const link = document.createElement("a");
+function matches(entries, words) {
+  const ranked = entries.map((entry) => [rank(entry, words), entry]).filter(([score]) => score > 0);
+  return ranked.sort(([a], [b]) => b - a).slice(0, MOST).map(([score, entry]) => ({ score, ...entry }));
+}
+
+// The words of a text around the first that was searched.
+function around(text, words) {
+  const whole = plain(text);
+  const at = [words.join(" "), ...words].map((part) => whole.indexOf(part)).find((place) => place >= 0);
+  const [start, end] = [Math.max(0, at - AROUND), at + 2 * AROUND];
+  const cut = text.slice(start, end);
+  return `${start > 0 ? "… " : ""}${cut.slice(start > 0 ? cut.indexOf(" ") + 1 : 0)}${end < text.length ? " …" : ""}`;
+}
+
+function element(name, text) {
+  const made = document.createElement(name);
+  made.textContent = text;
+  return made;
+}
+
+function item({ score, page, heading, address, text }, words) {
+  const link = element("a", heading || page);
   link.href = address;
-  link.textContent = heading || page;
-  if (heading) {
-    const where = document.createElement("span");
-    where.textContent = ` in ${page}`;
-    link.append(where);
-  }
+  if (heading) link.append(element("span", ` in ${page}`));
+  if (score <= 2) link.append(element("small", around(text, words)));
   const row = document.createElement("li");
   row.append(link);
-  return row;
-}
-
-function message(text) {
-  const row = document.createElement("li");
-  row.textContent = text;
   return row;
 }
 
@@ -52,13 +64,13 @@ async function search() {
     entries = await (index ??= read());
   } catch {
     index = undefined;
-    found.replaceChildren(message("the index search.json cannot be read; use the contents"));
+    found.replaceChildren(element("li", "the index search.json cannot be read; use the contents"));
     return;
   }
   // Typed on while the index was read: the later search answers.
   if (asked !== query.value) return;
-  const rows = words.length > 0 ? matches(entries, words).map(item) : [];
-  found.replaceChildren(...(words.length > 0 && rows.length === 0 ? [message("no title or heading has these words")] : rows));
+  const rows = words.length > 0 ? matches(entries, words).map((entry) => item(entry, words)) : [];
+  found.replaceChildren(...(words.length > 0 && rows.length === 0 ? [element("li", "no section has these words")] : rows));
 }
 
 query.addEventListener("input", search);

@@ -28,7 +28,7 @@ pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Diagnost
             found.extend(file.findings_at(&model, &[at]));
         }
     }
-    Ok(file.accepted(found).at_least(Severity::Warning))
+    Ok(file.accepted(found))
 }
 
 /// Compares the models that the scene allows with each other and with boundary elements.

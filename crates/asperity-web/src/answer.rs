@@ -36,6 +36,12 @@ pub(crate) fn views(file: &SceneFile) -> Vec<View> {
     [View::separation(file.separation_from)].into_iter().chain(quantities).collect()
 }
 
+/// The columns of every scene.
+pub(crate) fn usual_views() -> Vec<View> {
+    let separation = View::separation(asperity::Datum::default());
+    [separation].into_iter().chain(USUAL.map(View::of)).collect()
+}
+
 /// A model on a scene, ready for many loads.
 pub(crate) struct Compiled {
     name: String,
@@ -102,8 +108,12 @@ impl Compiled {
             let bound = found.as_ref().ok().map(|value| value.bound(quantity));
             cell(&quantity.to_string(), quantity.unit(), found.map(|value| value.value()), bound)
         };
-        let cells = [separation].into_iter().chain(quantities(file).into_iter().map(of)).collect();
-        (AnswerRow { model: id.into(), name: self.name.clone(), cells }, response.warnings)
+        let cells: Vec<AnswerCell> =
+            [separation].into_iter().chain(quantities(file).into_iter().map(of)).collect();
+        let empty = cells.iter().all(|cell| cell.digits.is_none());
+        let reason = empty.then(|| cells[0].shown.clone());
+        let row = AnswerRow { model: id.into(), name: self.name.clone(), cells, reason };
+        (row, response.warnings)
     }
 
     /// The rows at pressures, as a csv without its head; blank where there is no value.
@@ -159,6 +169,17 @@ mod tests {
 
     fn file() -> SceneFile {
         asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+    }
+
+    #[test]
+    fn a_load_that_a_model_refuses_has_its_reason() {
+        let file = file();
+        let ke = Compiled::new(&file, "ke").unwrap();
+        for load in [-5.0, 1e30] {
+            let reason = ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
+            assert!(reason.contains("load") && reason.contains("required"), "{reason}");
+        }
+        assert_eq!(ke.row(&file, "ke", At::Load(100.0)).0.reason, None);
     }
 
     #[test]

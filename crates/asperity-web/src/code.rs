@@ -49,11 +49,12 @@ pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown
             "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
              fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
              let file = asperity_scene::load(\"scene.toml\")?;\n    \
-             let request = Request::new([{}]).at([{place}]);\n    \
+             let quantities = [\n        {},\n    ];\n    \
+             let request = Request::new(quantities).at([{place}]);\n    \
              for id in [{words}] {{\n        \
              println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
              }}\n    Ok(())\n}}\n",
-            variants.join(", "),
+            variants.join(",\n        "),
         ),
     }
 }

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use asperity::{Diagnostic, Severity};
 use asperity_scene::{HandedFiles, SceneFile};
+use asperity_topography::ReadOptions;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::message::{Answer, LoadKeys, Message, Shown};
+use crate::message::{Answer, AnswerRow, LoadKeys, LoadShown, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
@@ -17,6 +18,9 @@ use crate::{
 
 /// The longest file, in bytes: each worker that solves the scene holds it.
 const MOST_FILE: u64 = 128 << 20;
+
+/// A file with a larger share of missing points has no surface to speak of.
+const MOST_MISSING: f64 = 0.99;
 
 /// A scene with the files that it names, and its compiled models.
 #[derive(Default)]
@@ -112,6 +116,9 @@ impl Desk {
                 json(fields::edit(&text, &surface_keys::changes(&way, self.scene()?)?)?)
             }
             Message::UseScan { text, name } => json(surface_keys::with_scan(&text, &name)?),
+            Message::Readable { name } => {
+                json(readable(&name, self.file(&name).unwrap_or_default())?)
+            }
             Message::Admit { name, size } => json(admit(&name, size)?),
             Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {
@@ -182,8 +189,49 @@ impl Desk {
                 findings.extend(found);
             }
         }
+        if let Some(reason) = refused(&rows, &load) {
+            return Err(Refusal::at("load", reason));
+        }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
-        Ok(Answer { load, views: answer::views(file), rows, findings })
+        let head = answer::head(file).join(",");
+        Ok(Answer { load, views: answer::views(file), head, rows, findings })
+    }
+}
+
+/// Why no model has a value; `None` if one has.
+fn refused(rows: &[AnswerRow], load: &LoadShown) -> Option<String> {
+    let all: Option<Vec<_>> =
+        rows.iter().map(|row| Some((&row.model, row.reason.as_ref()?))).collect();
+    let all = all.filter(|all| !all.is_empty())?;
+    if load.newtons < 0.0 {
+        let ids: Vec<&str> = all.iter().map(|(model, _)| model.as_str()).collect();
+        let (text, ids) = (&load.text, ids.join(", "));
+        return Some(format!(
+            "load is {text}: {ids} carry no tension; use dmt, jkr or jkr-separation, which need the work_of_adhesion"
+        ));
+    }
+    let mut said = Vec::<String>::new();
+    for (model, reason) in &all {
+        let same = |other: &(&String, &String)| other.1 == *reason;
+        let line = match all.iter().filter(|other| same(other)).count() == all.len() {
+            true => reason.to_string(),
+            false => format!("{model}: {reason}"),
+        };
+        if !said.contains(&line) {
+            said.push(line);
+        }
+    }
+    Some(said.join("; "))
+}
+
+/// Refuses a file that no keys of a scene make readable: unit, pixel size, channel and the share of
+/// missing points can be given.
+fn readable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+    use asperity_topography::TopographyError::{Channel, PixelSizeMissing, UnitMissing};
+    let options = ReadOptions { max_missing: MOST_MISSING, ..ReadOptions::default() };
+    match asperity_topography::read_bytes(name, bytes, &options) {
+        Ok(_) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
+        Err(error) => Err(Refusal::at("surface.file", format!("{name}: {error}"))),
     }
 }
 

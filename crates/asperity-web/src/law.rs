@@ -6,6 +6,7 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::refusal::Refusal;
+use crate::shown::shown;
 
 /// Drawn interferences over the critical one.
 const OVER_CRITICAL: [f64; 2] = [0.1, 1000.0];
@@ -27,6 +28,8 @@ pub(crate) struct Law {
     pub(crate) axis: &'static str,
     /// What the law holds for.
     pub(crate) range: String,
+    /// The asperity of the scene, in words and numbers.
+    pub(crate) asperity: String,
     /// The page of the guide with its equations.
     pub(crate) guide: String,
 }
@@ -50,13 +53,17 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         return Err(Refusal::new(format!("{} has no law of a single asperity", model.name())));
     };
     let asperity = file.scene.asperity()?;
-    let (unit, axis, [first, last]) = match asperity.hardness {
+    let (unit, axis, of, [first, last]) = match asperity.hardness {
         Some(_) => (
             asperity.critical_interference()?,
             "interference over critical interference",
+            "critical interference w_c",
             OVER_CRITICAL,
         ),
-        None => (file.scene.surface.asperity_height_std, "interference over σ_z", OVER_STD),
+        None => {
+            let std = file.scene.surface.asperity_height_std;
+            (std, "interference over σ_z", "height std σ_z", OVER_STD)
+        }
     };
     let tolerance = Tolerance::default();
     let force = asperity_model.force(&asperity, tolerance)?;
@@ -69,15 +76,20 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
     at.sort_by(f64::total_cmp);
     let mut csv = "curve,interference,force_N,area_m2\n".to_string();
+    let mut readings = vec![];
     for x in at {
         let (f, a) = (force.value(x * unit)?, area.value(x * unit)?);
         csv += &format!("{id},{x},{f},{a}\n");
+        let at = format!("interference {} ({} of the {})", shown(x * unit, "m"), short(x), of);
+        let said = format!("{at}\nforce {}\narea {}", shown(f, "N"), shown(a, "m2"));
+        readings.push(Mark::new(x, &said));
     }
     let panel = |column: &str, name: &str| {
         let x = Axis::new("interference", axis).log();
         let mut panel = Panel::new(x, Axis::new(column, name).log());
         panel.curves = vec![Curve::new(0, id, "")];
         panel.verticals = marks(&inside);
+        panel.readings = readings.clone();
         panel
     };
     let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
@@ -95,8 +107,27 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         kinks,
         axis,
         range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
+        asperity: said(file),
         guide: guide(id),
     })
+}
+
+/// Radius, modulus and hardness of the scene, by their symbols.
+fn said(file: &SceneFile) -> String {
+    let interface = &file.scene.interface;
+    let hardness = interface.check().ok().and_then(|(hardness, ..)| hardness);
+    let critical = file.scene.asperity().and_then(|asperity| asperity.critical_interference());
+    let numbers = [
+        ("asperity radius R", Some(file.scene.surface.asperity_radius), "m"),
+        ("equivalent modulus E", Some(interface.equivalent_modulus), "Pa"),
+        ("hardness of the softer body H", hardness, "Pa"),
+        ("critical interference w_c", critical.ok(), "m"),
+    ];
+    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
+        value.map(|value| format!("{name} = {}", shown(value, unit)))
+    };
+    let all = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    format!("One asperity on a rigid flat: {all}.")
 }
 
 /// Lines at kinks, in order; those close behind another have no room for a label.
@@ -123,7 +154,7 @@ mod tests {
     #[test]
     fn laws_are_drawn_with_their_kinks_and_have_a_page() {
         let found = law(&file(), "ke").unwrap();
-        for text in [">6<", ">110<", "force (N)"] {
+        for text in [">6<", ">110<", "force (N)", "of the critical interference w_c)\nforce "] {
             assert!(found.svg.contains(text), "{text}");
         }
         assert_eq!(
@@ -131,6 +162,8 @@ mod tests {
             (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
         );
         assert!(found.source.contains("(2002)"), "{}", found.source);
+        let (said, end) = found.asperity.split_once(", critical interference w_c = ").unwrap();
+        assert!(said.ends_with("H = 2 GPa") && end.ends_with("m."), "{}", found.asperity);
         assert!(
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );

@@ -11,6 +11,7 @@ mod desk;
 mod fields;
 mod law;
 mod link;
+mod map_readings;
 mod message;
 mod picture;
 mod press;

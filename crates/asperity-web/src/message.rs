@@ -27,6 +27,8 @@ pub(crate) enum Message {
     UseScan { text: String, name: String },
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
     Admit { name: String, size: u64 },
+    /// Whether a file that was handed over can be the surface of a scene.
+    Readable { name: String },
     /// The keys of a random surface from texts as typed.
     RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.
@@ -102,6 +104,9 @@ pub(crate) struct Shown {
     /// Derived numbers.
     pub(crate) numbers: Vec<NumberShown>,
     pub(crate) models: Vec<ModelShown>,
+    /// The model that tables begin with.
+    pub(crate) usual: &'static str,
+    /// Those that every scene has, if it has an error.
     pub(crate) views: Vec<View>,
     /// Whether boundary elements can solve the scan.
     pub(crate) scan: Option<ScanShown>,
@@ -151,6 +156,8 @@ pub(crate) struct ScanShown {
 pub(crate) struct Answer {
     pub(crate) load: LoadShown,
     pub(crate) views: Vec<View>,
+    /// The head of a csv of model, load, pressure and cells.
+    pub(crate) head: String,
     pub(crate) rows: Vec<AnswerRow>,
     /// Warnings of the answers.
     pub(crate) findings: Diagnostics,
@@ -177,6 +184,8 @@ pub(crate) struct AnswerRow {
     pub(crate) model: String,
     pub(crate) name: String,
     pub(crate) cells: Vec<AnswerCell>,
+    /// Why there is no value at all.
+    pub(crate) reason: Option<String>,
 }
 
 /// A value, or the reason why there is none.

@@ -108,7 +108,8 @@ pub(crate) fn curves(
     }
     if !whole.is_empty() {
         let (lower, upper) = (LOWEST.into(), HIGHEST.into());
-        panel.between.push(Between { lower, upper, look: 9 });
+        let label = "range of the models".into();
+        panel.between.push(Between { lower, upper, look: 9, label });
     }
     let at = if in_pascals { load.pascals } else { load.newtons };
     let (low, high) = band.keys().next().zip(band.keys().last()).map_or((0.0, 0.0), |(a, b)| {
@@ -208,7 +209,7 @@ pub(crate) fn contact(
 
 /// The largest of every `step` x `step` values, so that no contact disappears, and their number in
 /// a row.
-fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
+pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
     if step <= 1 {
         return (values.to_vec(), columns);
     }
@@ -242,7 +243,7 @@ mod tests {
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
-        for text in ["<polygon", "100 N", "boundary elements", ">ke<", "load (N)"] {
+        for text in ["range of the models", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("style="));

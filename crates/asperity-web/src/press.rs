@@ -3,17 +3,22 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use asperity::bem::{BemError, LoadCase, Solution};
+use asperity::bem::{BemError, BoundaryElements, LoadCase, Solution};
 use asperity::{Diagnostic, Quantity, Separation, SeparationUnit};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::answer::cell;
+use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
 use crate::shown::shown;
+
+/// The stiffnesses of the models that a solved contact has too: the slope of first loading, from
+/// two more solutions, and that of unloading, with the contact held.
+const STIFFNESSES: [Quantity; 2] = [Quantity::Tangent, Quantity::UnloadingStiffness];
 
 /// What happens during a solution.
 #[derive(Debug, Clone, Serialize)]
@@ -32,6 +37,8 @@ pub(crate) enum Event {
         /// Values beside the curves, by view.
         points: BTreeMap<String, f64>,
         svg: String,
+        /// The pressures of the picture.
+        readings: MapReadings,
         notes: Vec<Diagnostic>,
     },
     /// A load has no solution.
@@ -78,13 +85,29 @@ pub(crate) fn press(
             Ok(solution) => match picture::contact(&bem, &solution, hardness) {
                 Err(error) => Event::Failed { index, message: error.message },
                 Ok(svg) => {
+                    let map = (svg, MapReadings::of(&bem, &solution));
                     let pressure = pressures.get(index).copied().unwrap_or(solution.mean_pressure);
-                    Event::solved(index, pressure, file, svg, solution)
+                    let stiffnesses = stiffnesses(&elements, &solution, file);
+                    Event::solved(index, pressure, file, map, (solution, stiffnesses))
                 }
             },
         });
     });
     Ok(())
+}
+
+/// The stiffnesses of a solved contact, or why one is missing.
+fn stiffnesses(
+    elements: &BoundaryElements,
+    solution: &Solution,
+    file: &SceneFile,
+) -> [Result<f64, String>; 2] {
+    let summary = elements.summary(solution, &STIFFNESSES);
+    STIFFNESSES.map(|quantity| match summary.evaluate(quantity, &file.scene) {
+        Ok(Some(found)) => Ok(found.value()),
+        Ok(None) => Err(format!("boundary elements have no {quantity}")),
+        Err(error) => Err(error.to_string()),
+    })
 }
 
 impl Event {
@@ -102,8 +125,8 @@ impl Event {
         index: usize,
         pressure: f64,
         file: &SceneFile,
-        svg: String,
-        solution: Solution,
+        (svg, readings): (String, MapReadings),
+        (solution, stiffnesses): (Solution, [Result<f64, String>; 2]),
     ) -> Self {
         // From the plane of the models' separations, so that both are in one picture.
         let gap = Separation::metres(solution.mean_gap).from_surface_mean();
@@ -116,7 +139,13 @@ impl Event {
         let area = solution.area;
         let mut points = BTreeMap::from([(Quantity::AreaFraction.to_string(), area)]);
         points.extend(separation.iter().map(|value| (SEPARATION.to_string(), *value)));
-        let cells = vec![
+        let stiff = STIFFNESSES.into_iter().zip(stiffnesses);
+        let stiff: Vec<(Quantity, Result<f64, String>)> = stiff.collect();
+        let found = |(quantity, found): &(Quantity, Result<f64, String>)| {
+            found.as_ref().ok().map(|value| (quantity.to_string(), *value))
+        };
+        points.extend(stiff.iter().filter_map(found));
+        let mut cells = vec![
             cell("load", "N", load),
             cell("pressure", "Pa", pressure),
             cell("area-fraction", "", area),
@@ -125,7 +154,7 @@ impl Event {
             cell("plastic-fraction", "", solution.plastic_area),
             cell("patches", "", solution.patches.len() as f64),
         ];
-        let head = vec![
+        let mut head = vec![
             ("load", String::new()),
             ("pressure", "Mean pressure on the nominal area.".into()),
             ("area fraction", "Real area of contact over the area of the scan.".into()),
@@ -137,6 +166,10 @@ impl Event {
             ("plastic share", "Share of the pixels that carry the hardness.".into()),
             ("patches", "Number of connected contacts.".into()),
         ];
+        for (quantity, found) in stiff {
+            head.push((quantity.label(), quantity.definition().into()));
+            cells.push(self::cell(&quantity.to_string(), quantity.unit(), found, None));
+        }
         Self::Solved {
             index,
             pressure,
@@ -145,6 +178,7 @@ impl Event {
             cells,
             points,
             svg,
+            readings,
             notes: solution.notes,
         }
     }
@@ -180,7 +214,13 @@ mod tests {
                     assert!(text.starts_with("load ") && !text.contains("NaN"), "{text}");
                     iterations += usize::from(count == 2);
                 }
-                Event::Solved { pressure, svg, cells, head, points, .. } => {
+                Event::Solved { pressure, svg, cells, head, points, readings, .. } => {
+                    let said = serde_json::to_value(readings).unwrap();
+                    let [x, values] = ["x", "values"].map(|key| said[key].as_array().unwrap());
+                    assert_eq!((x.len(), values.len()), (64, 64 * 64));
+                    let touching = values.iter().filter(|value| *value != "no contact").count();
+                    assert!(touching > 0 && touching < values.len(), "{touching}");
+                    assert_eq!(x[0], "500 nm");
                     assert!(svg.contains("white: no contact") && cells.len() == head.len());
                     areas.push((pressure, points["area-fraction"]));
                 }
@@ -218,6 +258,28 @@ mod tests {
             gaps.push(of("mean-gap").to_bits());
         }
         assert_eq!(gaps[0], gaps[1]);
+    }
+
+    #[test]
+    fn stiffnesses_are_slopes_of_load_over_gap_and_unloading_is_the_stiffer() {
+        let (file, events) = pressed(asperity_scene::template(), &[2e8, 1.9e8, 2.1e8]);
+        let solved = |wanted: f64, name: &str| {
+            events.iter().find_map(|event| match event {
+                Event::Solved { pressure, cells, .. } if (pressure / wanted - 1.0).abs() < 1e-9 => {
+                    let cell = cells.iter().find(|cell| cell.quantity == name)?;
+                    cell.digits.as_deref()?.parse::<f64>().ok()
+                }
+                _ => None,
+            })
+        };
+        let of = |pressure, name| solved(pressure, name).unwrap();
+        let slope = (2.1e8 - 1.9e8) * file.scene.nominal_area
+            / (of(1.9e8, "mean-gap") - of(2.1e8, "mean-gap"));
+        let tangent = of(2e8, "tangent");
+        assert!((tangent / slope - 1.0).abs() < 0.02, "{tangent} {slope}");
+        // Pixels at the hardness respond only on loading.
+        assert!(of(2e8, "plastic-fraction") > 0.0);
+        assert!(of(2e8, "unloading-stiffness") > tangent);
     }
 
     #[test]

@@ -23,7 +23,8 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         findings: Default::default(),
         numbers: vec![],
         models: vec![],
-        views: vec![],
+        usual: "",
+        views: answer::usual_views(),
         scan: None,
     };
     if text.len() > MOST_TEXT {
@@ -37,7 +38,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
     let file = match parse_handed(text, files) {
         Ok(file) => file,
         Err(error) => {
-            found.error = Some(error.into());
+            found.error = Some(Refusal::of(error, &found.fields));
             return (found, None);
         }
     };
@@ -47,6 +48,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
     let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
     found.findings = file.accepted(findings);
     (found.models, found.views) = (models(&file), answer::views(&file));
+    found.usual = asperity::usual_reference(&file.scene);
     found.scan = press::scan(&file);
     (found, Some(file))
 }

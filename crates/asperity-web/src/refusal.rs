@@ -1,6 +1,8 @@
 //! Errors with the place that they are about.
 
-use asperity_scene::SceneError;
+use std::collections::BTreeMap;
+
+use asperity_scene::{SceneError, notation_hint, quantity, unit_of};
 use serde::Serialize;
 
 /// An error with its place.
@@ -11,15 +13,62 @@ pub(crate) struct Refusal {
     pub(crate) line: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) field: Option<String>,
+    /// The message behind the name of its field in the form: without line and key of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) said: Option<String>,
 }
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
-        Self { message: message.to_string(), line: None, field: None }
+        Self { message: message.to_string(), line: None, field: None, said: None }
     }
 
     pub(crate) fn at(field: &str, message: impl ToString) -> Self {
         Self { field: Some(field.into()), ..Self::new(message) }
+    }
+
+    /// An error of a scene whose values were typed like this.
+    pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
+        let said = said(&error, typed);
+        Self { said, ..Self::from(error) }
+    }
+}
+
+/// The message of an error about one value, behind the name of its field.
+fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
+    Some(match error {
+        SceneError::Value { at, near, needed, .. } => {
+            let text = typed.get(&at.field)?;
+            if let Some(hint) = notation_hint(text) {
+                return Some(format!("{text} {hint}"));
+            }
+            let unit = unit_of(at.field.rsplit('.').next()?);
+            let plain = text.parse::<f64>().is_ok();
+            match unit.map(|unit| (unit, quantity(text, unit))) {
+                Some((_, Err(reason))) => reason.replacen(&format!("{text:?}"), text, 1),
+                found => {
+                    // Plain numbers are in the SI unit.
+                    let unit = found.filter(|_| plain).map(|(unit, _)| format!(" {unit}"));
+                    let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
+                    let needed = needed.replace(" in SI units, without quotes", "");
+                    let [unit, near] = [unit, near].map(Option::unwrap_or_default);
+                    format!("{text}{unit}{near}: {needed} was required")
+                }
+            }
+        }
+        SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
+        SceneError::Measured { reason, .. } | SceneError::Unreadable { reason, .. } => {
+            reason.clone()
+        }
+        _ => return None,
+    })
+}
+
+/// The field of a message about the share of missing points, which names the file alone.
+fn of_option(field: &str, message: &str) -> String {
+    match message.contains("max_missing = ") {
+        true => field.replace(".file", ".max_missing"),
+        false => field.into(),
     }
 }
 
@@ -39,8 +88,9 @@ impl From<SceneError> for Refusal {
             return Self::new(message);
         };
         // A field that names its file has it behind: `surface.file = "a.x3p"`.
-        let field = at.field.split(" = ").next().unwrap_or_default().to_string();
-        Self { message, line: at.line, field: Some(field) }
+        let field = at.field.split(" = ").next().unwrap_or_default();
+        let field = of_option(field, &message);
+        Self { line: at.line, ..Self::at(&field, message) }
     }
 }
 
@@ -62,3 +112,61 @@ refusals!(
     asperity_topography::TopographyError,
     String
 );
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::fields::fields;
+
+    fn refusal(key: &str, value: &str) -> Refusal {
+        let text = asperity_scene::template();
+        let line = text.lines().find(|line| line.starts_with(key)).unwrap();
+        let text = text.replacen(line, &format!("{key} = {value}"), 1);
+        let error = asperity_scene::parse(&text, Path::new(".")).unwrap_err();
+        Refusal::of(error, &fields(&text))
+    }
+
+    #[test]
+    fn messages_of_fields_name_the_text_as_typed_and_no_line_of_the_file() {
+        let units = "(units: GPa, MPa, kPa, Pa, bar, N/mm2, N/m2)";
+        for (key, value, wanted) in [
+            ("poissons_ratio", "\"0,3\"", "0,3 has a decimal comma; write 0.3".into()),
+            (
+                "youngs_modulus",
+                "\"210,000 MPa\"",
+                "210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two".into(),
+            ),
+            (
+                "youngs_modulus",
+                "\"0,21 TPa\"",
+                "0,21 TPa has a decimal comma; write 0.21 TPa".into(),
+            ),
+            (
+                "youngs_modulus",
+                "\"210 mm\"",
+                format!("210 mm is not a number in Pa: write 210GPa, for example {units}"),
+            ),
+            ("youngs_modulus", "-5", "-5 Pa: a finite number above 0 was required".into()),
+            ("poissons_ratio", "0.7", "0.7: a number above -1 and at most 0.5 was required".into()),
+            (
+                "poissons_ratio",
+                "\"abc\"",
+                "abc: a number (above -1, at most 0.5), was required".into(),
+            ),
+        ] {
+            let found = refusal(key, value);
+            assert_eq!(found.said.as_deref(), Some(&*wanted));
+            assert!(found.message.starts_with("line ") && found.line.is_some());
+            assert_eq!(found.field, Some(format!("body[1].{key}")));
+        }
+    }
+
+    #[test]
+    fn a_share_of_missing_points_is_about_its_own_field() {
+        let of = |message| of_option("surface.file", message);
+        assert_eq!(of("the share is 0.2: at most max_missing = 0.1"), "surface.max_missing");
+        assert_eq!(of("a.x3p: not a zip archive"), "surface.file");
+    }
+}

@@ -93,6 +93,9 @@ pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Re
     if !newtons.is_finite() || !pascals.is_finite() {
         return Err(wrong(format!("{text:?}: a finite number was required")));
     }
+    if newtons == 0.0 {
+        return Err(wrong("0 is neither a load (above 0) nor a tension (below 0)".into()));
+    }
     let mut pressure = pressure.unwrap_or(false);
     if let Some(unit) = keys.show.as_deref().filter(|unit| in_pascals(unit) != pressure) {
         pressure = in_pascals(unit);
@@ -141,6 +144,8 @@ mod tests {
         let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
         assert!(load(&keys("1e999", None, "N"), &scene).is_err());
+        let refused = load(&keys("0", None, "N"), &scene).unwrap_err();
+        assert!(refused.message.contains("neither a load"), "{}", refused.message);
     }
 
     #[test]

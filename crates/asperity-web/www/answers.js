@@ -1,17 +1,25 @@
 // The load, the table of values, the curves and what is found about them.
 import { $, cell, element, heading, noPicture, options, picture, put } from "./page.js";
 
-// Columns: quantities; rows: models, those without values yet with dots.
-export function table(views, ids, values) {
+// Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
+export function table(views, ids, values, solved) {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
   head.replaceChildren(element("tr", {}, heading("model"), ...views.map(({ label, definition }) => heading(label, definition))));
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
+  const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
   body.replaceChildren(...ids.map((id) => {
     const row = values.get(id);
     const name = element("th", { scope: "row", title: row?.name ?? id }, id);
-    return element("tr", {}, name, ...(row ? row.cells.map((value) => cell(value, id)) : waiting()));
+    return element("tr", {}, name, ...(row ? cells(id, row) : waiting()));
   }));
+  if (solved) {
+    const name = element("th", { scope: "row", title: "boundary elements" }, "bem");
+    body.append(element("tr", {}, name, ...columns(views, solved).map((value) => cell(value, "bem"))));
+  }
 }
+
+// The cells of a solved load that stand in the columns of the models.
+export const columns = (views, { cells }) => views.map(({ id }) => cells.find(({ quantity }) => quantity === id) ?? { quantity: id, shown: "not found by boundary elements" });
 
 export function load(shown, typed) {
   const field = $("load");
@@ -74,6 +82,13 @@ export function addFindings(list) {
 export function numbers(list) {
   $("numbers").replaceChildren(...list.map(({ name, digits, shown, meaning }) =>
     element("tr", {}, element("th", { scope: "row" }, name), element("td", { title: digits }, shown), element("td", {}, meaning))));
+}
+
+// What the state of the page has, where there is no scene to show it by.
+export function keep({ load, models, view }) {
+  if (load) put($("load"), load);
+  names(models);
+  if (view) $("view").value = view;
 }
 
 // No values, no curves; the place of the curves says why.

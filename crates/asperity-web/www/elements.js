@@ -91,6 +91,20 @@ class Elements {
     picture($("contact"), one.svg, `contact pressures at ${one.load}`);
   }
 
+  // The pressures of the map under the pointer.
+  readings() {
+    const [figure, output] = [$("contact"), $("contact-reading")];
+    figure.addEventListener("pointermove", ({ clientX, clientY }) => {
+      const box = figure.querySelector("image")?.getBoundingClientRect();
+      if (!box || !this.shown) return;
+      const { x, y, values } = this.shown.readings;
+      const column = Math.floor(((clientX - box.left) / box.width) * x.length);
+      const row = Math.floor(((clientY - box.top) / box.height) * y.length);
+      output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
+    });
+    figure.addEventListener("pointerleave", () => { output.textContent = ""; });
+  }
+
   table() {
     const [table, notes] = [$("solved"), $("solved-notes")];
     table.hidden = false;
@@ -112,6 +126,9 @@ class Elements {
     notes.replaceChildren(...[...said.values()].map(({ text, also }) =>
       element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
   }
+
+  // What was solved at a pressure.
+  at = (pascals) => this.solved.find(({ pressure }) => pressure === pascals);
 
   // The points of a quantity that boundary elements give.
   points(view) {

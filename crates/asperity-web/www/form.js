@@ -47,6 +47,7 @@ const MORE = [
   ["smooth", "Short cut-off", "2 um"],
   ["fill_missing", "Fill missing points", ["true", "false"]],
   ["despike", "Replace outliers", ["true", "false"]],
+  ["max_missing", "Missing points, at most", "0.1"],
   ...EVERY,
 ];
 
@@ -141,7 +142,9 @@ export function mark(error, findings) {
   for (const { field: path, message, severity } of findings) if (!of.has(path)) of.set(path, [message, severity]);
   if (error?.field) of.set(error.field, [error.message, "error"]);
   for (const input of document.querySelectorAll("[data-path]")) {
-    const [text, severity] = of.get(input.dataset.path) ?? [];
+    let [text, severity] = of.get(input.dataset.path) ?? [];
+    // The form has names and no lines.
+    if (severity === "error" && error?.said) text = `${input.labels[0].textContent}: ${error.said}`;
     const note = $(`${input.id}-note`);
     note.hidden = !text;
     note.textContent = text ?? "";

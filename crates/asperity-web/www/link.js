@@ -1,6 +1,6 @@
 // The state of the page in its address: a copied link, back and forward restore all of it.
 import { $, tell } from "./page.js";
-import { desks, files, state, work } from "./state.js";
+import { desks, files, page, state, work } from "./state.js";
 
 // What the user did since the address was written, and what it was written for last.
 let [done, last, written] = ["open", "open", ""];
@@ -49,22 +49,20 @@ export async function openLink(setScene) {
   const { scene, models, load, view, scan, random } = found;
   Object.assign(state, { models, load, view, scan, random });
   if (random && scan && files.get(scan.name)?.checksum !== scan.checksum) files.set(scan.name, { keys: random, checksum: scan.checksum });
+  page.wanted = scan && files.get(scan.name)?.checksum !== scan.checksum ? scan : null;
   await setScene(scene, "open");
-  asked = scan && files.get(scan.name)?.checksum !== scan.checksum ? scan : null;
-  if (asked) tell(`The link was made with the scan ${scan.name} (checksum ${scan.checksum}), which it does not contain: choose or drop that file.`);
+  if (page.wanted) tell(`The link was made with the scan ${scan.name} (checksum ${scan.checksum}), which it does not contain: choose or drop that file.`);
   return { opened: true };
 }
 
-// The scan that a link asks for, until it is given; under whatever name.
-let asked = null;
-
-// What there is to say about a file that was given: null if it is the one that was asked for.
+// What there is to say about a file that was given: null if it is the one that the link asks for,
+// under whatever name.
 export function given(scan) {
-  const wanted = asked;
+  const { wanted } = page;
   if (wanted?.checksum !== scan.checksum) {
     const other = wanted && `${scan.name} is not the file of the link: its checksum is ${scan.checksum}, that of the link ${wanted.checksum}; it is used in its place.`;
     return { name: scan.name, message: other };
   }
-  asked = null;
+  page.wanted = null;
   return { name: wanted.name, message: null };
 }

@@ -5,7 +5,7 @@ import { answer, change, redraw, setScene, setView, typed, typingEnds } from "./
 import { note, openLink, rest, writeLink } from "./link.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
-import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
+import { EXAMPLES, exampleText, openExample } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
 
@@ -43,6 +43,7 @@ function surfaces() {
 
 function boundaryElements() {
   elements.changed = redraw;
+  elements.readings();
   $("solve").addEventListener("click", () => elements.solve([]));
   $("solve-load").addEventListener("click", () => page.load && elements.solve([page.load.pascals]));
   $("stop").addEventListener("click", () => elements.stop());
@@ -74,7 +75,6 @@ async function start() {
   });
   $("view").addEventListener("change", () => setView($("view").value));
   readings($("curve"), $("reading"));
-  tries();
   loads();
   surfaces();
   boundaryElements();

@@ -1,5 +1,5 @@
 // The law of every model, drawn for the asperity of a scene: that of the link, or the ground steel.
-import { $, element, picture, tell } from "./page.js";
+import { $, element, lowered, picture, readings, tell } from "./page.js";
 import { Desk } from "./desk.js";
 
 const EXAMPLE = "examples/ground-steel.toml";
@@ -23,15 +23,31 @@ async function given(desk) {
   return scene;
 }
 
+// The equations of a model with their symbols and units, as its page of the guide has them.
+async function equations(address) {
+  const box = element("details", {}, element("summary", {}, "Equations"));
+  const response = await fetch(address);
+  const page = new DOMParser().parseFromString(response.ok ? await response.text() : "", "text/html");
+  const found = [...page.querySelectorAll("table.equations")];
+  box.append(element("div", { className: "wide" }, ...found.map((one) => document.importNode(one, true))));
+  box.hidden = found.length === 0;
+  return box;
+}
+
 async function card(desk, text, { id, name }) {
   const figure = element("figure", { className: "plot" });
   const about = element("p", { className: "source" }, "being drawn");
-  const box = element("section", { id, data: { model: id } }, element("h2", {}, name), about, figure);
+  const reading = element("output", { className: "reading-line" });
+  reading.setAttribute("aria-label", `values of ${name} under the pointer`);
+  readings(figure, reading);
+  const box = element("section", { id, data: { model: id } }, element("h2", {}, name), about, figure, reading);
   $("laws").append(box);
   try {
-    const { svg, source, kinks, axis, range, guide } = await desk.ask(text, "law", { model: id });
+    const { svg, source, kinks, axis, range, guide, asperity } = await desk.ask(text, "law", { model: id });
     const words = [`${source}.`, range && `Range: ${range}.`, kinks.length > 0 && `Kinks or jumps at ${kinks.join(", ")} (${axis}).`];
-    about.replaceChildren(`${words.filter(Boolean).join(" ")} `, element("a", { href: guide }, "Equations, range and source"));
+    about.replaceChildren(...lowered(`${words.filter(Boolean).join(" ")} `), element("a", { href: guide }, "Range, errors and source"));
+    figure.before(await equations(guide));
+    $("asperity").replaceChildren(...lowered(asperity));
     picture(figure, svg, `force and area of one asperity by ${name} against the interference`);
   } catch (error) {
     about.replaceChildren(error.message);

@@ -54,6 +54,10 @@ export function readings(figure, output) {
   figure.addEventListener("pointerleave", () => output.replaceChildren());
 }
 
+// A text in parts, with w_c as people read it.
+export const lowered = (text) => text.split(/\b(\p{L}_\w+)/u).map((part, k) =>
+  (k % 2 === 1 ? element("span", {}, part[0], element("sub", {}, part.slice(2))) : part));
+
 // A cell with a number as shown, and with all digits.
 export function cell({ quantity, digits, bound, shown }, model) {
   if (digits === undefined) return element("td", { className: "none", title: shown }, "–");

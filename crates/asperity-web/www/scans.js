@@ -1,5 +1,5 @@
-// Scans: chosen, dropped or made here, and the report of the scene's scan.
-import { $, download, element, heading, noPicture, picture, tell } from "./page.js";
+// Scans: chosen, dropped or made here.
+import { $, download, element, tell } from "./page.js";
 import { desks, files, page, state, work } from "./state.js";
 import { setScene } from "./scene.js";
 import { given as found } from "./link.js";
@@ -18,6 +18,8 @@ const RANDOM = [
 export async function useScan(text, { file, typed }) {
   const given = typed ? { keys: await desks.quick.call("random-keys", { typed }) } : { file };
   const { name, checksum } = await desks.quick.hand(file?.name ?? "", given);
+  // A file that cannot be read takes no other's place.
+  await desks.quick.call("readable", { name });
   const { name: named, message } = found({ name, checksum });
   files.set(named, Object.assign(given, { checksum }));
   const made = await desks.quick.call("use-scan", { text, name: named });
@@ -67,25 +69,4 @@ export function scans() {
     const [name] = page.shown?.files ?? [];
     if (name) download(name, new Blob([await desks.quick.file(page.text, name)]), "application/octet-stream");
   }));
-}
-
-// The report of the scene's scan, if it has one.
-export function scanReport(there) {
-  $("scan-report").hidden = $("save-scan").hidden = !there;
-  noPicture($("scan-picture"));
-  if (there) work("slow", "scan", report);
-}
-
-async function report() {
-  const { text, shown } = page;
-  if (!shown?.scan) return;
-  const { svg, caption, scales, numbers } = await desks.slow.ask(text, "scan");
-  if (page.shown !== shown) return;
-  picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
-  $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
-  $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>
-    element("tr", {}, element("th", { scope: "row", title: meaning }, name), element("td", { title: digits }, shown))));
-  const head = element("tr", {}, ...scales.head.map((name) => heading(name)));
-  $("scales").replaceChildren(element("caption", {}, "Slopes and curvatures at several point distances"), head,
-    ...scales.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text)))));
 }

@@ -1,12 +1,12 @@
 // From the text of the scene to everything that the page shows of it.
 import { $, tell, typing } from "./page.js";
-import { answers, ask, chosen, desks, isSlow, page, report, state, work } from "./state.js";
+import { answers, ask, chosen, desks, isSlow, missing, page, report, state, work } from "./state.js";
 import { note, writeLink } from "./link.js";
 import * as blocks from "./answers.js";
 import * as editor from "./editor.js";
 import * as form from "./form.js";
 import { elements } from "./elements.js";
-import { scanReport } from "./scans.js";
+import { scanReport } from "./scan-report.js";
 import { takeAway } from "./takeaway.js";
 
 // The place of the slider for a scene without a load.
@@ -46,7 +46,7 @@ async function showScene() {
   const text = state.text;
   elements.drop();
   try {
-    Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "" });
+    Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "", refused: "" });
   } catch (error) {
     Object.assign(page, { shown: null, text, failure: error.message });
     clear("The calculation failed.");
@@ -54,20 +54,26 @@ async function showScene() {
   } finally {
     page.rows.clear();
     page.values.clear();
+    page.load = null;
   }
   const { shown } = page;
   form.fill(shown, edit, page.materials);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
-  writeLink();
-  if (shown.error) return clear("The scene has an error: correct it to see its curves.");
-  tell("");
+  takeAway.files(shown.files);
   blocks.views(shown.views, state.view);
+  writeLink();
+  if (shown.error) {
+    // What a link restores stays, also without its scan.
+    blocks.keep(state);
+    return clear(missing() ? `The scene needs the scan ${missing()}: choose or drop that file.` : "The scene has an error: correct it to see its curves.");
+  }
+  tell("");
   state.view = $("view").value;
   if (chosen().length === 0) state.models = shown.models.filter((model) => !model.reason && !model.slow).slice(0, 3).map((model) => model.id);
   blocks.models(shown.models, chosen(), setModels);
   blocks.numbers(shown.numbers);
-  takeAway.models(shown.models, chosen());
+  takeAway.models(shown, chosen());
   elements.allow(shown.scan);
   scanReport(Boolean(shown.scan));
   await values(state.load ? { text: state.load } : { position: USUAL });
@@ -79,7 +85,7 @@ function clear(why) {
   blocks.clear(why);
   elements.allow(null);
   scanReport(false);
-  takeAway.models([], []);
+  takeAway.models({ models: [] }, []);
 }
 
 // The values at another load, after those of the load before.
@@ -94,18 +100,21 @@ async function values(keys) {
     found = await ask(desks.quick, "answer", { models, load: keys });
   } catch (error) {
     if (error.field !== "load") throw error;
+    // The values of the load before stay, dimmed.
+    if (page.load || keys.position !== undefined) page.refused = error.message;
     if (page.load) return blocks.refuseLoad(error.message);
+    if (page.refused) return clear(error.message);
     // A load that a link brought: the scene is shown at another.
     await values({ position: USUAL });
     return tell(error.message);
   }
-  page.load = found.load;
+  Object.assign(page, { load: found.load, refused: "", views: found.views, columns: found.head });
   if (state.load !== found.load.text) takeAway.dropAdvice();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
   page.values = new Map(found.rows.map((row) => [row.model, row]));
-  blocks.table(found.views, ids, page.values);
+  table();
   await curves(desks.quick, models);
   await draw();
   const findings = await check(desks.quick, models);
@@ -113,7 +122,7 @@ async function values(keys) {
   blocks.addFindings(found.findings);
   form.mark(null, findings);
   takeAway.code();
-  if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, found.views));
+  if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown));
 }
 
 // The rows of curves that are not there yet.
@@ -128,7 +137,7 @@ async function curves(desk, models) {
 const check = (desk, models) => ask(desk, "check", { models, load: { text: state.load } });
 
 // Models whose laws take seconds, in a worker of their own: they appear when they are ready.
-async function slowValues(shown, views) {
+async function slowValues(shown) {
   const current = () => page.shown === shown;
   const models = chosen().filter(isSlow);
   if (!current() || models.length === 0) return;
@@ -138,7 +147,7 @@ async function slowValues(shown, views) {
   // A later load has a piece of its own.
   if (state.load === load) {
     found.rows.forEach((row) => page.values.set(row.model, row));
-    blocks.table(views, chosen(), page.values);
+    table();
   }
   await curves(desks.slow, models);
   if (!current()) return page.rows.clear();
@@ -147,7 +156,16 @@ async function slowValues(shown, views) {
   if (current() && state.load === load) blocks.addFindings([...found.findings, ...findings]);
 }
 
-export const redraw = () => work("page", "draw", draw);
+// The values of models, and of boundary elements where they are solved at this load.
+function table() {
+  if (page.load) blocks.table(page.views, chosen(), page.values, elements.at(page.load.pascals));
+}
+
+// Boundary elements were solved at another load.
+export function redraw() {
+  table();
+  work("page", "draw", draw);
+}
 
 async function draw() {
   if (!answers() || !page.load) return;
@@ -158,9 +176,10 @@ async function draw() {
 }
 
 export function setModels(ids) {
+  takeAway.pick(ids.find((id) => !state.models.includes(id)));
   state.models = ids;
   note("models");
-  takeAway.models(page.shown.models, chosen());
+  takeAway.models(page.shown, chosen());
   answer({ text: state.load });
   writeLink();
 }
@@ -168,7 +187,7 @@ export function setModels(ids) {
 export function setView(view) {
   state.view = $("view").value = view;
   note("view");
-  redraw();
+  work("page", "draw", draw);
   writeLink();
 }
 

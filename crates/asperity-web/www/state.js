@@ -10,19 +10,28 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 // What a link restores. The load is typed, with its unit.
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null };
 
-// Answers of the desks: the scene as read from a text, the load on it, values and rows of models.
-export const page = { opened: false, typing: false, failure: "", materials: [], text: "", shown: null, load: null, values: new Map(), head: "", rows: new Map() };
+// Answers of the desks: the scene as read from a text, the load on it, the columns and values of
+// models, and the rows of their curves; the load that was refused, and the scan that a link asks for.
+export const page = {
+  opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
+  load: null, refused: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
+};
+
+// The scan without which the scene of a link cannot be shown.
+export const missing = () => (page.shown?.error && page.shown.files.includes(page.wanted?.name) ? page.wanted.name : "");
 
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
 
 // The state follows from the work that is under way and from what it found.
 export function report() {
-  const broken = page.failure || page.shown?.error || Object.values(desks).some((desk) => desk.broken);
+  const broken = page.failure || page.refused || page.shown?.error || Object.values(desks).some((desk) => desk.broken);
   const phase = !page.opened && !broken ? "loading" : turns.busy || page.typing ? "busy" : broken ? "failed" : "ready";
   document.documentElement.dataset.state = phase;
-  const words = { loading: "loading", busy: "calculating", failed: "failed", ready: "ready" };
-  $("status").textContent = phase === "failed" && page.shown?.error ? "the scene has an error" : words[phase];
+  const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
+  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: "ready" }[phase];
+  // Values at the load before a refused one.
+  document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
 }
 
 // Runs a piece of work in a lane; an error is shown.

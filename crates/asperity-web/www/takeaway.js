@@ -1,7 +1,12 @@
 // Files and lines to take away.
-import { $, download, element, options, picture, noPicture } from "./page.js";
+import { $, download, element, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
+import { columns } from "./answers.js";
+import { elements } from "./elements.js";
 import { writeLink } from "./link.js";
+
+// The model that was ticked or chosen last: tables and laws begin with it.
+let picked = null;
 
 const on = (id, act) => $(id).addEventListener("click", () => work("page", null, act));
 const deskOf = (id) => (isSlow(id) ? desks.slow : desks.quick);
@@ -11,6 +16,14 @@ function saves() {
   on("save-csv", () => {
     const rows = chosen().map((id) => page.rows.get(id) ?? "");
     download("asperity.csv", `${page.head}\n${rows.join("")}`, "text/csv");
+  });
+  on("save-values", () => {
+    const { newtons, pascals } = page.load;
+    const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
+    const solved = elements.at(pascals);
+    if (solved) rows.push(["bem", columns(page.views, solved)]);
+    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...page.views.map((_, k) => cells[k]?.digits ?? "")].join());
+    download("values.csv", [page.columns, ...lines, ""].join("\n"), "text/csv");
   });
   on("save-svg", () => download("asperity.svg", $("curve").dataset.svg, "image/svg+xml"));
   on("save-png", async () => {
@@ -86,18 +99,29 @@ export const takeAway = {
     $("code").addEventListener("toggle", takeAway.code);
     $("law").addEventListener("toggle", law);
     $("law-model").addEventListener("change", law);
+    for (const id of ["export-model", "law-model"]) $(id).addEventListener("change", () => takeAway.pick($(id).value));
+    readings($("law-picture"), $("law-reading"));
   },
   // Advice holds for one load.
   dropAdvice: () => $("advice").replaceChildren(),
   // The code of the present load.
   code: () => work("page", "code", code),
+  pick(id) {
+    picked = id ?? picked;
+  },
+  // What has to lie beside a saved scene file.
+  files(names) {
+    $("scene-files").hidden = names.length === 0;
+    $("scene-files").textContent = `The program reads ${names.join(", ")} from the folder of the scene file: put the two together.`;
+  },
   // The models of the scene; none for a scene with an error.
-  models(all, ids) {
+  models({ models: all, usual }, ids) {
     // Theories of the whole surface have no law of one asperity.
     const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
-    options($("export-model"), ids.map((id) => [id, id]));
-    options($("law-model"), allowed, $("law-model").value || ids[0]);
-    for (const id of ["save-csv", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
+    const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
+    options($("export-model"), ids.map((id) => [id, id]), first(ids));
+    options($("law-model"), allowed, first(allowed.map(([id]) => id)));
+    for (const id of ["save-csv", "save-values", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
     takeAway.dropAdvice();
     if (ids.length === 0) {
       noPicture($("law-picture"));

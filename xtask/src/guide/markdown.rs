@@ -9,6 +9,9 @@ use pulldown_cmark::{
     html,
 };
 
+use super::equations;
+use super::template::escape;
+
 /// A heading with the id of its element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Heading {
@@ -82,19 +85,48 @@ pub fn headings(text: &str, ids: &mut Ids) -> Vec<Heading> {
     found
 }
 
+/// The words of a text without its code: those before the first heading below the title, then those
+/// under each of [`headings`].
+pub fn sections(text: &str) -> Vec<String> {
+    let (mut found, mut skipped) = (vec![String::new()], 0);
+    for event in parse(text) {
+        let last = found.len() - 1;
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                skipped += 1;
+                if level != HeadingLevel::H1 {
+                    found.push(String::new());
+                }
+            }
+            Event::Start(Tag::CodeBlock(_)) => skipped += 1,
+            Event::End(TagEnd::Heading(_) | TagEnd::CodeBlock) => skipped -= 1,
+            Event::Text(part) | Event::Code(part) if skipped == 0 => found[last] += &part,
+            // Words of two blocks or cells are apart.
+            Event::End(TagEnd::Link | TagEnd::Emphasis | TagEnd::Strong | TagEnd::Image) => {}
+            Event::SoftBreak | Event::HardBreak | Event::End(_) => found[last].push(' '),
+            _ => {}
+        }
+    }
+    found
+}
+
 /// Writes a text as html. Its title is left out, as the page has one; `headings` are those of
-/// [`headings`], and `resolve` returns where a link (`false`) or a picture (`true`) leads.
+/// [`headings`], `equations` writes blocks of plain text that hold them as tables, and `resolve`
+/// returns where a link (`false`) or a picture (`true`) leads.
 ///
 /// # Errors
 /// Those of `resolve`.
 pub fn render(
     text: &str,
     headings: &[Heading],
+    equations: bool,
     mut resolve: impl FnMut(&str, bool) -> Result<Target>,
 ) -> Result<String> {
     let mut ids = headings.iter().map(|heading| heading.id.as_str());
     let mut events = vec![];
-    let (mut in_title, mut in_rust) = (false, false);
+    let (mut in_title, mut in_rust, mut in_code) = (false, false, false);
+    // The text of a block that may hold equations.
+    let mut block = None::<String>;
     // What stands behind the text of a link that leads nowhere.
     let mut links: Vec<Option<String>> = vec![];
     for event in parse(text) {
@@ -127,14 +159,30 @@ pub fn render(
                 };
                 events.push(Event::Start(Tag::Image { link_type, dest_url, title, id }));
             }
+            Event::Start(Tag::CodeBlock(kind)) if equations && is_text(&kind) => {
+                block = Some(String::new());
+            }
+            Event::Text(text) if block.is_some() => block.iter_mut().for_each(|b| *b += &text),
+            Event::End(TagEnd::CodeBlock) if block.is_some() => {
+                let block = block.take().unwrap_or_default();
+                let html = match equations::is_equations(&block) {
+                    true => format!("<div class=\"wide\">{}</div>\n", equations::tables(&block)),
+                    false => format!("<pre><code>{}</code></pre>\n", escape(&block)),
+                };
+                events.push(Event::Html(html.into()));
+            }
             Event::Start(Tag::CodeBlock(kind)) => {
+                in_code = true;
                 in_rust = is_rust(&kind);
                 events.push(Event::Start(Tag::CodeBlock(kind)));
             }
             Event::Text(code) if in_rust => events.push(Event::Text(shown(&code).into())),
             Event::End(TagEnd::CodeBlock) => {
-                in_rust = false;
+                (in_rust, in_code) = (false, false);
                 events.push(Event::End(TagEnd::CodeBlock));
+            }
+            Event::Text(text) if !in_code && text.contains(['_', '^']) => {
+                events.push(Event::InlineHtml(equations::letters(&text).into()));
             }
             Event::Start(Tag::Table(columns)) => {
                 events.push(Event::Html("<div class=\"wide\">".into()));
@@ -173,6 +221,10 @@ fn link(
     }
 }
 
+fn is_text(kind: &CodeBlockKind) -> bool {
+    matches!(kind, CodeBlockKind::Fenced(name) if &**name == "text")
+}
+
 /// Rust by name, or in a comment of rustdoc without one.
 fn is_rust(kind: &CodeBlockKind) -> bool {
     match kind {
@@ -198,7 +250,7 @@ mod tests {
     fn html(text: &str) -> String {
         let found = headings(text, &mut Ids::default());
         let resolve = |address: &str, _| Ok(Target::Address(format!("to/{address}")));
-        render(text, &found, resolve).unwrap()
+        render(text, &found, true, resolve).unwrap()
     }
 
     #[test]
@@ -209,7 +261,7 @@ mod tests {
         assert_eq!(ids, ["f_nh-and-k", "a", "a-1"]);
         let html = html(text);
         assert!(
-            html.starts_with("<h2 id=\"f_nh-and-k\">F_n(h), and <code>K</code></h2>"),
+            html.starts_with("<h2 id=\"f_nh-and-k\">F<sub>n</sub>(h), and <code>K</code></h2>"),
             "{html}"
         );
         assert!(!html.contains("Title"));
@@ -225,6 +277,21 @@ mod tests {
     }
 
     #[test]
+    fn equations_are_tables_and_letters_are_lowered_outside_code() {
+        let html = html("w_c of `w_c`\n\n```text\nF = w^2\n```\n```sh\na_b = 2\n```\n");
+        assert!(html.starts_with("<p>w<sub>c</sub> of <code>w_c</code></p>"), "{html}");
+        assert!(html.contains("<td>F = w<sup>2</sup></td>") && html.contains(">a_b = 2"), "{html}");
+    }
+
+    #[test]
+    fn sections_have_the_words_below_each_heading_without_code() {
+        let text = "# T\n\nlead\nmore\n\n## A\n\n|a|b|\n|-|-|\n|`c`|d|\n\n```sh\nx\n```\n## B\n";
+        let found = sections(text);
+        let words: Vec<Vec<&str>> = found.iter().map(|s| s.split_whitespace().collect()).collect();
+        assert_eq!(words, [vec!["lead", "more"], vec!["a", "b", "c", "d"], vec![]]);
+    }
+
+    #[test]
     fn links_of_rustdoc_are_text_and_its_hidden_lines_are_hidden() {
         let html =
             html("[`Joint::path`] [a](Joint::b) [c](d.md)\n\n```rust\n# hidden\n#[x]\n```\n");
@@ -235,7 +302,7 @@ mod tests {
     #[test]
     fn a_link_that_leads_nowhere_is_text_with_its_address() {
         let behind = |_: &str, _| Ok(Target::Text(" (example.org)".into()));
-        let html = render("[there](https://example.org)", &[], behind).unwrap();
+        let html = render("[there](https://example.org)", &[], false, behind).unwrap();
         assert_eq!(html, "<p>there (example.org)</p>\n");
     }
 }

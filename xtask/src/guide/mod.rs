@@ -1,5 +1,5 @@
 //! The guide: READMEs, definitions and chapters of the repository as html, with a search over
-//! titles and headings.
+//! titles, headings and text.
 //!
 //! [`chapters`] lists the pages, `source` reads their text, `markdown` writes it as html,
 //! `site` knows where each file and heading went, `laws` draws the models, and `links` checks
@@ -7,6 +7,7 @@
 
 pub mod api;
 pub mod chapters;
+mod equations;
 mod laws;
 pub mod links;
 mod lists;
@@ -24,6 +25,7 @@ use serde::Serialize;
 use chapters::{Chapter, Extra};
 use site::Site;
 pub use source::root;
+pub use template::escape;
 
 /// The folder of the guide within that of the page.
 pub const FOLDER: &str = "guide";
@@ -32,15 +34,17 @@ const EXPLORER: &str = "../index.html";
 /// The documentation of the interfaces beside the guide, listed where it was written.
 const API: [(&str, &str); 2] =
     [("../rust/index.html", "Rust crates"), ("../python/asperity.html", "Python package")];
-/// Style and search, copied as they are; the colours are those of the explorer.
-const PARTS: [&str; 3] = ["www/colours.css", "guide/guide.css", "guide/search.js"];
+/// Style and search, copied as they are; colours and equations look as in the explorer.
+const PARTS: [&str; 3] = ["www/common.css", "guide/guide.css", "guide/search.js"];
 
-/// A title or heading that can be searched.
+/// A page or a section that can be searched.
 #[derive(Serialize)]
 struct Entry<'a> {
     page: &'a str,
     heading: &'a str,
     address: String,
+    /// The words below it.
+    text: String,
 }
 
 /// Writes the guide to `guide/` in the folder of the page; returns its front page.
@@ -59,10 +63,12 @@ pub fn write(page_folder: &Path) -> Result<PathBuf> {
     let mut entries = vec![];
     for chapter in chapters::all() {
         let address = site::address(chapter);
-        entries.push(Entry { page: chapter.title, heading: "", address: address.clone() });
-        for heading in site.headings(chapter) {
+        let (lead, under) = site.words(chapter);
+        let page = chapter.title;
+        entries.push(Entry { page, heading: "", address: address.clone(), text: plain(&lead) });
+        for (heading, text) in site.headings(chapter).zip(&under) {
             let address = format!("{address}#{}", heading.id);
-            entries.push(Entry { page: chapter.title, heading: &heading.text, address });
+            entries.push(Entry { page, heading: &heading.text, address, text: plain(text) });
         }
     }
     let index = serde_json::to_string(&entries)?;
@@ -84,6 +90,11 @@ pub fn write(page_folder: &Path) -> Result<PathBuf> {
     let violations = links::violations(&pages, &[links::normal(&folder.join(EXPLORER))])?;
     ensure!(violations.is_empty(), "links of the guide:\n{}", violations.join("\n"));
     Ok(folder.join("index.html"))
+}
+
+/// Words with one space between them.
+fn plain(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn exists(folder: &Path, address: &str) -> bool {
@@ -154,6 +165,12 @@ mod tests {
         let entries: Vec<serde_json::Value> = serde_json::from_str(&index).unwrap();
         let is_ke = |entry: &serde_json::Value| entry["address"] == "ke.html#known-errors";
         assert!(entries.len() > 150 && entries.iter().any(is_ke), "{}", entries.len());
+        assert!(index.len() < 400_000, "{} bytes", index.len());
+        let has = |entry: &serde_json::Value| {
+            entry["text"].as_str().is_some_and(|text| text.contains("plasticity index ψ"))
+        };
+        let found = entries.iter().find(|entry| entry["address"] == "gw.html#valid-for").unwrap();
+        assert!(has(found), "{found}");
     }
 
     #[test]

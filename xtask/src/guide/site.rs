@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
-use super::chapters::{self, Chapter};
+use super::chapters::{self, Chapter, Extra};
 use super::links::{DOI, normal};
 use super::markdown::{self, Heading, Ids, Target};
 use super::source::{self, Fragment, Part};
@@ -65,6 +65,18 @@ impl Site {
         self.chapters[chapter.slug].iter().flat_map(|(_, headings)| headings)
     }
 
+    /// The words of a chapter before its first heading, and under each of its headings.
+    #[must_use]
+    pub fn words(&self, chapter: &Chapter) -> (String, Vec<String>) {
+        let (mut lead, mut under) = (String::new(), vec![]);
+        for (fragment, _) in &self.chapters[chapter.slug] {
+            let mut sections = markdown::sections(&fragment.text).into_iter();
+            lead += &sections.next().unwrap_or_default();
+            under.extend(sections);
+        }
+        (lead, under)
+    }
+
     /// The html of a chapter's text.
     ///
     /// # Errors
@@ -73,7 +85,8 @@ impl Site {
         let fragments = self.chapters[chapter.slug].clone();
         let mut html = String::new();
         for (fragment, headings) in &fragments {
-            html += &markdown::render(&fragment.text, headings, |link, is_picture| {
+            let equations = matches!(chapter.extra, Extra::Laws(_));
+            html += &markdown::render(&fragment.text, headings, equations, |link, is_picture| {
                 self.resolve(&fragment.path, link, is_picture)
             })?;
         }

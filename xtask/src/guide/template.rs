@@ -4,9 +4,7 @@ use std::fmt::Write as _;
 
 use super::chapters::{Chapter, GROUPS};
 use super::{EXPLORER, site};
-
-/// What a page of the guide may load: its own style, script, pictures and index.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; base-uri 'none'; form-action 'none'";
+use crate::head::Head;
 
 /// What is the same on all pages.
 pub struct Frame {
@@ -21,21 +19,8 @@ impl Frame {
         let title = escape(chapter.title);
         let contents = self.contents(chapter);
         let neighbours = neighbours(chapter);
-        format!(
-            r##"<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="referrer" content="no-referrer">
-<title>{title} · asperity</title>
-<link rel="stylesheet" href="colours.css">
-<link rel="stylesheet" href="guide.css">
-<link rel="icon" href="data:,">
-<script type="module" src="search.js"></script>
-</head>
-<body>
+        let body = format!(
+            r##"<body>
 <a class="skip" href="#text">Skip to the text</a>
 <header>
 <a class="home" href="{EXPLORER}">asperity</a>
@@ -43,7 +28,7 @@ impl Frame {
 <a href="index.html">Guide</a>
 <search id="search" hidden>
 <label for="query">Search</label>
-<input id="query" type="search" autocomplete="off" aria-controls="found" placeholder="titles and headings">
+<input id="query" type="search" autocomplete="off" aria-controls="found" placeholder="words of the guide">
 <ul id="found" aria-label="Results" aria-live="polite"></ul>
 </search>
 </header>
@@ -59,9 +44,17 @@ impl Frame {
 {neighbours}</main>
 </div>
 </body>
-</html>
 "##
-        )
+        );
+        let description = format!("{}, a chapter of the guide to asperity.", chapter.title);
+        let head = Head {
+            title: &format!("{} · asperity", chapter.title),
+            description: &description,
+            style: "guide.css",
+            script: Some("search.js"),
+            module: false,
+        };
+        head.page(&body)
     }
 
     fn contents(&self, current: &Chapter) -> String {

@@ -5,10 +5,20 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-/// Copies the page and the example scenes.
+use crate::head;
+
+/// Copies the page and the example scenes; html gets its head.
 pub(super) fn write(root: &Path, folder: &Path) -> Result<()> {
     all(&root.join("crates/asperity-web/www"), folder)?;
-    all(&root.join("crates/asperity-scene/examples"), &folder.join("examples"))
+    all(&root.join("crates/asperity-scene/examples"), &folder.join("examples"))?;
+    for name in super::PAGES {
+        let path = folder.join(name);
+        let of = || path.display().to_string();
+        let page = head::of_explorer(&fs::read_to_string(&path).with_context(of)?);
+        let page = page.with_context(|| format!("{name} does not begin with its head"))?;
+        fs::write(&path, page).with_context(of)?;
+    }
+    Ok(())
 }
 
 fn all(from: &Path, to: &Path) -> Result<()> {

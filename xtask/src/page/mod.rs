@@ -14,6 +14,9 @@ pub use server::serve;
 use crate::folder::figures_folder;
 use crate::guide;
 
+/// The pages of the explorer.
+const PAGES: [&str; 3] = ["index.html", "gallery.html", "models.html"];
+
 /// Writes the page and returns its folder; with `keep_module` without building the module again.
 ///
 /// # Errors
@@ -28,7 +31,7 @@ pub fn write(keep_module: bool) -> Result<PathBuf> {
         module::write(root, &folder)?;
     }
     guide::write(&folder)?;
-    let pages = ["index.html", "gallery.html", "models.html"].map(|name| folder.join(name));
+    let pages = PAGES.map(|name| folder.join(name));
     let violations = guide::links::violations(&pages, &[])?;
     ensure!(violations.is_empty(), "links of the explorer:\n{}", violations.join("\n"));
     Ok(folder)

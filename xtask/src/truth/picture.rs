@@ -140,7 +140,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         let drawn = DRAWN.iter().filter(|(id, ..)| curves.contains(id));
         panel.curves = drawn.map(|(id, label, look)| Curve::new(*look, id, label)).collect();
         let [lower, upper] = BAND.map(Into::into);
-        panel.between = vec![Between { lower, upper, look: 9 }];
+        panel.between = vec![Between { lower, upper, look: 9, label: String::new() }];
         panel.horizontals = vec![Mark::new(1.0, "")];
         panel
     };

@@ -1,0 +1,167 @@
+// What was refused says why at its place, and what was there before stays.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdirSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { example, explorer, program, SETTLED } from "./harness.mjs";
+import { matrix, nanometres } from "./files.mjs";
+
+let page;
+before(async () => (page = await explorer()));
+after(() => page?.end());
+
+const field = (path) => `[data-path="${path}"]`;
+const note = (path) => page.run(`const field = document.querySelector(arguments[0]); return document.getElementById(field.id + "-note").textContent`, field(path));
+const opacity = (selector) => page.run("return getComputedStyle(document.querySelector(arguments[0])).opacity", selector);
+const choose = (ids) => page.run("for (const box of document.querySelectorAll('#models input')) if (!box.disabled && box.checked !== arguments[0].includes(box.value)) box.click();", ids);
+// A csv of the page among its downloads.
+async function saved(name, button) {
+  await page.run("document.getElementById(arguments[0]).click()", button);
+  for (let k = 0; k < 50 && !readdirSync(page.scratch).includes(name); k++) await new Promise((resolve) => setTimeout(resolve, 100));
+  return readFileSync(join(page.scratch, name), "utf8");
+}
+
+test("tables begin with a model that yields, then with the one that was ticked last", async () => {
+  const first = async () => [await page.value("export-model"), await page.value("law-model")];
+  assert.deepEqual(await first(), ["ke", "ke"]);
+  await page.run("document.querySelector('#models [value=af]').click()");
+  await page.browser.until(SETTLED);
+  assert.deepEqual(await first(), ["af", "af"]);
+});
+
+test("a refused load has its reason at the field, and the values before are dimmed", async () => {
+  await page.scene(example("wheel-rail"));
+  await choose(["gw", "ke"]);
+  await page.change(["#load", "100 N"]);
+  const before = await page.values();
+  for (const [load, said] of [["-5", /load is -5/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
+    await page.change(["#load", load]);
+    assert.match(await page.text("load-error"), said);
+    assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
+    assert.deepEqual([await page.values(), await page.value("load")], [before, load]);
+    assert.ok((await opacity("#answers")) < 0.5 && (await opacity("#curve")) < 0.5);
+  }
+  await page.change(["#load", "200 N"]);
+  assert.deepEqual([await page.phase(), await page.text("load-error"), await opacity("#answers")], ["ready", "", "1"]);
+});
+
+test("a model that alone refuses a load says why in its row", async () => {
+  await page.scene(example("elastomer-on-glass").replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
+  await choose(["gw", "dmt"]);
+  await page.change(["#load", "-1 mN"]);
+  assert.equal(await page.phase(), "ready");
+  assert.match(await page.run("return document.querySelector('#answers td.reason').textContent"), /load is -0\.001/);
+  assert.ok(await page.run("return Boolean(document.querySelector('#answers [data-model=dmt][data-value]'))"));
+});
+
+test("an unreadable file leaves the scan of the scene where it is", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("good.txt", matrix(nanometres()));
+  const [text, values] = [await page.value("scene"), await page.values()];
+  mkdirSync(join(page.scratch, "other"));
+  for (const name of ["torn.x3p", "other/good.txt"]) {
+    await page.file(name, "PK\u0003\u0004 nothing \u0000");
+    assert.match(await page.text("message"), /^(torn\.x3p|good\.txt): /);
+    assert.deepEqual([await page.phase(), await page.value("scene")], ["ready", text], name);
+    await page.change(["#load", "7 N"], ["#load", "5 kN"]);
+  }
+  await page.scene(text);
+  await page.change(["#load", await page.value("load")]);
+  assert.deepEqual(Object.keys(await page.values()), Object.keys(values));
+});
+
+test("a masked scan names the share of missing points at its own field", async () => {
+  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
+  await page.scene(example("wheel-rail"));
+  await page.file("masked.txt", rows);
+  assert.match(await page.text("scene-error"), /max_missing/);
+  assert.match(await note("surface.max_missing"), /^Missing points, at most: .*share of missing points/);
+  await page.change([field("surface.max_missing"), "0.5"]);
+  assert.deepEqual([await page.phase(), await page.text("scene-error")], ["ready", ""]);
+});
+
+test("the message of a field has its name and the text as typed, and no line", async () => {
+  await page.scene(example("wheel-rail"));
+  for (const [path, typed, said] of [
+    ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a decimal comma; write 0.3"],
+    ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two"],
+    ["body[1].hardness", "-5", "Hardness H: -5 Pa: a finite number above 0 was required"],
+  ]) {
+    await page.change([field(path), typed]);
+    assert.equal(await note(path), said);
+    assert.equal(await page.phase(), "failed");
+    await page.scene(example("wheel-rail"));
+  }
+  // What the program's check notes is there too.
+  await page.change([field("nominal_area"), "1"]);
+  assert.match(await note("nominal_area"), /nominal_area is 1 m2 .*1 looks like mm2/);
+  await page.change([field("nominal_area"), "1 cubit"]);
+  assert.match(await note("nominal_area"), /units: m2, cm2, mm2/);
+});
+
+test("a link without its scan keeps load, models and quantity, and asks for the scan", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("asked.txt", matrix(nanometres()));
+  await choose(["ke", "jg"]);
+  await page.change(["#load", "321 N"], ["#view", "tangent"]);
+  const before = await page.values();
+  await page.browser.go(await page.run("return location.href"));
+  await page.browser.call("POST", "/refresh", {});
+  await page.browser.until(SETTLED);
+  assert.match(await page.text("message"), /made with the scan asked\.txt/);
+  assert.deepEqual(
+    [await page.phase(), await page.text("status"), await page.value("load"), await page.value("view"), await page.run("return document.querySelector('#model-box summary').textContent")],
+    ["failed", "waiting for asked.txt", "321 N", "tangent", "Models: ke, jg"]);
+  await page.file("asked.txt", matrix(nanometres()));
+  assert.deepEqual([await page.phase(), await page.text("message"), await page.value("load")], ["ready", "", "321 N"]);
+  assert.deepEqual(await page.values(), before);
+});
+
+test("boundary elements have stiffnesses beside the models', and the values are saved as shown", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.browser.until("return document.querySelectorAll('#solved tbody tr').length >= 6", "solved loads");
+  await page.browser.until(SETTLED);
+  await page.run("document.getElementById('solve-load').click()");
+  await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the row of boundary elements");
+  await page.browser.until(SETTLED);
+  const values = await page.values();
+  for (const quantity of ["separation", "area-fraction", "tangent", "unloading-stiffness"]) {
+    assert.ok(Number(values[`bem ${quantity}`][0]) > 0 && Number(values[`ke ${quantity}`][0]) > 0, quantity);
+  }
+  assert.ok(Number(values["bem unloading-stiffness"][0]) >= 0.98 * Number(values["bem tangent"][0]));
+  await page.change(["#view", "tangent"]);
+  assert.match(await page.text("curve"), /boundary elements/);
+  const csv = await saved("values.csv", "save-values");
+  const lines = csv.trim().split("\n").map((line) => line.split(","));
+  const column = lines[0].findIndex((name) => name.startsWith("tangent"));
+  assert.ok(lines.every((line) => line.length === lines[0].length), csv);
+  assert.equal(lines.find(([model]) => model === "bem")[column], values["bem tangent"][0]);
+  assert.equal(lines.find(([model]) => model === "ke")[column], values["ke tangent"][0]);
+});
+
+test("boundary elements' stiffnesses are those of the program", { skip: !program }, async () => {
+  const [solved] = await page.run(`return [...document.querySelectorAll('#solved tbody tr')].slice(-1).map((row) =>
+    Object.fromEntries([...row.querySelectorAll('[data-value]')].map(({ dataset: { quantity, value } }) => [quantity, Number(value)])))`);
+  await page.run("document.getElementById('save-scan').click()");
+  const scene = await saved("scene.toml", "save-scene");
+  assert.match(await page.text("scene-files"), /random-1\.x3p .* put the two together/);
+  assert.doesNotMatch(scene, /stylus|asperity curve|m0/);
+  for (let k = 0; k < 50 && !readdirSync(page.scratch).includes("random-1.x3p"); k++) await new Promise((resolve) => setTimeout(resolve, 100));
+  const { stdout, stderr } = spawnSync(program, ["bem", join(page.scratch, "scene.toml"), "--pressure", String(solved.pressure), "--quantity", "tangent,unloading-stiffness", "--format", "json"], { encoding: "utf8" });
+  const [row] = JSON.parse(stdout || `"${stderr}"`);
+  assert.ok(Math.abs(solved["unloading-stiffness"] / row.unloading_stiffness_N_per_m - 1) < 1e-6, JSON.stringify(row));
+  assert.ok(Math.abs(solved.tangent / row.tangent_N_per_m - 1) < 1e-3, JSON.stringify(row));
+});
+
+test("every example has something to try, and it works", async () => {
+  for (const name of ["wheel-rail", "bolted-joint", "elastomer-on-glass", "lapped-seal", "ground-steel"]) {
+    const count = await page.change(["#example", name]).then(() => page.run("return document.querySelectorAll('#tries button').length"));
+    assert.ok(count >= 2, name);
+    for (let k = 0; k < count; k++) {
+      const words = await page.run("const button = document.querySelectorAll('#tries button')[arguments[0]]; button.click(); return button.textContent", k);
+      await page.browser.until(SETTLED, words);
+      assert.deepEqual([await page.phase(), await page.text("message"), await page.text("load-error")], ["ready", "", ""], `${name}: ${words}`);
+    }
+  }
+});

@@ -1,0 +1,200 @@
+//! Equations as people read them: blocks of plain text as tables with raised and lowered letters.
+//!
+//! The files themselves keep plain text, which GitHub, rustdoc and an editor show alike.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::template::escape;
+
+/// Whether a block of text holds equations, not numbers or the output of a program.
+#[must_use]
+pub fn is_equations(block: &str) -> bool {
+    block.contains('=') || block.contains('^') || block.contains('≤')
+}
+
+/// A block as tables, one for each part between empty lines. What starts at the same place of two
+/// lines is in the same column.
+#[must_use]
+pub fn tables(block: &str) -> String {
+    let lines: Vec<&str> = block.trim_end().lines().collect();
+    lines.split(|line| line.trim().is_empty()).map(table).collect()
+}
+
+fn table(lines: &[&str]) -> String {
+    let rows: Vec<Vec<(usize, String)>> = lines.iter().map(|line| segments(line)).collect();
+    let starts: BTreeSet<usize> = rows.iter().flatten().map(|(start, _)| *start).collect();
+    let mut html = String::from("<table class=\"equations\">\n");
+    // Writing to a string cannot fail.
+    for row in &rows {
+        html += "<tr>";
+        let first = row.first().map_or(0, |(start, _)| *start);
+        let indent = starts.range(..first).count();
+        if indent > 0 {
+            let _ = write!(html, "<td colspan=\"{indent}\"></td>");
+        }
+        for (k, (start, text)) in row.iter().enumerate() {
+            let end = row.get(k + 1).map_or(usize::MAX, |(next, _)| *next);
+            let span = starts.range(start..&end).count();
+            let span = if span > 1 { format!(" colspan=\"{span}\"") } else { String::new() };
+            let words = if is_words(text) { " class=\"words\"" } else { "" };
+            let _ = write!(html, "<td{span}{words}>{}</td>", formula(text));
+        }
+        html += "</tr>\n";
+    }
+    html + "</table>\n"
+}
+
+/// Whether a part is words about a symbol, which may take several lines.
+fn is_words(text: &str) -> bool {
+    let long = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
+    text.split(' ').filter(long).count() > 1
+}
+
+/// The parts of a line between two or more spaces, with the places of their first letters; what
+/// follows a comma belongs to the part before.
+fn segments(line: &str) -> Vec<(usize, String)> {
+    let (mut found, mut spaces) = (Vec::<(usize, String)>::new(), 2);
+    for (at, letter) in line.chars().enumerate() {
+        let goes_on = found.last().is_some_and(|(_, text)| text.ends_with(','));
+        match letter {
+            ' ' => spaces += 1,
+            _ if spaces > 1 && !goes_on => {
+                found.push((at, letter.to_string()));
+                spaces = 0;
+            }
+            _ => {
+                if let Some((_, text)) = found.last_mut() {
+                    let wide = if spaces > 1 { "\u{2003}" } else { " " };
+                    text.push_str(if spaces > 0 { wide } else { "" });
+                    text.push(letter);
+                }
+                spaces = 0;
+            }
+        }
+    }
+    found
+}
+
+/// A formula as html: `w^(3/2)` raised, `w_c` lowered, and minus signs as wide as plus signs.
+fn formula(text: &str) -> String {
+    // Names of code stay as they are.
+    let parts = text.split('`').enumerate().map(|(k, part)| match k % 2 {
+        0 => letters(&minus(part)),
+        _ => format!("<code>{}</code>", escape(part)),
+    });
+    parts.collect()
+}
+
+/// A text with hyphens only within words: a minus follows no word of several letters.
+fn minus(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let in_word = |k: usize| {
+        let of = |back: usize| k.checked_sub(back).and_then(|at| letters.get(at));
+        let is_letter = |c: Option<&char>| c.is_some_and(|c| c.is_alphabetic());
+        is_letter(of(1)) && is_letter(of(2))
+    };
+    let wide = letters.iter().enumerate().map(|(k, c)| match c {
+        '-' if !in_word(k) => '−',
+        c => *c,
+    });
+    wide.collect()
+}
+
+/// Text as html, with `σ_z` and `x^1.5` as people read them. Longer names with `_` are not changed.
+#[must_use]
+pub fn letters(text: &str) -> String {
+    let (mut html, mut rest) = (String::new(), text);
+    let mut before = [None, None];
+    while let Some(letter) = rest.chars().next() {
+        let after = &rest[letter.len_utf8()..];
+        let joins = before[1].is_some_and(|c: char| c.is_alphanumeric() || ")]}'".contains(c));
+        // A word has one letter before its lowered part.
+        let single = !before[0].is_some_and(|c: char| c.is_alphabetic() || c == '_');
+        let tag = match letter {
+            '^' if joins => Some("sup"),
+            '_' if joins && single && before[1] != Some(')') => Some("sub"),
+            _ => None,
+        };
+        match tag.and_then(|tag| Some((tag, moved(after, tag)?))) {
+            Some((tag, (inner, used))) => {
+                let inner = letters(&minus(inner));
+                let _ = write!(html, "<{tag}>{inner}</{tag}>");
+                rest = &after[used..];
+                before = [None, Some('\'')];
+            }
+            None => {
+                html += &escape(&letter.to_string());
+                before = [before[1], Some(letter)];
+                rest = after;
+            }
+        }
+    }
+    html
+}
+
+/// What is raised or lowered at the start of a text, without its brackets, and its length with them.
+fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
+    let close = match text.chars().next()? {
+        '(' if tag == "sup" => Some(('(', ')')),
+        '{' => Some(('{', '}')),
+        _ => None,
+    };
+    if let Some((open, close)) = close {
+        let mut depth = 0;
+        let end = text.char_indices().find(|(_, c)| {
+            depth += i32::from(*c == open) - i32::from(*c == close);
+            depth == 0
+        });
+        return end.map(|(end, _)| (&text[1..end], end + 1));
+    }
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    let minus = if tag == "sup" { text.find(|c| c != '-' && c != '−') } else { None };
+    let sign = minus.unwrap_or_default();
+    let start = text[sign..].chars().next()?;
+    let length: usize = if start.is_ascii_digit() {
+        text[sign..].chars().take_while(|c| is_number(*c)).count()
+    } else if tag == "sup" {
+        return (start.is_ascii_alphabetic() || start == '∞')
+            .then(|| (&text[..sign + start.len_utf8()], sign + start.len_utf8()));
+    } else {
+        text[sign..].chars().take_while(char::is_ascii_alphanumeric).count()
+    };
+    // A full stop ends the sentence.
+    let found = text[..sign + length].trim_end_matches('.');
+    (length > 0).then_some((found, found.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_are_raised_and_lowered() {
+        for (text, html) in [
+            ("E √R w^(3/2)", "E √R w<sup>3/2</sup>"),
+            ("1.03 x^1.425 < w_c.", "1.03 x<sup>1.425</sup> &lt; w<sub>c</sub>."),
+            ("F_{3/2}(t), w_c' = 10^-5", "F<sub>3/2</sub>(t), w<sub>c</sub>' = 10<sup>−5</sup>"),
+            ("(x/1.9)^B", "(x/1.9)<sup>B</sup>"),
+            ("∫ₜ^∞ (s-t)^n", "∫ₜ<sup>∞</sup> (s-t)<sup>n</sup>"),
+            ("x^((a-1)/2) y", "x<sup>(a−1)/2</sup> y"),
+            ("nominal_area, at-additive, a ^ b", "nominal_area, at-additive, a ^ b"),
+            ("π R w_c S H", "π R w<sub>c</sub> S H"),
+        ] {
+            assert_eq!(letters(text), html);
+        }
+        assert_eq!(formula("-dF/dd - `a-b`"), "−dF/dd − <code>a-b</code>");
+        assert_eq!(formula("elastic-plastic (y-1)"), "elastic-plastic (y−1)");
+    }
+
+    #[test]
+    fn what_starts_at_the_same_place_is_in_the_same_column() {
+        let block = "x ≤ 1    x^1.5   x\nx > 1            2x\n\nF  force (N)\n";
+        let html = tables(block);
+        assert_eq!(html.matches("<table").count(), 2);
+        assert!(html.contains("<tr><td>x ≤ 1</td><td>x<sup>1.5</sup></td><td>x</td></tr>"));
+        assert!(html.contains("<tr><td colspan=\"2\">x &gt; 1</td><td>2x</td></tr>"), "{html}");
+        assert_eq!(segments("F = x,   A = y    area")[0], (0, "F = x,\u{2003}A = y".into()));
+        assert!(!is_equations("x    2   3\nforce  -16.6  -15.5\n"));
+    }
+}
