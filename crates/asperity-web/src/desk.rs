@@ -52,13 +52,10 @@ impl Desk {
         reply(message.and_then(|message| self.answer(message)))
     }
 
-    /// Solves the scan of the scene at mean pressures \[Pa\] of the slider's range, or at one;
-    /// every event is passed on as json.
+    /// Solves the scan of the scene at mean pressures \[Pa\]; every event is passed on as json.
     pub fn press(&self, pressures: &[f64], mut happened: impl FnMut(&str)) -> String {
         let mut run = || {
             let file = self.scene()?;
-            let all = span::Span::of(&file.scene).solved();
-            let pressures = if pressures.is_empty() { &all } else { pressures };
             let tell = |event: &Event| {
                 happened(&serde_json::to_string(event).unwrap_or_default());
             };
@@ -329,7 +326,9 @@ mod tests {
         let text = call(&mut desk, json!({ "call": "use-scan", "text": text, "name": name }));
         let shown = call(&mut desk, json!({ "call": "show", "text": text["ok"] }));
         assert!(shown["ok"]["error"].is_null(), "{shown}");
-        assert_eq!(shown["ok"]["scan"], json!({ "rows": 64, "columns": 64, "refused": null }));
+        let scan = &shown["ok"]["scan"];
+        assert_eq!((&scan["rows"], &scan["columns"]), (&json!(64), &json!(64)));
+        assert!(scan["refused"].is_null() && scan["pressures"].as_array().unwrap().len() == 6);
         let scan = call(&mut desk, json!({ "call": "scan" }));
         assert!(scan["ok"]["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg")), "{scan}");
         let mut solved = 0;

@@ -149,6 +149,8 @@ pub(crate) struct ScanShown {
     pub(crate) columns: usize,
     /// Why boundary elements cannot solve it here.
     pub(crate) refused: Option<String>,
+    /// Mean pressures over the range of the slider to solve it at \[Pa\].
+    pub(crate) pressures: Vec<f64>,
 }
 
 /// The values of models at a load.

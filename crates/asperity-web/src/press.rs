@@ -8,17 +8,14 @@ use asperity::{Diagnostic, Quantity, Separation, SeparationUnit};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
-use crate::answer::cell;
+use crate::answer::{cell, quantities};
 use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
 use crate::shown::shown;
-
-/// The stiffnesses of the models that a solved contact has too: the slope of first loading, from
-/// two more solutions, and that of unloading, with the contact held.
-const STIFFNESSES: [Quantity; 2] = [Quantity::Tangent, Quantity::UnloadingStiffness];
+use crate::span::Span;
 
 /// What happens during a solution.
 #[derive(Debug, Clone, Serialize)]
@@ -56,7 +53,8 @@ pub(crate) fn scan(file: &SceneFile) -> Option<ScanShown> {
         )
     });
     let refused = refused.or_else(|| file.bem(None, false).err().map(|error| error.to_string()));
-    Some(ScanShown { rows, columns, refused })
+    let pressures = Span::of(&file.scene).solved();
+    Some(ScanShown { rows, columns, refused, pressures })
 }
 
 /// Solves the contact of a scene's scan at mean pressures, the heaviest first.
@@ -87,8 +85,8 @@ pub(crate) fn press(
                 Ok(svg) => {
                     let map = (svg, MapReadings::of(&bem, &solution));
                     let pressure = pressures.get(index).copied().unwrap_or(solution.mean_pressure);
-                    let stiffnesses = stiffnesses(&elements, &solution, file);
-                    Event::solved(index, pressure, file, map, (solution, stiffnesses))
+                    let others = others(&elements, &solution, file);
+                    Event::solved(index, pressure, file, map, (solution, others))
                 }
             },
         });
@@ -96,19 +94,21 @@ pub(crate) fn press(
     Ok(())
 }
 
-/// The stiffnesses of a solved contact, or why one is missing.
-fn stiffnesses(
-    elements: &BoundaryElements,
-    solution: &Solution,
-    file: &SceneFile,
-) -> [Result<f64, String>; 2] {
-    let summary = elements.summary(solution, &STIFFNESSES);
-    STIFFNESSES.map(|quantity| match summary.evaluate(quantity, &file.scene) {
-        Ok(Some(found)) => Ok(found.value()),
-        Ok(None) => Err(format!("boundary elements have no {quantity}")),
-        Err(error) => Err(error.to_string()),
-    })
+/// The other quantities of the models that a solved contact has, or why one is missing: stiffness on
+/// first loading, from two more solutions, and on unloading, with the contact held, among them.
+fn others(elements: &BoundaryElements, solution: &Solution, file: &SceneFile) -> Vec<Found> {
+    let mut all = quantities(file);
+    all.retain(|quantity| *quantity != Quantity::AreaFraction);
+    let summary = elements.summary(solution, &all);
+    let found = |quantity: Quantity| match summary.evaluate(quantity, &file.scene) {
+        Ok(value) => value.map(|value| (quantity, Ok(value.value()))),
+        Err(error) => Some((quantity, Err(error.to_string()))),
+    };
+    all.into_iter().filter_map(found).collect()
 }
+
+/// A quantity with its value, or the reason why it is missing.
+type Found = (Quantity, Result<f64, String>);
 
 impl Event {
     fn progress(progress: &asperity::bem::Progress, count: usize) -> Self {
@@ -126,7 +126,7 @@ impl Event {
         pressure: f64,
         file: &SceneFile,
         (svg, readings): (String, MapReadings),
-        (solution, stiffnesses): (Solution, [Result<f64, String>; 2]),
+        (solution, others): (Solution, Vec<Found>),
     ) -> Self {
         // From the plane of the models' separations, so that both are in one picture.
         let gap = Separation::metres(solution.mean_gap).from_surface_mean();
@@ -139,12 +139,10 @@ impl Event {
         let area = solution.area;
         let mut points = BTreeMap::from([(Quantity::AreaFraction.to_string(), area)]);
         points.extend(separation.iter().map(|value| (SEPARATION.to_string(), *value)));
-        let stiff = STIFFNESSES.into_iter().zip(stiffnesses);
-        let stiff: Vec<(Quantity, Result<f64, String>)> = stiff.collect();
-        let found = |(quantity, found): &(Quantity, Result<f64, String>)| {
+        let found = |(quantity, found): &Found| {
             found.as_ref().ok().map(|value| (quantity.to_string(), *value))
         };
-        points.extend(stiff.iter().filter_map(found));
+        points.extend(others.iter().filter_map(found));
         let mut cells = vec![
             cell("load", "N", load),
             cell("pressure", "Pa", pressure),
@@ -166,7 +164,7 @@ impl Event {
             ("plastic share", "Share of the pixels that carry the hardness.".into()),
             ("patches", "Number of connected contacts.".into()),
         ];
-        for (quantity, found) in stiff {
+        for (quantity, found) in others {
             head.push((quantity.label(), quantity.definition().into()));
             cells.push(self::cell(&quantity.to_string(), quantity.unit(), found, None));
         }

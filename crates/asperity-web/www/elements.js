@@ -27,9 +27,12 @@ class Elements {
     $("iterations").textContent = "";
   }
 
-  solve(pressures) {
+  // Solves the present load, with `all` also loads over the range of the slider.
+  solve(all) {
     const run = {};
-    const { text } = page;
+    const { text, shown, load } = page;
+    if (!load) return null;
+    const pressures = [...new Set([load.pascals, ...(all ? shown.scan.pressures : [])])];
     return work("solver", "press", async () => {
       if (text !== page.text) return;
       this.run = run;

@@ -44,8 +44,8 @@ function surfaces() {
 function boundaryElements() {
   elements.changed = redraw;
   elements.readings();
-  $("solve").addEventListener("click", () => elements.solve([]));
-  $("solve-load").addEventListener("click", () => page.load && elements.solve([page.load.pascals]));
+  $("solve").addEventListener("click", () => elements.solve(true));
+  $("solve-load").addEventListener("click", () => elements.solve(false));
   $("stop").addEventListener("click", () => elements.stop());
 }
 

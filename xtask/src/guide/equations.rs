@@ -152,7 +152,7 @@ fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
     let minus = if tag == "sup" { text.find(|c| c != '-' && c != '−') } else { None };
     let sign = minus.unwrap_or_default();
     let start = text[sign..].chars().next()?;
-    let length: usize = if start.is_ascii_digit() {
+    let length: usize = if is_number(start) {
         text[sign..].chars().take_while(|c| is_number(*c)).count()
     } else if tag == "sup" {
         return (start.is_ascii_alphabetic() || start == '∞')
@@ -162,7 +162,7 @@ fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
     };
     // A full stop ends the sentence.
     let found = text[..sign + length].trim_end_matches('.');
-    (length > 0).then_some((found, found.len()))
+    (!found.is_empty()).then_some((found, found.len()))
 }
 
 #[cfg(test)]
@@ -175,6 +175,7 @@ mod tests {
             ("E √R w^(3/2)", "E √R w<sup>3/2</sup>"),
             ("1.03 x^1.425 < w_c.", "1.03 x<sup>1.425</sup> &lt; w<sub>c</sub>."),
             ("F_{3/2}(t), w_c' = 10^-5", "F<sub>3/2</sub>(t), w<sub>c</sub>' = 10<sup>−5</sup>"),
+            ("1-x^-.28", "1-x<sup>−.28</sup>"),
             ("(x/1.9)^B", "(x/1.9)<sup>B</sup>"),
             ("∫ₜ^∞ (s-t)^n", "∫ₜ<sup>∞</sup> (s-t)<sup>n</sup>"),
             ("x^((a-1)/2) y", "x<sup>(a−1)/2</sup> y"),

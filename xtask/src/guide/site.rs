@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
-use super::chapters::{self, Chapter, Extra};
+use super::chapters::{self, Chapter};
 use super::links::{DOI, normal};
 use super::markdown::{self, Heading, Ids, Target};
 use super::source::{self, Fragment, Part};
@@ -85,7 +85,8 @@ impl Site {
         let fragments = self.chapters[chapter.slug].clone();
         let mut html = String::new();
         for (fragment, headings) in &fragments {
-            let equations = matches!(chapter.extra, Extra::Laws(_));
+            // The hats of Fourier transforms there would be read as powers.
+            let equations = chapter.slug != "boundary-elements";
             html += &markdown::render(&fragment.text, headings, equations, |link, is_picture| {
                 self.resolve(&fragment.path, link, is_picture)
             })?;
