@@ -16,8 +16,6 @@ const COLUMN_GAP: f64 = 17.0;
 const ROW: f64 = 18.5;
 /// Opacity of an area.
 pub(crate) const AREA: f64 = 0.4;
-/// Width of curves.
-const CURVE: f64 = 2.0;
 
 /// The legend of all panels, with its size.
 pub(crate) struct Legend<'a> {
@@ -67,7 +65,9 @@ impl<'a> Legend<'a> {
                 canvas.polygon(&swatch.corners(), curve.colour(), AREA);
             }
             draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
-            canvas.marker((x + 0.5 * KEY, y), curve.marker(), curve.colour());
+            if !curve.faint {
+                canvas.marker((x + 0.5 * KEY, y), curve.marker(), curve.colour());
+            }
             let baseline = (x + KEY + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
             canvas.text(&curve.label, baseline, Type::new(SIZE, BLACK, "start"));
         }
@@ -77,6 +77,6 @@ impl<'a> Legend<'a> {
 /// Draws a polyline with the dash of a curve.
 pub(crate) fn draw_line(canvas: &Canvas, points: &[Point], curve: &Curve) {
     if curve.line {
-        canvas.line(&simplified(points), curve.colour(), CURVE, curve.dash());
+        canvas.line(&simplified(points), curve.colour(), curve.width(), curve.dash());
     }
 }
