@@ -1,9 +1,9 @@
 //! The half-space: deflections from pressures by Fourier transforms, and an approximate inverse.
 
-use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use crate::HeightMap;
+use crate::compliance::{rectangles, waves};
 use crate::parallel;
 use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 
@@ -47,8 +47,7 @@ pub(crate) struct HalfSpace {
     columns: usize,
     padded_rows: usize,
     padded_columns: usize,
-    /// Compliances \[m/Pa\] of the waves; even in both directions, so a quarter of the plane is
-    /// held: all of the first half of the columns, in each the first half of the rows.
+    /// Of the waves \[m/Pa\], a quarter of the plane.
     compliance: Vec<f64>,
     row_forward: Arc<dyn RealToComplex<f64>>,
     row_backward: Arc<dyn ComplexToReal<f64>>,
@@ -61,89 +60,28 @@ pub(crate) struct HalfSpace {
 impl HalfSpace {
     pub(crate) fn new(map: &HeightMap, modulus: f64, boundary: Boundary) -> Self {
         let [rows, columns] = map.shape();
-        let [padded_rows, padded_columns] = match boundary {
+        let padded @ [padded_rows, padded_columns] = match boundary {
             Boundary::Periodic => [rows, columns],
             Boundary::Free => [2 * fast_length(rows), 2 * fast_length(columns)],
         };
         let half = padded_columns / 2 + 1;
-        let mut space = Self {
+        let compliance = match boundary {
+            Boundary::Periodic => waves(padded, map.pixel(), modulus),
+            Boundary::Free => rectangles(padded, map.pixel(), modulus),
+        };
+        Self {
             rows,
             columns,
             padded_rows,
             padded_columns,
-            compliance: Vec::new(),
+            compliance,
             row_forward: asperity_fft::real_forward(padded_columns),
             row_backward: asperity_fft::real_inverse(padded_columns),
             column_forward: asperity_fft::forward(padded_rows),
             column_backward: asperity_fft::inverse(padded_rows),
             by_rows: vec![Complex64::ZERO; rows * half],
             by_columns: vec![Complex64::ZERO; half * padded_rows],
-        };
-        space.compliance = match boundary {
-            Boundary::Periodic => space.waves(map.pixel(), modulus),
-            Boundary::Free => space.rectangles(map.pixel(), modulus),
-        };
-        space
-    }
-
-    /// Compliances of the waves of a periodic half-space, 2/(E |q|); the mean has none.
-    fn waves(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
-        let q_row = TAU / (self.padded_rows as f64 * dy);
-        let q_column = TAU / (self.padded_columns as f64 * dx);
-        let quarter = self.padded_rows / 2 + 1;
-        let mut compliance = vec![0.0; (self.padded_columns / 2 + 1) * quarter];
-        let columns = compliance.chunks_mut(quarter).enumerate();
-        parallel::map(
-            columns,
-            || (),
-            |(), (j, column)| {
-                for (i, compliance) in column.iter_mut().enumerate() {
-                    let q = (q_row * i as f64).hypot(q_column * j as f64);
-                    *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
-                }
-            },
-        );
-        compliance
-    }
-
-    /// Transform of the deflections about one pixel that carries the pressure 1 (Love 1929); twice
-    /// as many pixels as the map has keep its images away.
-    fn rectangles(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
-        let (half, quarter) = (self.padded_columns / 2 + 1, self.padded_rows / 2 + 1);
-        let mut by_rows = vec![0.0; quarter * half];
-        parallel::map(
-            by_rows.chunks_mut(half).enumerate(),
-            || (),
-            |(), (i, row)| {
-                let y = i as f64 * dy;
-                let mut line: Vec<f64> = (0..self.padded_columns)
-                    .map(|j| j.min(self.padded_columns - j) as f64 * dx)
-                    .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
-                    .collect();
-                let mut spectrum = self.row_forward.make_output_vec();
-                // It fails only for wrong lengths.
-                let _ = self.row_forward.process(&mut line, &mut spectrum);
-                for (number, wave) in row.iter_mut().zip(spectrum) {
-                    *number = wave.re;
-                }
-            },
-        );
-        let mut compliance = vec![0.0; half * quarter];
-        let columns = compliance.chunks_mut(quarter).enumerate();
-        parallel::map(
-            columns,
-            || (),
-            |(), (j, column)| {
-                let mut line: Vec<Complex64> = (0..self.padded_rows)
-                    .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
-                    .collect();
-                self.column_forward.process(&mut line);
-                for (compliance, wave) in column.iter_mut().zip(line) {
-                    *compliance = wave.re;
-                }
-            },
-        );
-        compliance
+        }
     }
 
     /// Squares of the amplitudes of `map`'s waves: `each` gets them with the frequencies of the
@@ -275,15 +213,6 @@ impl Compliance for HalfSpace {
     }
 }
 
-/// Deflection at (x, y) under the pressure 1 on the rectangle dx x dy about the origin, times π E:
-/// the closed form of Love (1929). \[recalled\]
-fn rectangle(x: f64, y: f64, dx: f64, dy: f64) -> f64 {
-    let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
-    let (left, right) = (x - dx / 2.0, x + dx / 2.0);
-    let (low, high) = (y - dy / 2.0, y + dy / 2.0);
-    corner(right, high) - corner(left, high) - corner(right, low) + corner(left, low)
-}
-
 /// The least product of 2, 3 and 5 that is not below `length`.
 fn fast_length(length: usize) -> usize {
     let smooth = |mut n: usize| {
@@ -299,7 +228,10 @@ fn fast_length(length: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::{PI, TAU};
+
     use super::*;
+    use crate::compliance::rectangle;
 
     #[test]
     fn lengths_are_products_of_small_primes() {
@@ -328,7 +260,7 @@ mod tests {
                                     Boundary::Free => {
                                         rectangle(b * dx, a * dy, dx, dy) / (PI * 5.0)
                                     }
-                                    Boundary::Periodic => waves(shape, pixel, a, b) / 5.0,
+                                    Boundary::Periodic => sum_of_waves(shape, pixel, a, b) / 5.0,
                                 }
                         })
                         .sum();
@@ -339,7 +271,7 @@ mod tests {
     }
 
     /// Sum of all waves at the distance of a rows and b columns.
-    fn waves([rows, columns]: [usize; 2], [dy, dx]: [f64; 2], a: f64, b: f64) -> f64 {
+    fn sum_of_waves([rows, columns]: [usize; 2], [dy, dx]: [f64; 2], a: f64, b: f64) -> f64 {
         let mut sum = 0.0;
         for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).skip(1) {
             let (k, l) = (i.min(rows - i) as f64, j.min(columns - j) as f64);

@@ -36,9 +36,9 @@
 //! Love (1929): the free kernel. \[recalled\] Almqvist and others (2007): the hardness as a cap.
 //! \[recalled\] The projection onto both bounds and the load: here.
 //! \[derived\] Elastic contact pixels are those of tamaas 2.9.0 and ContactMechanics 1.8.3 at every
-//! load of `tests/reference/bem_codes.csv` and of the study in `tests/reference/bem.csv`, with a
-//! hardness areas are within 0.3 % of ContactMechanics', and all are those of dense linear systems
-//! in `tests/reference/bem_dense.csv`.
+//! load of `tests/reference/bem_codes.csv`, with a hardness areas are within 0.3 % of
+//! ContactMechanics', and all are those of dense linear systems in `tests/reference/bem_dense.csv`,
+//! as are stiffnesses at fixed contact.
 //!
 //! # Example
 //! ```
@@ -57,6 +57,7 @@
 //! # Ok::<(), asperity_bem::BemError>(())
 //! ```
 
+mod compliance;
 mod continuation;
 mod error;
 mod half_space;

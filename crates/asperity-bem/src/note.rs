@@ -57,7 +57,7 @@ pub(crate) fn of_map(
     let short = pixels.map(|pixels| {
         Diagnostic::warning("short-waves", "shortest_wavelength", pixels)
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
-            .fact(format!("the shortest waves are {pixels:.1} pixels long"))
+            .fact(format!("the shortest waves are {} pixels long", below(pixels, LEAST_WAVELENGTH)))
             .advice(format!(
                 "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; smooth the scan or refine the grid"
             ))
@@ -73,6 +73,13 @@ pub(crate) fn of_map(
         );
     let seam = open.then_some(seam);
     seam.into_iter().chain(short).collect()
+}
+
+/// A number below a limit with as many decimals, at least one, as show that.
+fn below(number: f64, limit: f64) -> String {
+    let written = (1..=15).map(|decimals| format!("{number:.decimals$}"));
+    let shows = |text: &String| text.parse().is_ok_and(|written: f64| written < limit);
+    written.clone().find(shows).unwrap_or_else(|| number.to_string())
 }
 
 /// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a
@@ -109,4 +116,15 @@ fn shortest_wavelength(map: &HeightMap, fades: bool, space: &mut HalfSpace) -> O
     })?;
     // The middle of the class.
     Some(per_frequency / (class as f64 + 0.5))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_below_the_limit_never_looks_like_it() {
+        let texts = [7.4, 7.96, 7.98, 7.9996].map(|pixels| below(pixels, LEAST_WAVELENGTH));
+        assert_eq!(texts, ["7.4", "7.96", "7.98", "7.9996"].map(|text| text.to_string()));
+    }
 }

@@ -69,7 +69,7 @@ impl Run<'_> {
                 |quantity: &Quantity| match summary.evaluate(*quantity, &self.scene.file.scene) {
                     Ok(found) => found.map(|found| found.value()),
                     Err(error) => {
-                        lacks.push(format!("a {quantity} is blank: {error}"));
+                        lacks.push(format!("no {quantity}: {error}"));
                         None
                     }
                 };

@@ -11,7 +11,7 @@ pub const DMT: &str = "dmt";
 pub const JKR: &str = "jkr";
 /// The same on separation.
 pub const JKR_SEPARATION: &str = "jkr-separation";
-/// Theories of the whole surface, for merging contacts.
-pub const WHOLE_SURFACE: &str = "persson or bem";
-/// Of these, those for real areas near the nominal one.
-pub const FULL_CONTACT: &str = "persson-fudge or bem";
+/// For merging contacts; the theories of the whole surface ignore yielding.
+pub const WHOLE_SURFACE: &str = "bem, or persson if nothing yields";
+/// The same for real areas near the nominal one.
+pub const FULL_CONTACT: &str = "bem, or persson-fudge if nothing yields";

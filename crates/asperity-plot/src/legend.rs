@@ -17,8 +17,6 @@ const COLUMN_GAP: f64 = 17.0;
 const ROW: f64 = 18.5;
 /// Opacity of an area.
 pub(crate) const AREA: f64 = 0.4;
-/// Width of curves.
-const CURVE: f64 = 2.0;
 
 /// A curve, or a shaded area without one.
 struct Entry<'a> {
@@ -91,7 +89,9 @@ impl<'a> Legend<'a> {
             }
             if let Some(curve) = entry.curve {
                 draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
-                canvas.marker((x + 0.5 * KEY, y), curve.marker(), entry.colour);
+                if !curve.faint {
+                    canvas.marker((x + 0.5 * KEY, y), curve.marker(), entry.colour);
+                }
             }
             let baseline = (x + KEY + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
             canvas.text(entry.label, baseline, Type::new(SIZE, BLACK, "start"));
@@ -102,6 +102,6 @@ impl<'a> Legend<'a> {
 /// Draws a polyline with the dash of a curve.
 pub(crate) fn draw_line(canvas: &Canvas, points: &[Point], curve: &Curve) {
     if curve.line {
-        canvas.line(&simplified(points), curve.colour(), CURVE, curve.dash());
+        canvas.line(&simplified(points), curve.colour(), curve.width(), curve.dash());
     }
 }

@@ -91,8 +91,8 @@ impl<'a> Plot<'a> {
         let traces = self.traces(frame);
         self.jumps(canvas, frame);
         let mut order: Vec<_> = self.series.iter().map(|s| s.curve).zip(&traces).collect();
-        // Sparse dashes over denser lines.
-        order.sort_by(|(a, _), (b, _)| b.ink().total_cmp(&a.ink()));
+        // Sparse dashes over denser lines, and all over those in the background.
+        order.sort_by(|(a, _), (b, _)| b.faint.cmp(&a.faint).then(b.ink().total_cmp(&a.ink())));
         for (curve, parts) in order {
             parts.iter().for_each(|part| draw_line(canvas, part, curve));
         }
@@ -221,12 +221,13 @@ impl<'a> Plot<'a> {
     fn markers(&self, traces: &[Vec<Vec<Point>>], frame: &Rect) -> Vec<Vec<Point>> {
         let (mut lined, mut all) = (vec![], vec![]);
         for (Series { curve, marked: own, .. }, parts) in self.series.iter().zip(traces) {
-            let marked = |part: &&Vec<Point>| curve.every_point || part.len() == 1;
+            let alone = |part: &&Vec<Point>| part.len() == 1 && !curve.faint;
+            let marked = |part: &&Vec<Point>| curve.every_point || alone(part);
             let mut points: Vec<Point> = parts.iter().filter(marked).flatten().copied().collect();
             points.extend(own.iter().flat_map(|point| self.inside(&[*point], frame)).flatten());
             all.push(points);
             let few = curve.every_point || curve.marked.is_some();
-            let sparse = curve.line && !few && !self.panel.stacked;
+            let sparse = curve.line && !few && !self.panel.stacked && !curve.faint;
             lined.push(if sparse { parts.clone() } else { vec![] });
         }
         let mut places = marker_places(&lined, frame, all.concat());

@@ -20,6 +20,8 @@ pub struct Curve {
     pub marked: Option<String>,
     /// Joins the ends of a gap by a light dotted line, which marks a jump.
     pub join_gaps: bool,
+    /// Thin, light grey and unbroken, without markers: the others in the background.
+    pub faint: bool,
 }
 
 impl Curve {
@@ -27,7 +29,14 @@ impl Curve {
     #[must_use]
     pub fn new(look: usize, key: &str, label: &str) -> Self {
         let (key, label) = (key.into(), label.into());
-        Self { key, label, look, line: true, every_point: false, marked: None, join_gaps: false }
+        let (every_point, marked) = (false, None);
+        Self { key, label, look, line: true, every_point, marked, join_gaps: false, faint: false }
+    }
+
+    /// A line in the background; such curves share a label, and one key of the legend.
+    #[must_use]
+    pub fn faint(key: &str, label: &str) -> Self {
+        Self { faint: true, ..Self::new(0, key, label) }
     }
 
     /// Markers at every point and no line, as for measured data.
@@ -37,7 +46,12 @@ impl Curve {
     }
 
     pub(crate) fn colour(&self) -> Colour {
-        COLOURS[self.look % COLOURS.len()]
+        if self.faint { LIGHT_GREY } else { COLOURS[self.look % COLOURS.len()] }
+    }
+
+    /// Width of its line.
+    pub(crate) fn width(&self) -> f64 {
+        if self.faint { 1.1 } else { 2.0 }
     }
 
     pub(crate) fn dash(&self) -> &'static [f64] {
@@ -63,6 +77,7 @@ pub(crate) const BLACK: Colour = "#000000";
 pub(crate) const WHITE: Colour = "#FFFFFF";
 pub(crate) const DARK_GREY: Colour = "#464646";
 pub(crate) const GREY: Colour = "#878787";
+const LIGHT_GREY: Colour = "#A8A8A8";
 /// The dark end of a matrix: indigo of Paul Tol's muted scheme.
 pub(crate) const INDIGO: Colour = "#332288";
 

@@ -70,7 +70,12 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
         assert (ke.lower(quantity) < ke[quantity]).all()
         assert (ke[quantity] < ke.upper(quantity)).all()
     head = ke.to_csv().splitlines()[0]
-    assert head.endswith("area_lower,area_upper,tangent_lower,tangent_upper")
+    ends = "area_lower,area_upper,tangent_lower,tangent_upper"
+    apart = "separation,separation_lower,separation_upper"
+    assert head.endswith(f"{ends},{apart}"), head
+    assert (ke.lower("separation") < ke.separation).all()
+    assert (ke.separation < ke.upper("separation")).all()
+    np.testing.assert_allclose(ke.separation, jg.separation, rtol=1e-6)
     plain = asperity.model("ke").solve(scene, pressure=pressures, quantities=asked)
     assert not np.allclose(plain.area, ke.area, rtol=1e-3)
     model = asperity.model("ke")

@@ -37,14 +37,7 @@ pub(crate) fn advise(file: &SceneFile, at: At) -> Result<Advice, Refusal> {
     let reference = file.model(asperity::usual_reference(&file.scene))?;
     let request = Request::new([Quantity::Area, Quantity::Tangent]).at([at]);
     let advice = file.recommend_among(models, &request, &reference, WITHIN)?;
-    let (percent, name) = (100.0 * WITHIN, reference.name());
-    let verdict = match &advice.simplest {
-        Some(simplest) => {
-            let simplest = simplest.name();
-            format!("{simplest} is the simplest valid model within {percent} % of {name}")
-        }
-        None => format!("no valid model is within {percent} % of {name}"),
-    };
+    let verdict = advice.verdict(|model| model.name().to_string());
     Ok(Advice {
         reference: reference.id().into(),
         simplest: advice.simplest.as_ref().map(|model| model.id().into()),

@@ -33,7 +33,7 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-pub use corrected::{Corrected, CorrectedRow, CorrectedValue};
+pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue};
 pub use evidence::{
     Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, Ratio, SurfaceShape,
 };

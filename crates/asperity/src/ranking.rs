@@ -1,11 +1,11 @@
 //! The models nearest to boundary elements, as a sentence.
 
-/// Number of models named.
-const NAMED: usize = 3;
+/// Number of models listed.
+const MOST_LISTED: usize = 3;
 
 /// The models nearest in area and in stiffness, each with its largest deviation. `off` returns the
 /// deviations of a model in area and stiffness at each load; models with a missing deviation are
-/// not named.
+/// not listed.
 pub(crate) fn nearest<'m>(
     models: impl IntoIterator<Item = &'m str>,
     off: impl Fn(&str) -> Vec<[Option<f64>; 2]>,
@@ -19,9 +19,10 @@ pub(crate) fn nearest<'m>(
         let mut ranked: Vec<(Vec<f64>, &str)> =
             all.iter().filter_map(|(id, places)| Some((known(places)?, *id))).collect();
         ranked.sort_by(|a, b| largest(&a.0).total_cmp(&largest(&b.0)));
-        let named = ranked.iter().take(NAMED).map(|(off, id)| format!("{id} ({})", words(off)));
-        let named: Vec<String> = named.collect();
-        (!named.is_empty()).then(|| named.join(", "))
+        let listed =
+            ranked.iter().take(MOST_LISTED).map(|(off, id)| format!("{id} ({})", words(off)));
+        let listed: Vec<String> = listed.collect();
+        (!listed.is_empty()).then(|| listed.join(", "))
     };
     match [of(0), of(1)] {
         [Some(area), Some(stiffness)] => {

@@ -14,6 +14,8 @@ pub const MODULUS: f64 = 1e11;
 const POISSON: f64 = 0.3;
 /// Loads to this p/(E g) are solved with the highest pixels as unknowns.
 pub const LIGHT: f64 = 3e-4;
+/// Steps of the bisection of the waves of a bandwidth.
+const STEPS: usize = 24;
 /// Loads above this share of the hardness are left out.
 const MOST_OF_HARDNESS: f64 = 0.7;
 
@@ -27,6 +29,8 @@ pub struct Family {
     pub name: &'static str,
     /// The longest waves and the roll-off in waves on 512 pixels.
     pub waves: [f64; 2],
+    /// H beyond the roll-off.
+    pub hurst: f64,
     /// Of the heights.
     pub skewness: f64,
     /// Slope across the lay over that along it; the lay is along the rows.
@@ -40,6 +44,7 @@ pub struct Family {
 const ISOTROPIC: Family = Family {
     name: "a8",
     waves: [4.0, 8.0],
+    hurst: RandomSurface::HURST,
     skewness: 0.0,
     slope_ratio: 1.0,
     pixels: 512,
@@ -73,6 +78,21 @@ impl Family {
         }
     }
 
+    /// An isotropic family of this bandwidth and Hurst exponent, without a plateau of long waves.
+    ///
+    /// # Errors
+    /// Waves that these pixels cannot carry.
+    pub fn of_bandwidth(alpha: f64, hurst: f64, pixels: usize) -> Result<Self> {
+        let of = |waves: f64| Self { name: "", waves: [waves; 2], hurst, pixels, ..ISOTROPIC };
+        let (mut broad, mut narrow) = (1024.0 / pixels as f64, 40.0f64);
+        for _ in 0..STEPS {
+            let middle = (broad * narrow).sqrt();
+            let found = of(middle).surface(pixels.max(1024))?.moments().bandwidth();
+            if found > alpha { broad = middle } else { narrow = middle }
+        }
+        Ok(of((broad * narrow).sqrt()))
+    }
+
     /// The surface on n x n pixels; a seed determines its heights.
     ///
     /// # Errors
@@ -81,7 +101,8 @@ impl Family {
         let n = pixels as f64;
         let [longest, roll_off] = self.waves.map(|waves| waves * n / 512.0);
         let surface = RandomSurface::new(longest, roll_off, n / PIXELS_PER_WAVE)?;
-        let surface = surface.side(1e-4)?.gradient(GRADIENT)?.lay(self.slope_ratio, 0.0)?;
+        let surface = surface.hurst(self.hurst)?.side(1e-4)?.gradient(GRADIENT)?;
+        let surface = surface.lay(self.slope_ratio, 0.0)?;
         Ok(if self.skewness == 0.0 { surface } else { surface.skewness(self.skewness)? })
     }
 }

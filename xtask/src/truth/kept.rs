@@ -129,7 +129,7 @@ impl Kept {
             let all = self.contacts(&case.family, pixels, case.index, seed);
             all.into_iter().find(|contact| (contact.load / case.load - 1.0).abs() < 1e-9)
         };
-        (1..=case.most_seeds).map_while(of).collect()
+        (1..=case.seeds[1]).map_while(of).collect()
     }
 
     /// Whether no more seeds are needed.
@@ -142,7 +142,7 @@ impl Kept {
         let patches: f64 = found.iter().map(|contact| contact.patches).sum();
         let count = found.len() as u64;
         let merged = found.iter().all(|contact| contact.area > MERGED);
-        count >= case.most_seeds || count >= LEAST_SEEDS && (merged || patches >= ENOUGH_PATCHES)
+        count >= case.seeds[1] || count >= case.seeds[0] && (merged || patches >= ENOUGH_PATCHES)
     }
 
     /// Adds contacts of a surface and a material.

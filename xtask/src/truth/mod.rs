@@ -14,6 +14,7 @@ mod picture;
 pub mod plan;
 mod rows;
 mod solve;
+mod unseen;
 pub mod yielded;
 
 use std::path::{Path, PathBuf};
@@ -141,6 +142,8 @@ fn draw(figures: &Path, solve_missing: bool) -> Result<Vec<PathBuf>> {
         ("truth-yielded.md".to_owned(), yielded::table(&text)?),
     ]);
     drawn.extend(ordinary.map(|table| ("truth-ordinary.md".to_owned(), table)));
+    let unseen = unseen::table(&text, &kept_folder().join("unseen"), solve_missing)?;
+    drawn.extend(unseen.map(|table| ("truth-unseen.md".to_owned(), table)));
     save(figures, drawn)
 }
 

@@ -46,7 +46,7 @@ impl Shown {
 
 /// Plasticity indices with panels.
 const SHOWN_INDICES: [f64; 3] = [0.0, 2.0, 4.0];
-/// The models drawn, with their looks; the elastic panels have those of elastic contacts.
+/// The models drawn in colour, with their looks; the others are grey.
 const DRAWN: [(&str, &str, usize); 9] = [
     ("gw", "GW", 0),
     ("zmc", "ZMC", 2),
@@ -58,15 +58,20 @@ const DRAWN: [(&str, &str, usize); 9] = [
     ("persson", "Persson", 12),
     ("persson-fudge", "Persson fudge", 13),
 ];
-/// Models that are drawn in elastic panels alone: there are at most six curves in a panel.
+/// Models that have a colour in elastic panels alone: at most six curves of a panel have one.
 const ELASTIC_ONLY: [&str; 3] = ["gw", "gw-random", "persson"];
 /// Edges of the band.
 const BAND: [&str; 2] = ["error-low", "error-high"];
 
+/// The label of grey curves.
+const OTHERS: &str = "other models";
+/// The material of elastic cases.
+const ELASTIC: &str = "elastic";
+
 /// The name of a case.
 fn name(case: &EvidenceCase) -> String {
     let EvidenceCase { alpha, plasticity_index: index, .. } = case;
-    let material = if *index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
+    let material = if *index > 0.0 { format!("ψ = {index}") } else { ELASTIC.into() };
     format!("α = {alpha:.1}; {material}")
 }
 
@@ -97,11 +102,8 @@ pub fn table(text: &str, shown: Shown) -> Result<Table> {
         };
         push(BAND[0], 1.0 - error)?;
         push(BAND[1], 1.0 + error)?;
-        for (id, ..) in DRAWN {
-            let left_out = found.plasticity_index > 0.0 && ELASTIC_ONLY.contains(&id);
-            let model = found.models.iter().find(|(known, _)| known == id);
-            let value = model.and_then(|(_, row)| row.value(shown.quantity()));
-            if let Some(value) = value.filter(|_| !left_out) {
+        for (id, row) in &found.models {
+            if let Some(value) = row.value(shown.quantity()) {
                 push(id, value / truth)?;
             }
         }
@@ -137,8 +139,15 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         let mut panel = Panel::new(x, Axis::new("model_over_bem", label).range(range.0, range.1));
         panel.title = (*case).into();
         panel.only = Some(("case".into(), (*case).into()));
-        let drawn = DRAWN.iter().filter(|(id, ..)| curves.contains(id));
+        let elastic = case.ends_with(ELASTIC);
+        let coloured = |id: &str| elastic || !ELASTIC_ONLY.contains(&id);
+        let drawn = DRAWN.iter().filter(|(id, ..)| curves.contains(id) && coloured(id));
         panel.curves = drawn.map(|(id, label, look)| Curve::new(*look, id, label)).collect();
+        let others: Vec<&&str> = curves
+            .iter()
+            .filter(|id| !BAND.contains(id) && !panel.curves.iter().any(|c| c.key == **id))
+            .collect();
+        panel.curves.extend(others.into_iter().map(|id| Curve::faint(id, OTHERS)));
         let [lower, upper] = BAND.map(Into::into);
         panel.between = vec![Between { lower, upper, look: 9, label: String::new() }];
         panel.horizontals = vec![Mark::new(1.0, "")];
@@ -160,7 +169,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
     let how = format!(
         "{what} over the mean of up to {MOST_SEEDS} surfaces with the same moments, whose standard error is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 256 × 256 to 2048 × 2048 pixels, shortest wave {PIXELS_PER_WAVE} pixels, Hurst exponent {hurst}."
     );
-    let caveats = "In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. Other models, other ψ, skewed surfaces and surfaces with a lay are in crates/asperity/data/truth.csv.";
+    let caveats = "In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. Other ψ, skewed surfaces and surfaces with a lay are in crates/asperity/data/truth.csv.";
     let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);
     figure.columns = 3;
     Ok(figure)

@@ -3,6 +3,7 @@
 use anyhow::Result;
 
 use super::family::{FAMILIES, Family, LOADS, is_carried, scene};
+use super::kept::LEAST_SEEDS;
 
 /// Families with the same materials and loads.
 #[derive(Debug, Clone, Copy)]
@@ -33,8 +34,8 @@ pub struct Case {
     pub index: f64,
     /// p/(E g).
     pub load: f64,
-    /// Most surfaces.
-    pub most_seeds: u64,
+    /// Fewest and most surfaces.
+    pub seeds: [u64; 2],
 }
 
 impl Part {
@@ -48,8 +49,8 @@ impl Part {
         for &index in self.indices {
             let hardness = scene(&surface, index)?.interface.hardness;
             let carried = self.loads.iter().filter(|load| is_carried(hardness, **load));
-            let most_seeds = self.most_seeds;
-            all.extend(carried.map(|&load| Case { family, index, load, most_seeds }));
+            let seeds = [LEAST_SEEDS.min(self.most_seeds), self.most_seeds];
+            all.extend(carried.map(|&load| Case { family, index, load, seeds }));
         }
         Ok(all)
     }
@@ -127,10 +128,9 @@ pub const SMALL: Scope = Scope {
         families: &[Family {
             name: "small",
             waves: [12.0, 16.0],
-            skewness: 0.0,
-            slope_ratio: 1.0,
             pixels: 128,
             most_pixels: 256,
+            ..FAMILIES[0]
         }],
         indices: &[0.0, 2.0],
         loads: &[1e-4, 0.02, 0.1],

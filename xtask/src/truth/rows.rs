@@ -7,7 +7,7 @@ use asperity::{
 };
 
 use super::family::{Family, GRADIENT, MODULUS, scene};
-use super::kept::{self, Kept, LEAST_SEEDS};
+use super::kept::{self, Kept};
 use super::models;
 use super::plan::{Case, Scope};
 
@@ -187,7 +187,7 @@ pub fn evidence(scope: &Scope, kept: &Kept) -> Result<String> {
         let seeds = kept.seeds(&case);
         if let Some(known) = kept.row(&case) {
             text.push(&case, &Bem::of_row(known)?)?;
-        } else if seeds.len() as u64 >= LEAST_SEEDS.min(case.most_seeds) {
+        } else if seeds.len() as u64 >= case.seeds[0] {
             text.push(&case, &Bem::of_seeds(&seeds))?;
         }
     }

@@ -71,7 +71,7 @@ pub fn solve_family(
     sizes.dedup();
     let mut indices: Vec<f64> = cases.iter().map(|case| case.index).collect();
     indices.dedup();
-    let most = cases.iter().map(|case| case.most_seeds).max().unwrap_or(0);
+    let most = cases.iter().map(|case| case.seeds[1]).max().unwrap_or(0);
     for pixels in sizes {
         let surface = family.surface(pixels)?;
         for seed in 1..=most {

@@ -14,7 +14,7 @@ use asperity::{
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
 
 /// The models that are compared.
-const SHOWN: [&str; 4] = ["ceb", "zmc", "ke", "jg"];
+const SHOWN: [&str; 7] = ["ceb", "zmc", "ke", "jg", "zmc-random", "ke-random", "jg-random"];
 /// Shares of the force at which something and not all yields.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 /// Steps of a bisection of the logarithm of ψ, to 1e-4.
@@ -28,10 +28,18 @@ fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
 
 /// The area of a model and the share of the force on its yielding asperities.
 fn answer(model: &Model, scene: &Scene, at: At) -> Option<[f64; 2]> {
-    let request = Request::new([Quantity::AreaFraction, Quantity::ElasticShare]).at([at]);
-    let contact = model.compile(scene, &request).ok()?;
-    let value = |quantity| contact.evaluate(quantity, at).ok().map(|found| found.value());
-    Some([value(Quantity::AreaFraction)?, 1.0 - value(Quantity::ElasticShare)?])
+    let value = |quantity| {
+        let contact = model.compile(scene, &Request::new([quantity]).at([at])).ok()?;
+        let value = contact.evaluate(quantity, at).ok()?.value();
+        Some((contact, value))
+    };
+    let (contact, area) = value(Quantity::AreaFraction)?;
+    // Asperities of different radii yield at different interferences.
+    let yielded = match contact.shares_beyond(at, &[1.0]).ok()? {
+        Some(shares) => *shares.first()?,
+        None => 1.0 - value(Quantity::ElasticShare)?.1,
+    };
+    Some([area, yielded])
 }
 
 /// Area of a model over that of boundary elements, at equal ψ and at an equal yielded share.

@@ -89,9 +89,9 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
     let whole = Bem::new(rough(64, 1), None, true);
     assert_eq!((whole.continuation(), whole.note()), (Continuation::Periodic, None));
     for one in Continuation::ALL {
-        assert_eq!(Continuation::named(&one.to_string()), Some(one));
+        assert_eq!(Continuation::from_name(&one.to_string()), Some(one));
     }
-    assert_eq!(Continuation::named("open"), None);
+    assert_eq!(Continuation::from_name("open"), None);
 }
 
 /// Stiffness and tangent are the slope of first loading, at pressures and at gaps.

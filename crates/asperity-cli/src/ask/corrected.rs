@@ -1,9 +1,10 @@
-//! Models divided by their expected ratio to boundary elements, with the interval.
+//! Models divided by their expected ratio to boundary elements, with the interval, beside the
+//! models as they are.
 
 use anyhow::{Result, bail};
-use asperity::{At, ContactError, Corrected, CorrectedRow, CorrectedValue, SeparationUnit};
+use asperity::{At, ContactError, Corrected, CorrectedRow, Datum, Scene, SeparationUnit};
 
-use crate::ask::{Lacking, Question, column_beside, count};
+use crate::ask::{Lacking, Question, Row, column_beside, count};
 use crate::output::table::{Cell, Table};
 use crate::output::{print_message, progress};
 use crate::scene::NamedModel;
@@ -12,7 +13,8 @@ use crate::scene::NamedModel;
 const ENDS: [&str; 2] = ["lower", "upper"];
 
 impl Question<'_> {
-    /// The corrected results of all models in one table, each quantity with its interval.
+    /// The results of all models in one table, as they are and corrected, each corrected quantity
+    /// with its interval.
     pub fn corrected(&mut self, models: &[NamedModel]) -> Result<Table> {
         if self.request.at.iter().any(|at| matches!(at, At::Separation(_))) {
             bail!(
@@ -24,63 +26,93 @@ impl Question<'_> {
             table.head.push(quantity.column());
             table.head.extend(ENDS.map(|end| column_beside(*quantity, end)));
         }
-        for (id, model) in models {
-            let _progress = progress(id);
-            self.found.extend(self.scene.file.findings_at(model, &self.request.at));
-            let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
-            let compiled =
-                shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
-            let id = format!("{id}-corrected");
-            let without_id = |reason: ContactError| {
-                let text = reason.to_string();
-                text.strip_prefix(&format!("{id}: ")).map_or(text.clone(), Into::into)
-            };
-            let corrected = match compiled {
-                Ok(corrected) => corrected,
-                Err(reason) => {
-                    self.lacking.push((id.clone(), without_id(reason)));
-                    continue;
-                }
-            };
-            let (mut reasons, mut lighter) = (vec![], vec![]);
-            for &at in &self.request.at {
-                let row = corrected.at(at);
-                let extrapolated = row.iter().filter(|row| row.is_extrapolated());
-                lighter.extend(extrapolated.map(CorrectedRow::basis));
-                let (cells, any) = self.corrected_row(&corrected, at, &row, &mut reasons);
-                answered |= any;
-                table.rows.push(cells);
-            }
-            let rows = self.request.at.len();
-            if let Some(basis) = lighter.first() {
-                let count = lighter.len();
-                let text = format!(
-                    "{id}: {count} of {rows} loads are below the lightest solved one, whose ratios are used ({basis})"
-                );
-                print_message("note", &text);
-            }
-            self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
-                let reason = without_id(reason);
-                let what = partly.map_or("value".into(), |quantity| quantity.to_string());
-                let text = match rows {
-                    1 => format!("no {what}: {reason}"),
-                    _ => format!("no {what} in {count} of {rows} rows, first: {reason}"),
-                };
-                (id.clone(), text)
-            }));
+        table.head.extend(ENDS.map(|end| format!("separation_{end}_m")));
+        for model in models {
+            let others = std::mem::take(&mut self.found);
+            let mut uncorrected = vec![];
+            self.ask(model, |Row { mut place, values }| {
+                uncorrected.push(values.iter().map(Option::is_some).collect::<Vec<_>>());
+                answered |= values.iter().any(Option::is_some);
+                let value = |value: &Option<asperity::Evaluation>| value.map(|found| found.value());
+                let alone = |value| [value, None, None].map(Cell::Number);
+                place.extend(values.iter().map(value).flat_map(alone));
+                place.extend([const { Cell::Number(None) }; 2]);
+                table.rows.push(place);
+            })?;
+            let is_whole = self.add_corrected(model, &uncorrected, &mut table);
+            // Corrected values include what such a finding says of the model.
+            let of_model = std::mem::replace(&mut self.found, others).into_iter();
+            self.found.extend(of_model.filter(|found| !is_whole || !found.is_of_model()));
         }
         self.finish(answered)?;
         Ok(table)
     }
 
-    /// A row and whether it has a value.
+    /// The corrected rows of one model, and whether every value that it has, by row and quantity,
+    /// is corrected.
+    fn add_corrected(
+        &mut self,
+        (own, model): &NamedModel,
+        uncorrected: &[Vec<bool>],
+        table: &mut Table,
+    ) -> bool {
+        let _progress = progress(own);
+        let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
+        let compiled = shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
+        let id = format!("{own}-corrected");
+        let without_id = |reason: ContactError| {
+            let text = reason.to_string();
+            text.strip_prefix(&format!("{id}: ")).map_or(text.clone(), Into::into)
+        };
+        let rows = self.request.at.len();
+        let lacks = |count: usize, what: &str, reason: ContactError| {
+            let counted = match rows {
+                1 => String::new(),
+                _ => format!(" in {count} of {rows} rows, first"),
+            };
+            let advice = match count == rows {
+                true => format!("; leave --corrected out, or use the rows of {own}"),
+                false => String::new(),
+            };
+            (id.clone(), format!("no {what}{counted}: {}{advice}", without_id(reason)))
+        };
+        let corrected = match compiled {
+            Ok(corrected) => corrected,
+            Err(reason) => {
+                self.lacking.push(lacks(rows, "value", reason));
+                return false;
+            }
+        };
+        let (mut reasons, mut lighter) = (vec![], vec![]);
+        for (&at, had) in self.request.at.iter().zip(uncorrected) {
+            let row = corrected.at(at);
+            let extrapolated = row.iter().filter(|row| row.is_extrapolated());
+            lighter.extend(extrapolated.map(CorrectedRow::basis));
+            table.rows.push(self.corrected_row(&corrected, (at, had), &row, &mut reasons));
+        }
+        if let Some(basis) = lighter.first() {
+            let count = lighter.len();
+            let text = format!(
+                "{id}: {count} of {rows} loads are below the lightest solved one, whose ratios are used ({basis})"
+            );
+            print_message("note", &text);
+        }
+        let is_whole = reasons.is_empty();
+        self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
+            let what = partly.map_or("value".into(), |quantity| quantity.to_string());
+            lacks(count, &what, reason)
+        }));
+        is_whole
+    }
+
+    /// A row; values that the model does not `had` have no reason of their own.
     fn corrected_row(
         &self,
         corrected: &Corrected,
-        at: At,
+        (at, had): (At, &[bool]),
         row: &Result<CorrectedRow<'_>, ContactError>,
         reasons: &mut Vec<(usize, Lacking<ContactError>)>,
-    ) -> (Vec<Cell>, bool) {
+    ) -> Vec<Cell> {
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
         if let Err(reason) = row {
             count(reasons, (None, reason));
@@ -88,25 +120,32 @@ impl Question<'_> {
         let row = row.as_ref().ok();
         let separation = row.and_then(|row| row.separation().ok());
         let lengths = [SeparationUnit::Sigma, SeparationUnit::Metres]
-            .map(|unit| Some(separation?.measured_in(unit, from, scene).ok()?.value));
+            .map(|unit| Some(separation?.value.measured_in(unit, from, scene).ok()?.value));
         let loads = self.head().head.len() - 3;
         let given = [at.load(scene), at.pressure(scene)];
         let mut cells = vec![Cell::from(corrected.id())];
         cells.extend(given.into_iter().take(loads).chain(lengths).map(Cell::Number));
-        let mut any = false;
-        for &quantity in &self.request.quantities {
+        for (&quantity, had) in self.request.quantities.iter().zip(had) {
             let found = row.and_then(|row| match row.value(quantity) {
-                Ok(found) => Some(found),
+                Ok(found) => Some([found.value, found.lower, found.upper]),
                 Err(reason) => {
-                    count(reasons, (Some(quantity), &reason));
+                    if *had {
+                        count(reasons, (Some(quantity), &reason));
+                    }
                     None
                 }
             });
-            any |= found.is_some();
-            let numbers = |CorrectedValue { value, lower, upper, .. }| [value, lower, upper];
-            let numbers = found.map(numbers).map_or([None; 3], |all| all.map(Some));
-            cells.extend(numbers.map(Cell::Number));
+            cells.extend(found.map_or([None; 3], |all| all.map(Some)).map(Cell::Number));
         }
-        (cells, any)
+        let ends = separation.map_or([None; 2], |found| {
+            [found.lower, found.upper].map(|end| metres(end, from, scene))
+        });
+        cells.extend(ends.map(Cell::Number));
+        cells
     }
+}
+
+/// A separation in metres from this plane.
+fn metres(separation: asperity::Separation, from: Datum, scene: &Scene) -> Option<f64> {
+    Some(separation.measured_in(SeparationUnit::Metres, from, scene).ok()?.value)
 }

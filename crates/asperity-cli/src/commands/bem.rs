@@ -103,7 +103,7 @@ pub struct Way {
 /// The values of `--boundary`.
 fn continuation() -> impl TypedValueParser<Value = Continuation> {
     let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
-    names.try_map(|name| Continuation::named(&name).ok_or("another name was required"))
+    names.try_map(|name| Continuation::from_name(&name).ok_or("another name was required"))
 }
 
 impl Places {
@@ -146,6 +146,9 @@ impl BemCommand {
         let quantities = added(&self.quantities);
         // Refuses what boundary elements or the scene lack before anything is solved.
         bem.compile(&scene.file.scene, &Request::new(quantities.iter().copied()))?;
+        if bem.continuation() == Continuation::Free && has_both_stiffnesses(&quantities) {
+            print_message("note", FREE_STIFFNESSES);
+        }
         let mut run = Run {
             scene: &scene,
             quantities: &quantities,
@@ -251,6 +254,12 @@ fn added(quantities: &[Quantity]) -> Vec<Quantity> {
     all
 }
 
+/// Whether the slope of loading and the stiffness of a joint are asked for.
+fn has_both_stiffnesses(quantities: &[Quantity]) -> bool {
+    let slope = |quantity: &Quantity| matches!(quantity, Quantity::Tangent | Quantity::Stiffness);
+    quantities.iter().any(slope) && quantities.contains(&Quantity::UnloadingStiffness)
+}
+
 fn table(
     rows: &[Option<Row>],
     half: Option<&[Option<Row>]>,
@@ -290,6 +299,9 @@ fn table(
     }
     table
 }
+
+/// Why the stiffnesses of an elastic contact differ.
+const FREE_STIFFNESSES: &str = "with a free boundary the tangent exceeds the unloading stiffness of the same elastic contact, the more the larger the contact: the tangent is the slope against the mean gap under the scan, the unloading stiffness that against the approach of distant points";
 
 /// Why a grid cannot be halved.
 const REFINE: &str =

@@ -25,8 +25,9 @@ unloading-stiffness (2 E times the sum of the contact radii, larger where asperi
 yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
 describes shear without slip.
 Conductances are of the whole area, or with -per-area per nominal area.
-With --corrected the model is ke-corrected; quantities and loads without evidence are
-blank, and a message gives the reason. The interval holds nine of ten surfaces.
+With --corrected each model has two sets of rows: ke, as it is, and ke-corrected with the
+intervals, which hold nine of ten surfaces; quantities and loads without evidence are
+blank there, and a message gives the reason.
 Default: force, area and tangent (at loads without the force) at separations of
 0:4:401 in units of asperity_height_std.
 
@@ -45,8 +46,8 @@ pub struct Curve {
     /// absolute error for logarithms and shares)
     #[arg(long)]
     errors: bool,
-    /// Divide by the ratio to boundary elements that is expected from solved surfaces, and add
-    /// columns <quantity>_lower and _upper with its interval; at loads only
+    /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
+    /// with columns <quantity>_lower and _upper, also for the separation; at loads only
     #[arg(long, conflicts_with = "errors")]
     corrected: bool,
     #[command(flatten)]

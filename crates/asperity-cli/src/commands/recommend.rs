@@ -8,7 +8,6 @@ use clap::Args;
 use crate::ask::column_beside;
 use crate::input::args::{ModelArgs, OutputArgs, model_id};
 use crate::input::numbers::share;
-use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
 use crate::output::{print_message, progress};
 use crate::scene::{LoadedScene, by_reason};
@@ -77,6 +76,7 @@ impl Recommend {
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
         let simplest = advice.simplest.as_ref().map(Described::id);
+        let far = format!("no: too far from {}", advice.reference.id());
         let mut lacking = vec![];
         for found in &advice.comparisons {
             let validity = found.model.validity();
@@ -98,10 +98,13 @@ impl Recommend {
                     lacking.push((found.model.id().to_string(), error.clone()));
                     "no value".into()
                 }
-                Ok(_) if simplest == Some(found.model.id()) => "simplest".into(),
-                Ok(_) if found.outside.is_some() => "does not hold".into(),
-                Ok(_) if found.largest() <= advice.within => "near enough".into(),
-                Ok(_) => "too far".into(),
+                Ok(_) if simplest == Some(found.model.id()) => match &advice.merging {
+                    Some(_) => "yes but contacts merge".into(),
+                    None => "yes".into(),
+                },
+                Ok(_) if found.outside.is_some() => "no: not valid here".into(),
+                Ok(_) if found.largest() <= advice.within => "no: a simpler one is as near".into(),
+                Ok(_) => far.as_str().into(),
             });
             let off = found.off.unwrap_or_default();
             let off = [off.area, off.area_spread, off.stiffness, off.stiffness_spread];
@@ -117,18 +120,10 @@ impl Recommend {
         let checked = checked.chain(outside.map(|found| &found.model));
         let checked: Vec<_> = checked.map(|m| (m.id().to_string(), m.clone())).collect();
         scene.report_answers(&checked.iter().collect::<Vec<_>>(), &places);
-        let reference = advice.reference.id();
-        let compared = |id: &&str| advice.comparisons.iter().any(|found| found.model.id() == *id);
-        let within = rounded(100.0 * self.within);
-        let chosen = match simplest.filter(compared) {
-            Some(id) => {
-                format!("{id} is the simplest valid model within {within} % of {reference}")
-            }
-            None => format!("no valid model is within {within} % of {reference}"),
-        };
+        let verdict = advice.verdict(|model| model.id().to_string());
         print_message(
             "note",
-            &format!("{chosen}; models are listed from simplest to most complex"),
+            &format!("{verdict}; models are listed from simplest to most complex"),
         );
         let notes = [advice.summary(), advice.expectations()].concat();
         notes.iter().for_each(|note| print_message("note", note));

@@ -35,8 +35,8 @@ pub struct Solve {
     /// Add a column <quantity>_error with a bound on the error of each quantity
     #[arg(long)]
     errors: bool,
-    /// Divide by the ratio to boundary elements that is expected from solved surfaces, and add
-    /// columns <quantity>_lower and _upper with its interval
+    /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
+    /// with columns <quantity>_lower and _upper, also for the separation
     #[arg(long, conflicts_with_all = ["errors", "all"])]
     corrected: bool,
     #[command(flatten)]

@@ -63,7 +63,7 @@ pub fn table(scene: &LoadedScene, closest: At, retreats: Option<Vec<f64>>) -> Re
         let stiffness = match found.stiffness {
             Some(Ok(stiffness)) => Some(stiffness * nominal),
             Some(Err(error)) => {
-                reasons.push(format!("a stiffness is blank: {error}"));
+                reasons.push(format!("no stiffness: {error}"));
                 None
             }
             None => None,

@@ -123,6 +123,26 @@ fn rows_are_those_of_the_library() {
 }
 
 #[test]
+fn both_stiffnesses_of_a_free_boundary_have_a_note() {
+    let bench = bench();
+    let note = "with a free boundary the tangent exceeds the unloading stiffness";
+    for (arguments, noted) in [
+        ("--boundary free --quantity tangent,unloading-stiffness", true),
+        ("--boundary free --quantity tangent", false),
+        ("--quantity tangent,unloading-stiffness", false),
+    ] {
+        let arguments = format!("bem scan.toml --elastic --pressure 5e9 --format csv {arguments}");
+        let run = bench.run(&arguments);
+        assert_eq!(run.messages.contains(note), noted, "{arguments}: {}", run.messages);
+        if noted {
+            let [tangent, unloading] =
+                ["tangent_N_per_m", "unloading_stiffness_N_per_m"].map(|c| column(&run.out, c));
+            assert!(tangent[0] > 1.05 * unloading[0], "{}", run.out);
+        }
+    }
+}
+
+#[test]
 fn coarse_grids_have_a_warning_and_refine_adds_columns() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");

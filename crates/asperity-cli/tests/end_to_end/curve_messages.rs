@@ -131,37 +131,6 @@ fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
 }
 
 #[test]
-fn corrected_models_have_intervals_and_reasons_for_blanks() {
-    let bench = Bench::new();
-    let arguments =
-        "curve scene.toml --model ke,jg --pressure 1e6,1e7,1e11 --corrected --format csv";
-    let run = bench.run(&format!("{arguments} --quantity area,contacts"));
-    // At 1e11 Pa models need more than the nominal area.
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    assert_eq!(cells(&run.out, "model")[2..4], ["ke-corrected", "jg-corrected"]);
-    let [value, lower, upper] =
-        ["area_m2", "area_lower", "area_upper"].map(|name| cells(&run.out, name));
-    for row in [0, 1, 3, 4] {
-        let number = |cell: &str| cell.parse::<f64>().unwrap();
-        let [value, lower, upper] = [value[row], lower[row], upper[row]].map(number);
-        assert!(0.7 * value < lower && lower < value && value < upper, "{}", run.out);
-    }
-    assert!(value[2].is_empty() && value[5].is_empty(), "{}", run.out);
-    assert!(cells(&run.out, "contacts").iter().all(|cell| cell.is_empty()), "{}", run.out);
-    for printed in [
-        "warning: ke-corrected, jg-corrected: no contacts in 2 of 3 rows, first: contacts has no counterpart in boundary elements",
-        "warning: ke-corrected, jg-corrected: no value in 1 of 3 rows, first: no boundary-element solution is close: p/(E g) = ",
-    ] {
-        assert!(run.messages.contains(printed), "{}", run.messages);
-    }
-    let refused = bench.run("curve scene.toml --model ke --corrected");
-    assert!(refused.messages.contains("--corrected needs --load or --pressure"));
-    assert_eq!(refused.code, Some(1));
-    let solved = bench.data("solve scene.toml --model ke --load 100 --corrected --quantity area");
-    assert_eq!(cells(&solved, "model"), ["ke-corrected"]);
-}
-
-#[test]
 fn two_values_that_may_be_one_decimal_have_a_note() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model ke --pressure 1e6,2,5 --separation-unit m");

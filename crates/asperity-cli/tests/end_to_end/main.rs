@@ -6,6 +6,7 @@ mod bem;
 mod bem_boundary;
 mod bench;
 mod conductance;
+mod corrected;
 mod curve;
 mod curve_messages;
 mod export;

@@ -482,8 +482,13 @@ def plan(
     engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
 ) -> tuple[str, _Fields]: ...
 def corrected(
-    engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
-) -> tuple[str, list[tuple[_Floats, _Floats, _Floats]], _Failures]: ...
+    engine: Engine, rows: _Rows, unit: str, names: Sequence[str], rtol: _Float
+) -> tuple[
+    str,
+    list[tuple[_Floats, _Floats, _Floats]],
+    tuple[_Floats, _Floats, _Floats],
+    _Failures,
+]: ...
 def recommend(
     reference: Engine,
     rows: _Rows,

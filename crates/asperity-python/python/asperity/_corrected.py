@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Aspect, Rows
+from asperity._arguments import AXES, LOADS, Aspect, Rows
 from asperity._asperity import Engine
 from asperity._curve import Curve
 from asperity._scene import Floats
@@ -26,6 +26,7 @@ class CorrectedCurve(Curve):
     """
 
     _ends: dict[str, tuple[Floats, Floats]]
+    _separation: Floats
 
     @classmethod
     def of(
@@ -43,30 +44,38 @@ class CorrectedCurve(Curve):
                 "corrected=True needs load or pressure: models are compared with boundary elements "
                 "at equal loads"
             )
-        name, found, failures = _asperity.corrected(engine, rows, names, rtol)
+        name, found, apart, failures = _asperity.corrected(
+            engine, rows, separation_unit, names, rtol
+        )
         reasons = rows.failed(failures, errors)
-        shaped = [tuple(rows.shaped(v, np.isnan(v)) for v in column) for column in found]
-        columns = {q: column[0] for q, column in zip(names, shaped, strict=True)}
+        shaped = [tuple(rows.shaped(v, np.isnan(v)) for v in column) for column in [*found, apart]]
+        every = [*names, "separation"]
+        columns = {q: column[0] for q, column in zip(names, shaped, strict=False)}
         curve = cls(engine, name, rows, rtol, separation_unit, columns, reasons)
-        curve._ends = {q: (c[1], c[2]) for q, c in zip(names, shaped, strict=True)}
+        curve._ends = {q: (c[1], c[2]) for q, c in zip(every, shaped, strict=True)}
+        curve._separation = shaped[-1][0]
         return curve
 
     def lower(self, quantity: str) -> Floats:
-        """The lower ends of the intervals, which hold nine of ten surfaces."""
+        """The lower ends of the intervals, which hold nine of ten surfaces; also of the
+        ``separation``."""
         return self._end(quantity, 0)
 
     def upper(self, quantity: str) -> Floats:
-        """The upper ends of the intervals, which hold nine of ten surfaces."""
+        """The upper ends of the intervals, which hold nine of ten surfaces; also of the
+        ``separation``."""
         return self._end(quantity, 1)
 
     def _end(self, quantity: str, end: int) -> Floats:
-        self[quantity]
+        if quantity != "separation":
+            self[quantity]
         return self._ends[quantity.replace("_", "-")][end]
 
     @property
     def separation(self) -> Floats:
-        """Not available: the separations of the model are not those of corrected values."""
-        raise AttributeError("a corrected curve has no separations; solve without corrected=True")
+        """The separations of the model less its expected differences of mean gaps; masked where the
+        solved surfaces do not determine them."""
+        return self._separation
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:
         raise TypeError(
@@ -81,7 +90,10 @@ class CorrectedCurve(Curve):
     def _table(self) -> dict[str, npt.NDArray[Any]]:
         table = super()._table()
         for name, ends in self._ends.items():
-            for end, values in zip(("lower", "upper"), ends, strict=True):
-                column = f"{name}_{end}".replace("-", "_")
-                table[column] = np.ma.filled(values, np.nan).ravel()
+            head = AXES[self.separation_unit] if name == "separation" else name
+            columns = dict(zip((f"{head}_lower", f"{head}_upper"), ends, strict=True))
+            if name == "separation":
+                columns = {head: self._separation, **columns}
+            for column, values in columns.items():
+                table[column.replace("-", "_")] = np.ma.filled(values, np.nan).ravel()
         return table

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::ask::rows::{Rows, View};
 use crate::convert::error::value_error;
 use crate::convert::objects::object;
-use crate::model::engine::{Engine, quantities_of, tolerance};
+use crate::model::engine::{Engine, request_of};
 
 /// The single scene of rows, and their request.
 fn scene_and_request<'r>(
@@ -17,7 +17,7 @@ fn scene_and_request<'r>(
     names: &[String],
     rtol: f64,
 ) -> PyResult<(&'r Scene, Request)> {
-    let request = Request::new(quantities_of(names)?).within(tolerance(rtol)?);
+    let request = request_of(names, rtol)?;
     match rows.one_scene() {
         Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
         None => Err(value_error("many scenes were given: one scene was required")),

@@ -13,7 +13,7 @@ use crate::ask::rows::View;
 use crate::convert::axis::Axis;
 use crate::convert::error::{value_error, warn};
 use crate::convert::numbers::{floats, scalar, texts_in_si};
-use crate::model::engine::{Engine, quantities_of, tolerance};
+use crate::model::engine::{Engine, request_of};
 use crate::scene::SceneFile;
 
 /// One model compiled on one scene for many evaluations, as in codes that step in time.
@@ -51,7 +51,7 @@ impl Contact {
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
-        let request = Request::new(quantities_of(&quantities)?).within(tolerance(rtol)?);
+        let request = request_of(&quantities, rtol)?;
         let request = request.at_loads([1.0]);
         let compiled = Mutex::new(compile(py, model.get(), &file, &request)?);
         let (axis, separation_unit) = (separation_unit.extract()?, separation_unit.extract()?);

@@ -1,47 +1,55 @@
 //! Models divided by their expected ratio to boundary elements.
 
-use asperity::{ContactError, Corrected, CorrectedValue, Request};
+use asperity::{ContactError, Corrected, CorrectedRow, Request};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::ask::rows::{Rows, View};
 use crate::ask::values::{Column, Failures, failures};
-use crate::model::engine::{Engine, quantities_of, tolerance};
+use crate::convert::axis::Axis;
+use crate::model::engine::{Engine, request_of};
 
 /// Value, lower and upper end of each quantity, row by row; NaN for what is refused.
 struct Found {
     columns: Vec<[Vec<f64>; 3]>,
+    /// The same of the separation; NaN where the evidence does not determine it.
+    separations: [Vec<f64>; 3],
     refused: Vec<(usize, ContactError)>,
 }
 
-/// Id, columns with the ends of their intervals, and refused rows.
-type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, Failures);
+/// Id, columns with the ends of their intervals, those of the separations, and refused rows.
+type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, [Column<'py, f64>; 3], Failures);
 
-/// The id of the corrected model; for each quantity values and ends of their intervals; and rows
-/// with a value refused.
+/// The id of the corrected model; for each quantity and for the separation values and ends of their
+/// intervals; and rows with a value refused.
 #[pyfunction]
 pub(crate) fn corrected<'py>(
     py: Python<'py>,
     engine: &Engine,
     rows: Rows<'py>,
+    unit: Axis,
     names: Vec<String>,
     rtol: f64,
 ) -> PyResult<Answer<'py>> {
     let rows = &rows.view()?;
     let model = engine.on_all(&rows.files)?;
-    let request = Request::new(quantities_of(&names)?).within(tolerance(rtol)?);
-    let found = py.detach(|| answer(&model, rows, &request));
-    let columns = found.columns.into_iter();
-    let columns = columns.map(|column| column.map(|numbers| PyArray1::from_vec(py, numbers)));
+    let request = request_of(&names, rtol)?;
+    let found = py.detach(|| answer(&model, rows, unit, &request));
+    let arrays = |column: [Vec<f64>; 3]| column.map(|numbers| PyArray1::from_vec(py, numbers));
+    let columns = found.columns.into_iter().map(arrays).collect();
     let refused = found.refused.into_iter();
     let refused = refused.map(|(row, error)| (row, engine.raise(py, error))).collect();
     let id = format!("{}-corrected", asperity::Described::id(&model));
-    Ok((id, columns.collect(), failures(py, refused)))
+    Ok((id, columns, arrays(found.separations), failures(py, refused)))
 }
 
-fn answer(model: &asperity::Model, rows: &View<'_>, request: &Request) -> Found {
+fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Request) -> Found {
     let mut columns: Vec<[Vec<f64>; 3]> =
         request.quantities.iter().map(|_| [const { vec![] }; 3]).collect();
+    let mut separations = [const { vec![] }; 3];
+    let add = |column: &mut [Vec<f64>; 3], numbers: [f64; 3]| {
+        column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
+    };
     let mut refused = vec![];
     // Prepared once for neighbouring rows of a scene.
     let mut prepared: Option<(usize, Result<Corrected, ContactError>)> = None;
@@ -58,18 +66,25 @@ fn answer(model: &asperity::Model, rows: &View<'_>, request: &Request) -> Found 
         for (column, quantity) in columns.iter_mut().zip(&request.quantities) {
             let found = at.as_ref().ok().map(|at| at.value(*quantity));
             let numbers = match found {
-                Some(Ok(CorrectedValue { value, lower, upper, .. })) => [value, lower, upper],
+                Some(Ok(found)) => [found.value, found.lower, found.upper],
                 Some(Err(error)) => {
                     reason.get_or_insert(error);
                     [f64::NAN; 3]
                 }
                 None => [f64::NAN; 3],
             };
-            column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
+            add(column, numbers);
         }
+        let separation = |at: &CorrectedRow<'_>| {
+            let (found, scene) = (at.separation()?, rows.scene(row)?);
+            let of = |separation| unit.of(separation, rows.datum(row), &scene);
+            Ok::<_, ContactError>([of(found.value)?, of(found.lower)?, of(found.upper)?])
+        };
+        let found = at.as_ref().ok().and_then(|at| separation(at).ok());
+        add(&mut separations, found.unwrap_or([f64::NAN; 3]));
         refused.extend(reason.map(|reason| (row, reason)));
         drop(at);
         prepared = Some((place, compiled));
     }
-    Found { columns, refused }
+    Found { columns, separations, refused }
 }

@@ -15,7 +15,7 @@ use crate::ask::rows::{Rows, View};
 use crate::check::check_rows;
 use crate::convert::axis::Axis;
 use crate::convert::error::value_error;
-use crate::model::engine::{Engine, quantities_of, tolerance};
+use crate::model::engine::{Engine, request_of, tolerance};
 
 pub(crate) type Column<'py, T> = Bound<'py, PyArray1<T>>;
 /// Rows that failed, with their exceptions, ascending.
@@ -45,7 +45,7 @@ pub(crate) fn answer<'py>(
 ) -> PyResult<(Vec<Column<'py, f64>>, Failures, Vec<String>)> {
     let rows = &rows.view()?;
     let model = engine.on_all(&rows.files)?;
-    let request = Request::new(quantities_of(&names)?).within(tolerance(rtol)?);
+    let request = request_of(&names, rtol)?;
     let question = Question { rows, source: Source::Model(&model), request, aspect };
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
     let found = py.detach(|| {

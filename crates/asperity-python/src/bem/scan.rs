@@ -51,7 +51,7 @@ impl<'a> Scan<'a> {
         let named = |name: &str| {
             let required = "\"periodic\", \"periodic-part\" or \"free\" was required";
             let unknown = || value_error(format!("boundary is {name:?}: {required}"));
-            Continuation::named(name).ok_or_else(unknown)
+            Continuation::from_name(name).ok_or_else(unknown)
         };
         let boundary = boundary.map(named).transpose()?;
         match self {

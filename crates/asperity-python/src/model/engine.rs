@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{ContactError, Model, Quantity, Tolerance, testkit};
+use asperity::{ContactError, Model, Quantity, Request, Tolerance, testkit};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -174,6 +174,11 @@ impl Engine {
 /// Quantities by name.
 pub(crate) fn quantities_of(names: &[String]) -> PyResult<Vec<Quantity>> {
     names.iter().map(|name| name.parse().map_err(value_error)).collect()
+}
+
+/// A request for quantities by name.
+pub(crate) fn request_of(names: &[String], rtol: f64) -> PyResult<Request> {
+    Ok(Request::new(quantities_of(names)?).within(tolerance(rtol)?))
 }
 
 pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {

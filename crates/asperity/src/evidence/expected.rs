@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::evidence::case::{Compared, EvidenceCase};
 use crate::evidence::place::{Place, SurfaceShape, gradient};
-use crate::evidence::process::{ELASTIC, Known, Process};
+use crate::evidence::process::{ELASTIC, Process, SolvedValue};
 use crate::evidence::{Evidence, Ratio};
 use crate::{ContactError, Scene};
 
@@ -24,8 +24,8 @@ const FEWEST: f64 = 4.0;
 /// Systematic deviation of a surface with few contacts, times their number; none for the area.
 const FEW: f64 = 1.4;
 
-/// Pressures over the hardness beyond which stiffnesses of new surfaces were up to twice those
-/// interpolated.
+/// Pressures over the hardness beyond which stiffnesses change too fast to be interpolated: on new
+/// surfaces they were up to twice as large, and they spoil what is interpolated at lower pressures.
 const STIFFEST: f64 = 0.3;
 /// Area fraction above which patches are few because contacts merge.
 const MERGED: f64 = 0.02;
@@ -71,8 +71,9 @@ impl ExpectedContact {
         self.values.iter().find(|(known, _)| *known == quantity).map(|(_, estimate)| *estimate)
     }
 
-    /// A model's value at [`pressure`](Self::pressure), in the unit of the estimate, relative to it;
-    /// `None` without an estimate, or where the ratio has no sense.
+    /// The ratio of a model to the estimate, or the difference of mean gaps over Sq; `model` is its
+    /// value at [`pressure`](Self::pressure) in the unit of the estimate. `None` without an estimate,
+    /// and where the ratio is not a positive number.
     #[must_use]
     pub fn ratio(&self, quantity: Compared, model: f64) -> Option<Ratio> {
         let Estimate { value, low, high } = self.estimate(quantity)?;
@@ -141,8 +142,7 @@ impl Evidence {
                 Compared::UnloadingStiffness if place.strain == 0.0 => Compared::Stiffness,
                 other => other,
             };
-            let stiff = matches!(solved, Compared::Stiffness | Compared::UnloadingStiffness);
-            if stiff && place.of_hardness() > STIFFEST {
+            if !solved.is_smooth_at(&place) {
                 return None;
             }
             let least = if quantity == Compared::Area { place.load * place.strain } else { 0.0 };
@@ -183,14 +183,14 @@ impl Evidence {
     /// The surface through the cases of a table.
     fn process(&self, quantity: Compared) -> Option<&Process> {
         let index = Compared::ALL.iter().position(|known| *known == quantity)?;
-        let through = || {
-            let known = |(place, case): (&Place, _)| known(quantity, place, case);
-            let all: Vec<Known> = self.places.iter().zip(&self.cases).filter_map(known).collect();
-            // On new surfaces areas are 3 % off, stiffnesses 6 to 12 %.
-            let spread = if quantity == Compared::Area { [0.3, 0.015] } else { [0.6, 0.03] };
-            Process::through(&all, spread)
-        };
+        let through = || Process::through(&self.solved_values(quantity), spread(quantity));
         self.processes.get(index)?.get_or_init(through).as_ref()
+    }
+
+    fn solved_values(&self, quantity: Compared) -> Vec<SolvedValue> {
+        let cases = self.places.iter().zip(&self.cases);
+        let near = cases.filter(|(place, _)| quantity.is_smooth_at(place));
+        near.filter_map(|(place, case)| solved_value(quantity, place, case)).collect()
     }
 
     fn surfaces_near(&self, place: &Place) -> usize {
@@ -206,6 +206,20 @@ impl Evidence {
     }
 }
 
+impl Compared {
+    /// Whether cases here take part in interpolation.
+    fn is_smooth_at(self, place: &Place) -> bool {
+        !matches!(self, Self::Stiffness | Self::UnloadingStiffness)
+            || place.of_hardness() <= STIFFEST
+    }
+}
+
+/// Standard deviations of the process: of changes, and between families of one bandwidth, whose
+/// stiffnesses and gaps depend on the Hurst exponent.
+fn spread(quantity: Compared) -> [f64; 2] {
+    if quantity == Compared::Area { [0.3, 0.015] } else { [0.6, 0.04] }
+}
+
 /// Standard deviation of the logarithm for a surface with so many contacts.
 fn sample(quantity: Compared, place: &Place) -> f64 {
     let all = (place.contacts * place.surfaces).sqrt();
@@ -217,7 +231,7 @@ fn sample(quantity: Compared, place: &Place) -> f64 {
 }
 
 /// A case as a value for the process, with an error that includes what few contacts do.
-fn known(quantity: Compared, place: &Place, case: &EvidenceCase) -> Option<Known> {
+fn solved_value(quantity: Compared, place: &Place, case: &EvidenceCase) -> Option<SolvedValue> {
     let (value, error) = (case.bem.value(quantity)?, case.bem.error(quantity)?);
     let [value, error] = match quantity {
         Compared::MeanGap => [value, error],
@@ -229,7 +243,7 @@ fn known(quantity: Compared, place: &Place, case: &EvidenceCase) -> Option<Known
     let merged = case.bem.area_fraction.is_some_and(|area| area > MERGED);
     let few = if quantity == Compared::Area || merged { 0.0 } else { FEW / place.contacts };
     let error = error.hypot(few);
-    (value.is_finite() && error.is_finite()).then_some(Known { place: *place, value, error })
+    (value.is_finite() && error.is_finite()).then_some(SolvedValue { place: *place, value, error })
 }
 
 /// What the process gives, as a dimensionless value.

@@ -12,8 +12,9 @@ const BEYOND: f64 = 1.15;
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
 const CONTACTS_PER_PATCH: f64 = 2.0;
-/// Ratios of slopes up to this one count as isotropic, and skewnesses up to the next as Gaussian.
+/// Ratio of slopes below which a surface counts as isotropic.
 const ISOTROPIC: f64 = 1.25;
+/// Skewness below which heights count as Gaussian.
 const GAUSSIAN: f64 = 0.2;
 
 /// What advice needs to know of a surface and a [`Scene`] does not hold.
@@ -41,8 +42,8 @@ impl SurfaceShape {
         Self { skewness, slope_ratio: ratio.max(ratio.recip()) }
     }
 
-    /// The same, with what is nearly isotropic or Gaussian taken as such: a single surface of a
-    /// Gaussian family has a skewness, too.
+    /// The shape with a small skewness replaced by 0 and a ratio of slopes near 1 by 1: single
+    /// surfaces of a Gaussian, isotropic family differ by as much.
     fn rounded(self) -> Self {
         Self {
             skewness: if self.skewness.abs() < GAUSSIAN { 0.0 } else { self.skewness },

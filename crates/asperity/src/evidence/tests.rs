@@ -52,7 +52,8 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     };
     let bare: Vec<String> = Evidence::CSV.lines().map(cut).collect();
     let bare = Evidence::parse(&bare.join("\n")).unwrap();
-    for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(7) {
+    let [mut stiffnesses, mut inside] = [0.0; 2];
+    for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
         let scene = scene(case.alpha, case.plasticity_index);
         let shape = SurfaceShape { skewness: 0.0, slope_ratio: case.slope_ratio };
         let pressure = case.load * unit();
@@ -61,15 +62,22 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
         let solved = case.bem.area_fraction.unwrap();
         // The smooth surface passes light loads within their standard errors of up to 6 %.
         assert!((area.value / solved - 1.0).abs() < 0.07, "{case:?} {area:?}");
-        let [lowest, highest] = case.bem.area_span.unwrap();
+        // The table has four digits.
+        let [lowest, highest] = case.bem.area_span.unwrap().map(|x| 1.0005 * x);
         assert!(area.low < highest && lowest < area.high, "{case:?} {area:?}");
         // Stiffnesses do not depend on the gradient of the solved surfaces.
         let unit = unit() * scene.nominal_area / 1e-6;
-        let solved = case.bem.stiffness.unwrap() / Evidence::GRADIENT * unit;
-        let stiffness = found.estimate(Compared::Stiffness).unwrap();
-        assert!((stiffness.value / solved).ln().abs() < 0.5, "{case:?} {stiffness:?} {solved}");
+        let [lowest, highest] =
+            case.bem.stiffness_span.unwrap().map(|k| k / Evidence::GRADIENT * unit);
+        if let Some(stiffness) = found.estimate(Compared::Stiffness) {
+            stiffnesses += 1.0;
+            inside += f64::from(stiffness.low < highest && lowest < stiffness.high);
+        }
         assert_eq!(bare.expected(&scene, Some(shape), pressure, None).unwrap(), found);
     }
+    // The interval holds nine of ten, and these rows are part of the table.
+    println!("{inside} of {stiffnesses} stiffnesses");
+    assert!(stiffnesses > 40.0 && inside >= 0.95 * stiffnesses, "{inside} of {stiffnesses}");
 }
 
 #[test]
@@ -102,6 +110,20 @@ fn outside_there_is_no_evidence() {
     let shape = SurfaceShape { skewness: -4.0, slope_ratio: 1.0 };
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap_err();
     assert!(found.to_string().contains("skewness = -4.0; solved range -2 to 1"), "{found}");
+}
+
+/// Peaks carry light loads, and few of them differ from surface to surface.
+#[test]
+fn surfaces_of_peaks_have_wider_intervals_under_light_loads_and_then_none() {
+    let evidence = Evidence::committed().unwrap();
+    let half = |skewness: f64, load: f64| {
+        let shape = SurfaceShape { skewness, slope_ratio: 1.0 };
+        let found = evidence.expected(&scene(7.5, 0.0), Some(shape), load * unit(), None);
+        found.ok()?.estimate(Compared::Area).map(|area| (area.high / area.low).ln() / 2.0)
+    };
+    assert!(half(1.0, 2e-4).is_none() && half(-1.0, 2e-4).is_some());
+    let [heavy, light] = [0.05, 2e-3].map(|load| half(0.5, load).unwrap());
+    assert!(light > 1.3 * heavy && heavy > half(0.0, 0.05).unwrap(), "{light} {heavy}");
 }
 
 #[test]

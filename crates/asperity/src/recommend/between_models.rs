@@ -39,6 +39,12 @@ pub(super) fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Dia
     found.filter(|finding| finding.severity < Severity::Note).find(Diagnostic::is_of_model)
 }
 
+/// The finding that contacts merge at one of these separations or loads, where no model of
+/// independent asperities is valid.
+pub(super) fn merging(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
+    Check::answers(model, scene, places).into_iter().find(|finding| finding.code == "crowded")
+}
+
 /// Parts of the law of an asperity; 0 for a model without one.
 pub(super) fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {

@@ -3,7 +3,7 @@
 
 mod between_models;
 mod evidence;
-mod words;
+mod sentences;
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::evidence::compile;
 use crate::{
     Compared, ContactError, Described, Diagnostic, Model, Quantity, Request, Scene, SurfaceShape,
 };
-use between_models::{answers, largest_deviations, outside, regimes};
+use between_models::{answers, largest_deviations, merging, outside, regimes};
 pub(crate) use evidence::evidence_of;
 pub use evidence::{Deviation, EvidenceAt, Expectation};
 
@@ -73,6 +73,8 @@ pub struct Recommendation {
     /// Models from simplest to most complex: upright asperities of one radius, random asperities,
     /// no asperities, inclined contacts; then by number of parts of the force law and by year.
     pub comparisons: Vec<Comparison>,
+    /// The finding that contacts of that model merge, if they do.
+    pub merging: Option<Diagnostic>,
     /// For each separation or load, and for 24 of them if there are more, the models relative to
     /// boundary elements, or why that is not known.
     pub evidence: Vec<EvidenceAt>,
@@ -179,8 +181,10 @@ pub fn recommend_among(
     }
     let itself = || outside(reference, scene, &request.at).is_none().then(|| reference.clone());
     let simplest = near.map(|(found, _)| found.model.clone()).or_else(itself);
+    let merging = simplest.as_ref().and_then(|model| merging(model, scene, &request.at));
     let comparisons = comparisons.into_iter().map(|(found, _)| found).collect();
-    Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons, evidence })
+    let reference = reference.clone();
+    Ok(Recommendation { reference, within, simplest, merging, comparisons, evidence })
 }
 
 #[cfg(test)]

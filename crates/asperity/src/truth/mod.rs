@@ -1,6 +1,6 @@
 //! Every model compared with boundary elements on the same scan.
 
-mod words;
+mod sentences;
 
 use std::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use crate::{
     At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
     Scene, SeparationUnit,
 };
-pub use words::{beside_table, summary};
+pub use sentences::{beside_table, summary};
 
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]

@@ -3,11 +3,27 @@
 use std::fmt;
 
 use crate::{
-    At, Compared, Comparison, ContactError, Described, EvidenceAt, ExpectedContact, Ratio,
+    At, Compared, Comparison, ContactError, Described, EvidenceAt, ExpectedContact, Model, Ratio,
     Recommendation, Separation, evidence::NONE, ranking,
 };
 
 impl Recommendation {
+    /// Which model is the simplest within the limit, in one sentence with these names of models.
+    pub fn verdict(&self, name: impl Fn(&Model) -> String) -> String {
+        let compared = |model: &&Model| self.comparisons.iter().any(|c| c.model.id() == model.id());
+        let of = format!("within {} % of {}", percent(self.within), name(&self.reference));
+        match (self.simplest.as_ref().filter(compared), &self.merging) {
+            (None, _) => format!("no valid model is {of}"),
+            (Some(simplest), None) => {
+                format!("{} is the simplest valid model {of}", name(simplest))
+            }
+            (Some(simplest), Some(_)) => format!(
+                "{} is the simplest model {of}, but none of asperities is valid where contacts merge",
+                name(simplest)
+            ),
+        }
+    }
+
     /// The evidence in lines: the separations or loads without any, and which of these models are
     /// expected to be nearest to boundary elements in area and in stiffness.
     #[must_use]
@@ -47,35 +63,46 @@ impl Recommendation {
     }
 
     /// How far the reference and the recommended model are expected to be from boundary elements, a
-    /// line for each quantity: `KE underestimates the area by 5 to 12 % here (alpha 8, psi 2;
-    /// boundary elements on 16 surfaces)`. Of several places the widest interval.
+    /// line for each of the two: `KE here underestimates the area by 5 to 12 %, agrees in the
+    /// stiffness of first loading within 0.5 % (alpha 8, psi 2; boundary elements on 16 surfaces)`.
+    /// Of several places the widest interval.
     #[must_use]
     pub fn expectations(&self) -> Vec<String> {
-        let mut lines = vec![];
-        let mut named = vec![&self.reference];
-        named.extend(self.simplest.iter().filter(|model| model.id() != self.reference.id()));
-        for (model, quantity) in
-            named.into_iter().flat_map(|model| Compared::ALL.map(|quantity| (model, quantity)))
-        {
-            let known = self.evidence.iter().filter_map(|place| {
-                Some((place.ratio(model.id(), quantity)?, place.expected.as_ref().ok()?))
-            });
-            let known: Vec<(Ratio, &ExpectedContact)> = known.collect();
-            let both = known.iter().map(|(ratio, _)| *ratio);
-            let Some(ratio) = both.reduce(|a, b| a.with(b, quantity)) else { continue };
-            let here = match known.len() {
-                1 => "here".into(),
-                some => format!("at {some} places"),
-            };
-            let lighter = match known.iter().any(|(_, expected)| expected.extrapolated) {
-                true => ", extrapolated to lighter loads",
-                false => "",
-            };
-            let basis = known[0].1.basis();
-            let words = ratio.words(quantity);
-            lines.push(format!("{} {words} {here} ({basis}{lighter})", model.name()));
+        let mut both = vec![&self.reference];
+        both.extend(self.simplest.iter().filter(|model| model.id() != self.reference.id()));
+        both.into_iter().filter_map(|model| self.expectation(model)).collect()
+    }
+
+    /// The line of a model; quantities with evidence at other numbers of places have their own part.
+    fn expectation(&self, model: &Model) -> Option<String> {
+        let mut parts: Vec<(usize, Vec<String>)> = vec![];
+        for quantity in Compared::ALL {
+            let ratios = self.evidence.iter().filter_map(|e| e.ratio(model.id(), quantity));
+            let ratios: Vec<Ratio> = ratios.collect();
+            let widest = ratios.iter().copied().reduce(|a, b| a.with(b, quantity));
+            let Some(words) = widest.map(|ratio| ratio.words(quantity)) else { continue };
+            match parts.last_mut().filter(|(places, _)| *places == ratios.len()) {
+                Some((_, words_there)) => words_there.push(words),
+                None => parts.push((ratios.len(), vec![words])),
+            }
         }
-        lines
+        let part = |(places, words): &(usize, Vec<String>)| {
+            let here = match (*places, self.evidence.len()) {
+                (1, 1) => "here".into(),
+                (some, all) if some == all => format!("at these {all} places"),
+                (some, all) => format!("at {some} of {all} places"),
+            };
+            format!("{here} {}", words.join(", "))
+        };
+        let expected: Vec<&ExpectedContact> =
+            self.evidence.iter().filter_map(|place| place.expected.as_ref().ok()).collect();
+        let lighter = match expected.iter().any(|expected| expected.extrapolated) {
+            true => ", extrapolated to lighter loads",
+            false => "",
+        };
+        let basis = expected.first().filter(|_| !parts.is_empty())?.basis();
+        let parts: Vec<String> = parts.iter().map(part).collect();
+        Some(format!("{} {} ({basis}{lighter})", model.name(), parts.join("; ")))
     }
 
     /// The line for places without evidence, for the same reason.
@@ -115,17 +142,7 @@ fn reason(expected: &Result<ExpectedContact, ContactError>) -> Option<String> {
 
 impl fmt::Display for Recommendation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (within, reference) = (percent(self.within), self.reference.name());
-        match &self.simplest {
-            Some(simplest) => {
-                let simplest = simplest.name();
-                writeln!(
-                    f,
-                    "{simplest} is the simplest valid model within {within} % of {reference}"
-                )?;
-            }
-            None => writeln!(f, "no valid model is within {within} % of {reference}")?,
-        }
+        writeln!(f, "{}", self.verdict(|model| model.name().to_string()))?;
         let lines = [self.summary(), self.expectations()].concat();
         lines.iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width =

@@ -1,0 +1,70 @@
+//! `--corrected`: models divided by their expected ratio to boundary elements.
+
+use crate::bench::{Bench, cells};
+
+#[test]
+fn corrected_models_have_intervals_and_reasons_for_blanks() {
+    let bench = Bench::new();
+    let arguments =
+        "curve scene.toml --model ke,jg --pressure 1e6,1e7,1e11 --corrected --format csv";
+    let run = bench.run(&format!("{arguments} --quantity area,contacts"));
+    // At 1e11 Pa models need more than the nominal area.
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let models: Vec<_> = cells(&run.out, "model").into_iter().step_by(3).collect();
+    assert_eq!(models, ["ke", "ke-corrected", "jg", "jg-corrected"]);
+    for names in [
+        ["area_m2", "area_lower", "area_upper"],
+        ["separation_m", "separation_lower_m", "separation_upper_m"],
+    ] {
+        let [value, lower, upper] = names.map(|name| cells(&run.out, name));
+        for row in [3, 4, 9, 10] {
+            let number = |cell: &str| cell.parse::<f64>().unwrap();
+            let [value, lower, upper] = [value[row], lower[row], upper[row]].map(number);
+            assert!(0.7 * value < lower && lower < value && value < upper, "{}", run.out);
+        }
+        assert!(value[5].is_empty() && value[11].is_empty(), "{}", run.out);
+        // The models as they are have no interval.
+        assert!([0, 1, 6].iter().all(|row| !value[*row].is_empty() && lower[*row].is_empty()));
+    }
+    let contacts = cells(&run.out, "contacts");
+    assert!([0, 1, 6, 7].iter().all(|row| !contacts[*row].is_empty()), "{}", run.out);
+    assert!([3, 4, 9, 10].iter().all(|row| contacts[*row].is_empty()), "{}", run.out);
+    for printed in [
+        "warning: ke-corrected, jg-corrected: no contacts in 2 of 3 rows, first: contacts has no counterpart in boundary elements",
+        "warning: ke-corrected, jg-corrected: no value in 1 of 3 rows, first: no boundary-element solution is close: p/(E g) = ",
+    ] {
+        assert!(run.messages.contains(printed), "{}", run.messages);
+    }
+    let refused = bench.run("curve scene.toml --model ke --corrected");
+    assert!(refused.messages.contains("--corrected needs --load or --pressure"));
+    assert_eq!(refused.code, Some(1));
+    let solved = bench.data("solve scene.toml --model ke --load 100 --corrected --quantity area");
+    assert_eq!(cells(&solved, "model"), ["ke", "ke-corrected"]);
+}
+
+#[test]
+fn without_evidence_the_models_stand_as_they_are() {
+    let bench = Bench::new();
+    bench.write("rough.toml", &asperity_scene::template().replace("_std = 1e-6", "_std = 2e-5"));
+    let asked = "--load 1000 --quantity area,stiffness --corrected";
+    let rough = bench.run(&format!("curve rough.toml --model ke {asked} --format csv"));
+    assert_eq!(cells(&rough.out, "model"), ["ke", "ke-corrected"]);
+    let area = cells(&rough.out, "area_m2");
+    assert!(!area[0].is_empty() && area[1].is_empty(), "{}", rough.out);
+    let reason = "ke-corrected: no value: no boundary-element solution is close: alpha";
+    let advice = "; leave --corrected out, or use the rows of ke\n";
+    assert!(rough.messages.contains(reason), "{}", rough.messages);
+    assert!(rough.messages.contains(advice), "{}", rough.messages);
+    // What an elastic theory lacks is corrected, and no warning speaks of it.
+    let elastic = |asked: &str| {
+        bench.run(&format!("curve scene.toml --model persson-fudge --load 1000 {asked}")).messages
+    };
+    let messages = elastic("--quantity area --corrected");
+    assert!(!messages.contains("ignores yielding"), "{messages}");
+    let messages = elastic("--quantity area");
+    assert!(messages.contains("ignores yielding"), "{messages}");
+    let stiffness =
+        bench.run("curve scene.toml --model ke --load 1000 --quantity stiffness --corrected");
+    let advice = "use tangent (first loading) or unloading-stiffness";
+    assert!(stiffness.messages.contains(advice), "{}", stiffness.messages);
+}
