@@ -79,7 +79,7 @@ impl<'a> Document<'a> {
         document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
         let (in_si, stated) = in_si.map_err(|QuantityError { path, found, near, needed }| {
             let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
-            SceneError::Value { at, found, near, needed }
+            SceneError::Value { at, found, near, needed: needed.into() }
         })?;
         document.stated = stated;
         if in_si != text {

@@ -3,8 +3,8 @@
 use asperity::nearest_name;
 use toml::de::Error;
 
-use crate::SceneError;
 use crate::document::{Document, shorten};
+use crate::error::{Needed, SceneError};
 use crate::iso_units::gradient;
 use crate::template::{joined, key};
 
@@ -29,20 +29,23 @@ impl Document<'_> {
             let keys: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
             return self.unknown(&path, &keys);
         }
-        let needed = match needed {
-            "f64" => format!("a number in SI units, without quotes ({meaning}),"),
+        let needed: Needed = match needed {
+            "f64" => Needed::Number(meaning),
             "a boolean" => "true or false".into(),
-            "a sequence" if path == "body" => format!("a list ({meaning}), each written [[body]],"),
-            "a sequence" => format!("a list ({meaning})"),
-            "path string" => format!("the path of a file, in quotes ({meaning}),"),
+            "a sequence" if path == "body" => {
+                format!("a list ({meaning}), each written [[body]],").into()
+            }
+            "a sequence" => format!("a list ({meaning})").into(),
+            "path string" => format!("the path of a file, in quotes ({meaning}),").into(),
             other if other.starts_with("wanted ") => "a name in quotes".into(),
             "floating-point number overflowed" => "a number of at most 1.8e308".into(),
-            names => names.replace('`', "\""),
+            names => names.replace('`', "\"").into(),
         };
+        let words = needed.to_string();
         let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
-        let near = nearest_name(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
+        let near = nearest_name(found.trim_matches('"'), words.split('"').skip(1).step_by(2));
         let slope = || gradient(found.trim_matches('"')).filter(|_| name == "sdq");
-        let near = near.map(Into::into).or_else(|| near_table(&found, &needed));
+        let near = near.map(Into::into).or_else(|| near_table(&found, &words));
         let near = near.or_else(|| slope().map(asperity::short));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
