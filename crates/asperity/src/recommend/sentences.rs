@@ -18,7 +18,7 @@ impl Recommendation {
                 format!("{} is the simplest valid model {of}", name(simplest))
             }
             (Some(simplest), Some(_)) => format!(
-                "{} is the simplest model {of}, but none of asperities is valid where contacts merge",
+                "{} is the simplest model {of}, but no model of asperities is valid where contacts merge",
                 name(simplest)
             ),
         }
