@@ -89,9 +89,9 @@ impl ExpectedContact {
 
 impl Evidence {
     /// What boundary elements are expected to give for a scene at a mean pressure \[Pa\]. Without a
-    /// shape the surface is taken as isotropic, and its heights must be Gaussian. With the number of
-    /// `contacts` the intervals are for single surfaces, which are small samples if they have few;
-    /// without, for the mean of many surfaces. Solved surfaces have a Hurst exponent of 0.8:
+    /// shape the surface is taken as isotropic, and its heights must be Gaussian. With the number
+    /// of `contacts` the intervals are for single surfaces, which are small samples if they have
+    /// few; without, for the mean of many surfaces. Solved surfaces have a Hurst exponent of 0.8:
     /// stiffnesses and gaps of broad spectra with one of 0.3 are outside in four cases of ten.
     ///
     /// ```

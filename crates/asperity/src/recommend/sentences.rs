@@ -73,7 +73,8 @@ impl Recommendation {
         both.into_iter().filter_map(|model| self.expectation(model)).collect()
     }
 
-    /// The line of a model; quantities with evidence at other numbers of places have their own part.
+    /// The line of a model; quantities with evidence at other numbers of places have their own
+    /// part.
     fn expectation(&self, model: &Model) -> Option<String> {
         let mut parts: Vec<(usize, Vec<String>)> = vec![];
         for quantity in Compared::ALL {
