@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use asperity_bem::{BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
+use asperity_bem::{BoundaryElements, LoadCase, RandomSurface, Solution};
 
 use crate::{MODULUS, UNIT, close};
 
