@@ -200,8 +200,9 @@ mod tests {
         for ((_, family, cases), (_, alpha, ..)) in cases()?.into_iter().zip(FAMILIES) {
             let found = Family { slope_ratio: 1.0, skewness: 0.0, ..family };
             let found = found.surface(1024)?.moments().bandwidth();
-            assert!((found / alpha - 1.0).abs() < 0.02, "{} {found}", family.name);
-            let near = |known: f64| (known / alpha - 1.0).abs() < 0.1;
+            // Named by that of the integral over all waves: the sum over those of a map is smaller.
+            assert!((-0.06..0.02).contains(&(found / alpha - 1.0)), "{} {found}", family.name);
+            let near = |known: f64| (known / found - 1.0).abs() < 0.1;
             assert!(evidence.cases().iter().all(|case| !near(case.alpha)));
             assert!(cases.len() >= 8, "{}", family.name);
         }
