@@ -202,7 +202,7 @@ mod tests {
             let found = Family { slope_ratio: 1.0, skewness: 0.0, ..family };
             let found = found.surface(1024)?.moments().bandwidth();
             // Named by that of the integral over all waves; a map has a sum over some of them.
-            assert!((found / alpha - 1.0).abs() < 0.06, "{} {found}", family.name);
+            assert!((found / alpha - 1.0).abs() < 0.08, "{} {found}", family.name);
             let near = |case: &EvidenceCase| {
                 case.skewness == 0.0
                     && case.slope_ratio <= 1.0
