@@ -8,6 +8,7 @@ mod document;
 mod error;
 mod evidence;
 mod fit;
+mod hardness;
 mod heights;
 mod hints;
 mod in_si;

@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::fit::DataColumn;
 
 use crate::document::{read_text, shorten};
-use crate::notation::without_thousands;
+use crate::notation::notation_hint;
 use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
@@ -51,7 +51,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                 "{} cells under a header of {} columns: one cell for each column was required{}",
                 record.len(),
                 columns.len(),
-                if record.len() > columns.len() { too_many(delimiter) } else { "" }
+                if record.len() > columns.len() { delimiter_hint(delimiter) } else { "" }
             );
             return Err(syntax(line, reason));
         }
@@ -69,12 +69,14 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                     return Err(SceneError::value(place(line, name), shorten(given), needed));
                 }
                 given => Some(number(given).ok_or_else(|| {
-                    let plain = without_thousands(given);
-                    let needed = match plain.filter(|plain| plain.parse::<f64>().is_ok()) {
-                        Some(plain) => format!("a number without thousands separators, {plain},"),
-                        None => "a number, or nothing".into(),
-                    };
-                    SceneError::value(place(line, name), shorten(given), &needed)
+                    let at = place(line, name);
+                    match notation_hint(given) {
+                        Some(hint) => {
+                            let found = format!("{:?}", shorten(given));
+                            SceneError::Notation { at, found, hint }
+                        }
+                        None => SceneError::value(at, shorten(given), "a number, or nothing"),
+                    }
                 })?),
             });
         }
@@ -89,7 +91,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
 }
 
 /// Advice for a row with more cells than columns.
-fn too_many(delimiter: u8) -> &'static str {
+fn delimiter_hint(delimiter: u8) -> &'static str {
     match delimiter {
         b',' => {
             "; numbers with decimal commas are read where semicolons or tabs separate the columns"
@@ -151,9 +153,9 @@ mod tests {
             assert_eq!(read(text).unwrap(), wanted, "{text:?}");
         }
         for (cell, wanted) in [
-            ("1.500,5", "a number without thousands separators, 1500.5 was required"),
-            ("1.500.000", "a number without thousands separators, 1500000 was required"),
-            ("1,5,0", "a number, or nothing was required"),
+            ("1.500,5", "load_N = \"1.500,5\" has thousands separators; write 1500.5"),
+            ("1.500.000", "has thousands separators; write 1500000 or 1.5e6"),
+            ("1,5,0", "is \"1,5,0\": a number, or nothing was required"),
         ] {
             let refused = read(&format!("load_N;area_m2\n{cell};2e-9\n")).unwrap_err();
             assert!(refused.contains(wanted), "{refused}");
@@ -189,7 +191,7 @@ mod tests {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path).unwrap_err().to_string();
-            assert!(refused.contains("cannot be read: the file is binary, or a text"), "{refused}");
+            assert!(refused.contains("cannot be read: the file is not UTF-8 text; save it"), "{refused}");
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

@@ -56,6 +56,7 @@ fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> 
                 }
             }
         }
+        SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),
         SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
         SceneError::Measured { reason, .. } | SceneError::Unreadable { reason, .. } => {
             reason.clone()
@@ -80,6 +81,7 @@ impl From<SceneError> for Refusal {
         | SceneError::Syntax { at, .. }
         | SceneError::UnknownKey { at, .. }
         | SceneError::Value { at, .. }
+        | SceneError::Notation { at, .. }
         | SceneError::Missing { at, .. }
         | SceneError::Conflict { at, .. }
         | SceneError::Measured { at, .. }
