@@ -40,6 +40,7 @@ pub use error::{Place, SceneError};
 pub use fit::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
+pub use iso_units::{gradient, likely_angle};
 pub use materials::{Material, materials, materials_like};
 pub use measurements::read_measurements;
 pub use mistaken::mistaken_unit;

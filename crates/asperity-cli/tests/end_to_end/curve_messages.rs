@@ -138,9 +138,9 @@ fn two_values_that_may_be_one_decimal_have_a_note() {
     for (given, note) in [
         (
             "--pressure 1,5",
-            Some("--pressure 1,5 is read as two values, 1 and 5; a decimal is written 1.5"),
+            Some("--pressure 1,5 is read as two values, 1 and 5; a single value is written 1.5"),
         ),
-        ("--separation 1,2", Some("--separation 1,2 is read as two values, 1 and 2; a decimal is")),
+        ("--separation 1,2", Some("--separation 1,2 is read as two values, 1 and 2; a single value is")),
         ("--load 10,100", None),
         ("--load 1.0,5", None),
         ("--load 1,5,9", None),

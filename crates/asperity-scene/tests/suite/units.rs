@@ -30,7 +30,7 @@ fn numbers_may_have_a_unit() {
         ),
         ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
         ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
-        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": a number in SI units, without"),
+        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": the number 0.31 without quotes was"),
     ] {
         let found = message(&text("", INTERFACE, SURFACE).replace(from, to));
         assert!(found.contains(wanted), "{found}");
