@@ -1,6 +1,6 @@
 //! Compliances \[m/Pa\] of the waves of a half-space. They are even in both directions, so that a
-//! quarter of the plane is held: all of the first half of the columns, in each the first half of the
-//! rows.
+//! quarter of the plane is held: all of the first half of the columns, in each the first half of
+//! the rows.
 
 use std::f64::consts::{PI, TAU};
 

@@ -19,8 +19,8 @@ pub struct Ranking {
     pub summary: String,
 }
 
-/// Orders models by their BIC or, if one of them has none, by the misfit; those that did not converge
-/// come last.
+/// Orders models by their BIC or, if one of them has none, by the misfit; those that did not
+/// converge come last.
 #[must_use]
 pub fn rank(mut models: Vec<Fitted>) -> Ranking {
     let has_bic = models.iter().all(|fitted| fitted.bic.is_some());

@@ -94,8 +94,9 @@ pub(crate) fn press(
     Ok(())
 }
 
-/// The other quantities of the models that a solved contact has, or why one is missing: stiffness on
-/// first loading, from two more solutions, and on unloading, with the contact held, among them.
+/// The other quantities of the models that a solved contact has, or why one is missing: among them
+/// the stiffness on first loading, from two more solutions, and on unloading, with the contact
+/// held.
 fn others(elements: &BoundaryElements, solution: &Solution, file: &SceneFile) -> Vec<Found> {
     let mut all = quantities(file);
     all.retain(|quantity| *quantity != Quantity::AreaFraction);

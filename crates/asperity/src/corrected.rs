@@ -8,8 +8,8 @@ use crate::{
 };
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
-/// its expected ratio, with the interval of that ratio, which holds nine of ten surfaces. Where
-/// there is no evidence, there is no value.
+/// its expected ratio, with the interval of that ratio, which holds nine of ten single surfaces
+/// with as many contacts as the model counts. Where there is no evidence, there is no value.
 ///
 /// Every corrected model has nearly the same values: those that boundary elements are expected to
 /// give.

@@ -133,7 +133,8 @@ pub fn letters(text: &str) -> String {
     html
 }
 
-/// What is raised or lowered at the start of a text, without its brackets, and its length with them.
+/// What is raised or lowered at the start of a text, without its brackets, and its length with
+/// them.
 fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
     let close = match text.chars().next()? {
         '(' if tag == "sup" => Some(('(', ')')),

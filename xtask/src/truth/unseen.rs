@@ -178,6 +178,7 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::EvidenceCase;
 
     #[test]
     fn values_are_counted_where_they_have_an_interval() {
@@ -200,9 +201,14 @@ mod tests {
         for ((_, family, cases), (_, alpha, ..)) in cases()?.into_iter().zip(FAMILIES) {
             let found = Family { slope_ratio: 1.0, skewness: 0.0, ..family };
             let found = found.surface(1024)?.moments().bandwidth();
-            assert!((found / alpha - 1.0).abs() < 0.02, "{} {found}", family.name);
-            let near = |known: f64| (known / alpha - 1.0).abs() < 0.1;
-            assert!(evidence.cases().iter().all(|case| !near(case.alpha)));
+            // Named by that of the integral over all waves; a map has a sum over some of them.
+            assert!((found / alpha - 1.0).abs() < 0.08, "{} {found}", family.name);
+            let near = |case: &EvidenceCase| {
+                case.skewness == 0.0
+                    && case.slope_ratio <= 1.0
+                    && (case.alpha / found - 1.0).abs() < 0.1
+            };
+            assert!(!evidence.cases().iter().any(near), "{} {found}", family.name);
             assert!(cases.len() >= 8, "{}", family.name);
         }
         let folder = tempfile::tempdir()?;

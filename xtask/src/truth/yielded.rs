@@ -8,17 +8,19 @@ use std::fmt::Write as _;
 
 use anyhow::Result;
 use asperity::{
-    At, Compared, ContactModel, Evidence, EvidenceCase, Model, Quantity, Request, Scene,
+    At, Compared, ContactModel, Evidence, EvidenceCase, Model, Quantity, Request, Scene, Tolerance,
 };
 
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
 
 /// The models that are compared.
-const SHOWN: [&str; 7] = ["ceb", "zmc", "ke", "jg", "zmc-random", "ke-random", "jg-random"];
+const SHOWN: [&str; 5] = ["ceb", "zmc", "ke", "jg", "ke-random"];
 /// Shares of the force at which something and not all yields.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
-/// Steps of a bisection of the logarithm of ψ, to 1e-4.
-const STEPS: usize = 16;
+/// Steps of a bisection of the logarithm of the hardness, to 0.6 %: areas are 0.2 % off.
+const STEPS: usize = 10;
+/// Relative tolerance; random asperities are averaged anew for each hardness.
+const TOLERANCE: f64 = 1e-4;
 
 /// The share of the force on pixels at the hardness.
 fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
@@ -29,7 +31,8 @@ fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
 /// The area of a model and the share of the force on its yielding asperities.
 fn answer(model: &Model, scene: &Scene, at: At) -> Option<[f64; 2]> {
     let value = |quantity| {
-        let contact = model.compile(scene, &Request::new([quantity]).at([at])).ok()?;
+        let request = Request::new([quantity]).within(Tolerance::new(TOLERANCE).ok()?);
+        let contact = model.compile(scene, &request.at([at])).ok()?;
         let value = contact.evaluate(quantity, at).ok()?.value();
         Some((contact, value))
     };
@@ -126,7 +129,7 @@ mod tests {
         );
         let evidence = Evidence::parse(&text)?;
         let found = ratios(family, &evidence.cases()[0], &model)?;
-        assert!(found.is_some_and(|r| r.iter().all(|r| (r - 0.5).abs() < 1e-3)), "{found:?}");
+        assert!(found.is_some_and(|r| r.iter().all(|r| (r - 0.5).abs() < 3e-3)), "{found:?}");
         Ok(())
     }
 }

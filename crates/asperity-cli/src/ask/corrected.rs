@@ -2,7 +2,9 @@
 //! models as they are.
 
 use anyhow::{Result, bail};
-use asperity::{At, ContactError, Corrected, CorrectedRow, Datum, Scene, SeparationUnit};
+use asperity::{
+    At, ContactError, Corrected, CorrectedRow, Datum, Described, Scene, SeparationUnit,
+};
 
 use crate::ask::{Lacking, Question, Row, column_beside, count};
 use crate::output::table::{Cell, Table};
@@ -59,7 +61,7 @@ impl Question<'_> {
         let _progress = progress(own);
         let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
         let compiled = shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
-        let id = format!("{own}-corrected");
+        let id = format!("{}-corrected", model.id());
         let without_id = |reason: ContactError| {
             let text = reason.to_string();
             text.strip_prefix(&format!("{id}: ")).map_or(text.clone(), Into::into)

@@ -92,8 +92,8 @@ impl Interface {
         })
     }
 
-    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from those of its bodies; all in
-    /// W/(m K).
+    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from those of its bodies, both
+    /// above 0; all in W/(m K).
     #[must_use]
     pub fn mean_conductivity(first: f64, second: f64) -> f64 {
         2.0 * first / (1.0 + first / second)

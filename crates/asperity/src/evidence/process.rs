@@ -1,6 +1,6 @@
 //! Gaussian-process regression on the solved cases (Rasmussen & Williams 2006, algorithm 2.1
-//! \[recalled\]): interpolates the means of the solved cases and gives the standard deviation of the
-//! interpolation.
+//! \[recalled\]): interpolates the means of the solved cases and gives the standard deviation of
+//! the interpolation.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -16,9 +16,9 @@ const PER_SKEWNESS: f64 = 0.6;
 const PER_SLOPES: f64 = 0.15;
 /// Standard deviation between skewed families, per unit of skewness: one bandwidth is solved.
 const SKEWED: f64 = 0.12;
-/// Under loads lighter than p/(E g) of the second number, surfaces of peaks (skewness above 0) touch
-/// with a few of them; per unit of skewness and of the logarithm of the load. New families had 5 to
-/// 37 % less area than interpolated.
+/// Under loads lighter than p/(E g) of the second number, surfaces of peaks (skewness above 0)
+/// touch with a few of them; per unit of skewness and of the logarithm of the load. New families
+/// had 5 to 37 % less area than interpolated.
 const PEAKS: [f64; 2] = [0.06, 0.1];
 /// Standard deviation of a single row.
 const ROW: f64 = 0.005;

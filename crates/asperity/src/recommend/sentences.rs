@@ -18,7 +18,7 @@ impl Recommendation {
                 format!("{} is the simplest valid model {of}", name(simplest))
             }
             (Some(simplest), Some(_)) => format!(
-                "{} is the simplest model {of}, but none of asperities is valid where contacts merge",
+                "{} is the simplest model {of}, but no model of asperities is valid where contacts merge",
                 name(simplest)
             ),
         }
@@ -73,7 +73,8 @@ impl Recommendation {
         both.into_iter().filter_map(|model| self.expectation(model)).collect()
     }
 
-    /// The line of a model; quantities with evidence at other numbers of places have their own part.
+    /// The line of a model; quantities with evidence at other numbers of places have their own
+    /// part.
     fn expectation(&self, model: &Model) -> Option<String> {
         let mut parts: Vec<(usize, Vec<String>)> = vec![];
         for quantity in Compared::ALL {

@@ -60,9 +60,9 @@ pub fn summary(found: &[Truth]) -> String {
     }
 }
 
-/// How far a model is from boundary elements on this scan, and whether that lies in the interval of
-/// the solved surfaces, a line for each quantity; or why there is no interval. Loads that few pixels
-/// or patches carry do not count.
+/// How far a model is from boundary elements on this scan, and whether that lies in the interval
+/// of the solved surfaces, a line for each quantity; or why there is no interval. Loads that few
+/// pixels or patches carry do not count.
 ///
 /// # Errors
 /// Those of the model on the scene.
