@@ -104,12 +104,14 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
         }
     }
     let (mut least, mut likely) = (EXPLAINED.min(SHARE * here), None);
+    // Without any contact in the unit given, the start says little.
+    let more_starts = usize::from(here.is_infinite());
     for column in columns {
         for (unit, factor) in column.units() {
             let data = problem.data.scaled(|one| column.scaled(one, *factor));
             let Ok(forward) = crate::forward::Forward::new(problem.model, &data) else { continue };
             let other = Problem { data: &data, forward: &forward, ..*problem };
-            let values = match search(&other, 1) {
+            let values = match search(&other, more_starts) {
                 Ok(found) => other.predicted(&found.best.coordinates),
                 Err(error @ FitError::Interrupted) => return Err(error),
                 Err(_) => continue,

@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, Body, ContactModel, Datum, Interface, Request, SeparationUnit};
-use asperity_scene::SceneFile;
+use asperity::{
+    At, Body, ContactModel, Datum, Interface, Request, SeparationUnit, shortest_digits,
+};
+use asperity_scene::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::{CONDUCTANCE, column, picture};

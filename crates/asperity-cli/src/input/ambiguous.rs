@@ -26,7 +26,8 @@ fn refuse_one_with_unit(text: &str) -> Result<(), String> {
     let same = without_thousands(text).filter(|same| same.contains(char::is_alphabetic));
     let first = text.split(',').next().unwrap_or_default();
     let is_list = !text.contains(',') || first.contains(char::is_alphabetic);
-    match same.filter(|_| !is_list) {
+    // 0,100nm,200nm begins a list.
+    match same.filter(|same| !(is_list || same.contains(',') || same.starts_with('0'))) {
         Some(same) => Err(format!(
             "{text} is ambiguous; write {same} for one value, or give every value a unit"
         )),
@@ -124,6 +125,8 @@ mod tests {
             assert_eq!(all(load)(text), Err(wanted));
         }
         assert_eq!(all(load)("1.5N,2.5N").unwrap().0, [1.5, 2.5]);
+        let nanometres = |text: &str| number(text.trim_end_matches("nm"));
+        assert_eq!(all(nanometres)("0,100nm,200nm").unwrap().0, [0.0, 100.0, 200.0]);
     }
 
     #[test]

@@ -16,7 +16,7 @@ use serde::de::value::{Error, StrDeserializer};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{
-    load, load_or_tension, pressure, pressure_or_tension, relative_error,
+    load, load_or_tension, number, pressure, pressure_or_tension, relative_error,
 };
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
@@ -294,5 +294,6 @@ pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
 
 /// A relative tolerance.
 pub fn tolerance(text: &str) -> Result<Tolerance, String> {
-    Tolerance::new(relative_error(text)?).map_err(|e| e.to_string())
+    let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };
+    Tolerance::new(tolerance).map_err(|e| e.to_string())
 }
