@@ -69,12 +69,21 @@ pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<St
 
 /// The amplitude of shift under an amplitude of the tangential force.
 pub fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
-    let limit = slip.limit()?;
-    if force >= limit {
-        let [force, limit] = [force, limit].map(rounded);
-        bail!("a tangential force of {force} N is not below mu F = {limit} N: the joint slides");
-    }
-    Ok(slip.amplitude_at(force)?)
+    slip.amplitude_at(force).or_else(|error| {
+        let ContactError::OutOfRange { field: "tangential_force", .. } = error else {
+            return Err(error.into());
+        };
+        let limit = slip.limit()?;
+        let [shown, of] = [force, limit].map(rounded);
+        match force < limit {
+            true => bail!(
+                "a tangential force of {shown} N is within the tolerance of mu F = {of} N: the joint slides"
+            ),
+            false => bail!(
+                "a tangential force of {shown} N is not below mu F = {of} N: the joint slides"
+            ),
+        }
+    })
 }
 
 /// Load, pressure and separation of a preload, of those that are given.

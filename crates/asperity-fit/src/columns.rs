@@ -56,12 +56,20 @@ pub(crate) struct Columns<'c> {
     places: Vec<(Kind, &'c DataColumn)>,
     quantities: Vec<(Quantity, &'c DataColumn)>,
     deviations: Vec<(Kind, &'c DataColumn)>,
+    /// The pressures of data with loads.
+    beside_load: Option<&'c DataColumn>,
 }
 
 impl<'c> Columns<'c> {
     pub(crate) fn read(columns: &'c [DataColumn]) -> Result<Self, FitError> {
         let rows = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
-        let mut found = Self { rows, places: vec![], quantities: vec![], deviations: vec![] };
+        let mut found = Self {
+            rows,
+            places: vec![],
+            quantities: vec![],
+            deviations: vec![],
+            beside_load: None,
+        };
         if rows > MOST {
             let reason = format!("{rows} rows: at most {MOST} were required");
             return Err(FitError::Column { column: "the data".into(), reason });
@@ -88,9 +96,12 @@ impl<'c> Columns<'c> {
                 },
             }
         }
-        let has = |kind: Kind| found.places.iter().any(|(known, _)| *known == kind);
-        if has(Kind::Load) {
-            found.places.retain(|(kind, _)| *kind != Kind::Pressure);
+        // Beside a load, a pressure is only compared with it.
+        let load = found.places.iter().any(|(kind, _)| *kind == Kind::Load);
+        if let Some(pressure) = found.places.iter().position(|(kind, _)| *kind == Kind::Pressure)
+            && load
+        {
+            found.beside_load = Some(found.places.remove(pressure).1);
         }
         // At separations, a load is what was measured.
         if found.places.is_empty() {
@@ -117,6 +128,13 @@ impl<'c> Columns<'c> {
             Some(value) if value <= 0.0 => Err(refused(column, row, value, "a number above 0")),
             other => Ok(other),
         }
+    }
+
+    /// The load and the pressure of a row that has both.
+    pub(crate) fn both_loads(&self, row: usize) -> Result<Option<[f64; 2]>, FitError> {
+        let load = self.places.iter().find(|(kind, _)| *kind == Kind::Load);
+        let Some(((_, load), pressure)) = load.zip(self.beside_load) else { return Ok(None) };
+        Ok(finite(load, row)?.zip(finite(pressure, row)?).map(<[f64; 2]>::from))
     }
 
     /// Appends the measured values of a row.

@@ -25,7 +25,13 @@ use crate::observation::{DataColumn, Observation, number};
 pub struct Data {
     observations: Vec<Observation>,
     from: Datum,
+    /// Rows with a load and a pressure.
+    both_loads: Vec<(usize, [f64; 2])>,
 }
+
+/// Loads and pressures times the nominal area may differ by this much, relative, as both may be
+/// rounded.
+const SAME_LOAD: f64 = 0.01;
 
 impl Deref for Data {
     type Target = [Observation];
@@ -41,7 +47,8 @@ impl Data {
     /// (`area_m2`, `unloading_stiffness_N_per_m`), each with `<column>_std` if known. A cell may be
     /// empty.
     ///
-    /// `pressure_Pa` beside `load_N` is ignored, as are `separation_over_sigma` and `model`.
+    /// `pressure_Pa` beside `load_N` is compared with it by [`check_loads`](Self::check_loads);
+    /// `separation_over_sigma` and `model` are ignored.
     /// Separations have no relative error: without `separation_m_std`, a separation beside a load
     /// is compared by the load at that separation.
     ///
@@ -49,8 +56,9 @@ impl Data {
     /// [`FitError`] naming the column or the row, its value and what is required.
     pub fn from_columns(columns: &[DataColumn], from: Datum) -> Result<Self, FitError> {
         let table = Columns::read(columns)?;
-        let mut observations = vec![];
+        let (mut observations, mut both_loads) = (vec![], vec![]);
         for row in 0..table.rows {
+            both_loads.extend(table.both_loads(row)?.map(|both| (row + 1, both)));
             table.observations(row, from, &mut observations)?;
         }
         if observations.is_empty() {
@@ -68,7 +76,23 @@ impl Data {
             );
             return Err(FitError::Column { column, reason });
         }
-        Ok(Self { observations, from })
+        Ok(Self { observations, from, both_loads })
+    }
+
+    /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
+    ///
+    /// # Errors
+    /// [`FitError::Loads`] for the first row whose load differs from the pressure times the area by
+    /// more than 1 %.
+    pub fn check_loads(&self, nominal_area: f64) -> Result<(), FitError> {
+        let agree =
+            |[load, pressure]: [f64; 2]| (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD;
+        match self.both_loads.iter().find(|(_, both)| !agree(*both)) {
+            Some((row, [load, pressure])) => {
+                Err(FitError::Loads { row: *row, load: *load, pressure: *pressure, nominal_area })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Whether standard deviations are given.
@@ -109,12 +133,20 @@ impl Data {
             };
             (0..count).map(place).collect()
         };
-        Self { observations: curves.iter().flat_map(curve).collect(), from: self.from }
+        Self {
+            observations: curves.iter().flat_map(curve).collect(),
+            from: self.from,
+            both_loads: vec![],
+        }
     }
 
     /// The same data with other numbers.
     pub(crate) fn scaled(&self, each: impl Fn(&Observation) -> Observation) -> Self {
-        Self { observations: self.observations.iter().map(each).collect(), from: self.from }
+        Self {
+            observations: self.observations.iter().map(each).collect(),
+            from: self.from,
+            both_loads: vec![],
+        }
     }
 
     /// The plane of the separations.

@@ -17,7 +17,7 @@ pub enum FitError {
         known: String,
     },
     /// A column in another unit than the one of its name.
-    #[error("column {name:?} is in {unit}: give {column}, in {si}, {} times as large", short(*.factor))]
+    #[error("column {name:?} is in {unit}: name it {column} and multiply its values by {}", short(*.factor))]
     ColumnUnit {
         /// The name of the column.
         name: String,
@@ -49,6 +49,21 @@ pub enum FitError {
         value: f64,
         /// The numbers accepted.
         required: String,
+    },
+    /// A load and a pressure of one row that contradict each other.
+    #[error(
+        "row {row}: load_N = {} and pressure_Pa = {} contradict each other: on the nominal area of {} m2 this pressure is a load of {} N; leave one of the two columns out, or correct the area",
+        short(*.load), short(*.pressure), short(*.nominal_area), short(.pressure * .nominal_area)
+    )]
+    Loads {
+        /// The row, counted from 1.
+        row: usize,
+        /// The load \[N\].
+        load: f64,
+        /// The pressure \[Pa\].
+        pressure: f64,
+        /// The nominal area \[m²\].
+        nominal_area: f64,
     },
     /// Data without a load or separation, or without a quantity.
     #[error("the data have no {missing}: {needed}")]
@@ -84,6 +99,14 @@ pub enum FitError {
         model: String,
         /// The reason at the start.
         reason: ContactError,
+    },
+    /// A model gives the data in another unit only.
+    #[error("{model} has no value for the data within the bounds; {likely}")]
+    Unit {
+        /// The model's id.
+        model: String,
+        /// The column, its value, and the unit that explains the data.
+        likely: String,
     },
     /// The caller stopped the fit.
     #[error("interrupted")]

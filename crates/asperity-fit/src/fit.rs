@@ -7,9 +7,10 @@ use asperity_core::{ContactModel, short};
 use nalgebra::DVector;
 
 use crate::combinations::undetermined;
+use crate::deviations::Deviations;
 use crate::forward::Forward;
 use crate::limits::limits;
-use crate::misfit::{misfit, rms};
+use crate::misfit::{likely_unit, misfit, rms};
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
 use crate::remark::{Remark, concerns, sentences};
@@ -100,8 +101,8 @@ impl<'f> Fit<'f> {
     /// Fits a model; `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
-    /// [`FitError::NoStart`] if the model has no value for the data anywhere, and
-    /// [`FitError::Interrupted`].
+    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Unit`] if it
+    /// has them in another unit of a column, and [`FitError::Interrupted`].
     pub fn run_with(
         &self,
         model: &dyn ContactModel,
@@ -114,7 +115,14 @@ impl<'f> Fit<'f> {
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
         let forward = &forward;
         let problem = Problem { model, forward, data, parameters, scene, watch: &watch };
-        let mut found = search(&problem, self.more_starts)?;
+        let mut found = match search(&problem, self.more_starts) {
+            Err(error @ FitError::NoStart { .. }) => {
+                let unit = likely_unit(&problem, f64::INFINITY)?;
+                let unlike = |likely| FitError::Unit { model: model.id().into(), likely };
+                return Err(unit.map_or(error, unlike));
+            }
+            found => found?,
+        };
         found.best = near_the_start(&problem, found.best)?;
         let mut fitted = self.describe(&problem, &found)?;
         fitted.evaluations = watch.state.borrow().evaluations;
@@ -157,7 +165,7 @@ impl<'f> Fit<'f> {
         let limits = limits(problem, best);
         let mut undetermined = free.unwrap_or_default();
         let others = if undetermined.is_empty() { &found.others[..] } else { &[] };
-        let notes = self.notes(others, freedom);
+        let mut notes = self.notes(others, freedom);
         if freedom > 0 || self.data.has_std() {
             let open = self.without_interval(&estimates, &[&limits[..], &undetermined].concat());
             undetermined.extend(open);
@@ -165,11 +173,14 @@ impl<'f> Fit<'f> {
         let rms = rms(self.data, &values);
         // As many parameters as values: each value is reached, or named as unreachable.
         let is_exact = self.data.len() == self.parameters.len();
+        let misfit = if is_exact { None } else { misfit(problem, &values, &limits)? };
+        let deviations = Deviations::new(self.data, &values, freedom);
+        notes.extend(deviations.as_ref().and_then(Deviations::note));
         Ok(Fitted {
             model: problem.model.id().into(),
             converged: best.converged,
             rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
-            misfit: misfit(problem, rms.filter(|_| !is_exact), &limits)?,
+            misfit: misfit.or_else(|| deviations.as_ref().and_then(Deviations::misfit)),
             reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
             bic: self.bic(squares(&residuals), rank),
             correlation: count.clone().map(correlation).collect(),

@@ -3,6 +3,7 @@
 mod columns;
 mod combinations;
 mod data;
+mod deviations;
 mod error;
 mod fit;
 mod fitted;

@@ -10,30 +10,57 @@ use crate::{Data, FitError, Measured, Observation};
 
 /// Data are not described where the root mean square of ln(fitted/measured) is above this.
 const HOPELESS: f64 = 1.0;
-/// Another unit explains the misfit if it leaves less than this share of it, and less than
-/// [`EXPLAINED`].
+/// Differences, of separations, are not described beyond this many standard deviations.
+const HOPELESS_DEVIATIONS: f64 = 30.0;
+/// Another unit explains the misfit if it leaves less than this share of it, and less than this
+/// share of the hopeless one.
 const SHARE: f64 = 0.25;
 const EXPLAINED: f64 = 0.5;
 
 /// Root mean square of the logarithms of fitted over measured values.
 pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
-    let logarithm = |(one, value): (&Observation, &f64)| {
-        let ratio = (value / one.value).ln();
-        Some(ratio).filter(|ratio| !one.measured.is_difference() && ratio.is_finite())
-    };
-    let ratios: Vec<f64> = data.iter().zip(values).filter_map(logarithm).collect();
-    let rms = (squares(&ratios) / ratios.len() as f64).sqrt();
-    (!ratios.is_empty()).then_some(rms)
+    let ratios = data.iter().zip(values).filter(|(one, _)| !one.measured.is_difference());
+    let ratios: Vec<f64> = ratios.map(|(one, value)| (value / one.value).ln()).collect();
+    let finite: Vec<f64> = ratios.into_iter().filter(|ratio| ratio.is_finite()).collect();
+    (!finite.is_empty()).then(|| mean_square(&finite))
 }
 
-/// A sentence about data that are not described, with the unit that explains them.
+fn mean_square(values: &[f64]) -> f64 {
+    (squares(values) / values.len() as f64).sqrt()
+}
+
+/// How far fitted values are from the data, in multiples of what is hopeless: infinite where values
+/// are 0 that are not 0 in the data.
+fn distance(data: &Data, values: &[f64]) -> f64 {
+    let of = |is_difference: bool, share: &dyn Fn(&Observation, f64) -> f64| {
+        let some = data.iter().zip(values);
+        let some = some.filter(|(one, _)| one.measured.is_difference() == is_difference);
+        let shares: Vec<f64> = some.map(|(one, value)| share(one, *value)).collect();
+        match shares.iter().any(|share| !share.is_finite()) {
+            true => f64::INFINITY,
+            false if shares.is_empty() => 0.0,
+            false => mean_square(&shares),
+        }
+    };
+    let logarithm = |one: &Observation, value: f64| (value / one.value).ln() / HOPELESS;
+    let deviations = |one: &Observation, value: f64| {
+        one.std.map_or(0.0, |std| (value - one.value) / std / HOPELESS_DEVIATIONS)
+    };
+    of(false, &logarithm).max(of(true, &deviations))
+}
+
+/// A sentence about data that are not described by the fitted values, with the unit that explains
+/// them.
 pub(crate) fn misfit(
     problem: &Problem<'_>,
-    found: Option<f64>,
+    values: &[f64],
     limits: &[Remark],
 ) -> Result<Option<String>, FitError> {
-    let Some(rms) = found.filter(|rms| *rms > HOPELESS) else { return Ok(None) };
-    let advice = match likely_unit(problem, rms)? {
+    let far = distance(problem.data, values);
+    if far <= 1.0 {
+        return Ok(None);
+    }
+    let advice = match likely_unit(problem, far)? {
         Some(unit) => unit,
         None => {
             let check = "check the columns and their units, and the other numbers of the scene";
@@ -41,14 +68,32 @@ pub(crate) fn misfit(
             limits.chain([check]).collect::<Vec<_>>().join("; ")
         }
     };
-    Ok(Some(format!(
-        "no values within the bounds describe the data, which are off by a factor of {} (root mean square); {advice}",
-        short(rms.exp())
-    )))
+    let without_contact = data_without_contact(problem.data, values);
+    let size = match (without_contact, rms(problem.data, values)) {
+        (Some(place), _) => format!(": without contact at {place}"),
+        (None, Some(rms)) if rms > HOPELESS => {
+            format!(", which are off by a factor of {} (root mean square)", short(rms.exp()))
+        }
+        _ => {
+            let deviations = short(HOPELESS_DEVIATIONS * far);
+            format!(", which are off by {deviations} standard deviations (root mean square)")
+        }
+    };
+    Ok(Some(format!("no values within the bounds describe the data{size}; {advice}")))
+}
+
+/// The first place at which the fitted value is 0 and the measured one is not.
+fn data_without_contact(data: &Data, values: &[f64]) -> Option<String> {
+    let is_0 = |(one, value): &(&Observation, &f64)| {
+        !one.measured.is_difference() && (*value / one.value).ln().is_infinite()
+    };
+    let (one, _) = data.iter().zip(values).find(is_0)?;
+    let (column, value) = one.place();
+    Some(format!("{column} = {}", short(value)))
 }
 
 /// The column and the unit that explain the data best.
-fn likely_unit(problem: &Problem<'_>, rms_here: f64) -> Result<Option<String>, FitError> {
+pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<String>, FitError> {
     let mut columns: Vec<Column> = vec![];
     for one in problem.data.iter() {
         let place = Column::Place(one.place().0);
@@ -58,21 +103,23 @@ fn likely_unit(problem: &Problem<'_>, rms_here: f64) -> Result<Option<String>, F
             }
         }
     }
-    let (mut least, mut likely) = (EXPLAINED.min(SHARE * rms_here), None);
+    let (mut least, mut likely) = (EXPLAINED.min(SHARE * here), None);
+    // Without any contact in the unit given, the start says little.
+    let more_starts = usize::from(here.is_infinite());
     for column in columns {
         for (unit, factor) in column.units() {
             let data = problem.data.scaled(|one| column.scaled(one, *factor));
             let Ok(forward) = crate::forward::Forward::new(problem.model, &data) else { continue };
             let other = Problem { data: &data, forward: &forward, ..*problem };
-            let values = match search(&other, 0) {
+            let values = match search(&other, more_starts) {
                 Ok(found) => other.predicted(&found.best.coordinates),
                 Err(error @ FitError::Interrupted) => return Err(error),
                 Err(_) => continue,
             };
-            if let Some(rms) = values.ok().and_then(|values| rms(&data, &values))
-                && rms < least
+            if let Ok(values) = values
+                && distance(&data, &values) < least
             {
-                least = rms;
+                least = distance(&data, &values);
                 likely = Some((column, *unit, *factor));
             }
         }

@@ -25,6 +25,12 @@ pub fn coefficient_of_friction(friction: f64) -> Result<f64, ContactError> {
     positive(field, friction)
 }
 
+/// Relative rounding error of a tangential force.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Relative error of an amplitude that rounding alone may cause.
+const LEAST_ERROR: f64 = 1e-10;
+
 /// Partial slip of a closed joint, on first shearing or in cycles.
 #[derive(Debug, Clone)]
 pub struct PartialSlip {
@@ -149,16 +155,27 @@ impl PartialSlip {
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] unless the force is above 0 and below the
-    /// [`limit`](Self::limit), beyond which the joint slides; those of
-    /// [`shift_at`](Self::shift_at).
+    /// [`limit`](Self::limit), at which the joint slides, by more than the tolerance, and where
+    /// rounding of a force so near the limit changes the amplitude by more than the tolerance or
+    /// 1e-10; those of [`shift_at`](Self::shift_at).
     pub fn amplitude_at(&self, force: f64) -> Result<f64, ContactError> {
         let (field, force) = ("tangential_force", positive("tangential_force", force)?);
-        let limit = self.limit()?;
-        if force >= limit {
-            let required = "less than friction times the normal force, at which the joint slides,";
-            return Err(ContactError::OutOfRange { field, value: force, required });
+        let (limit, tolerance) = (self.limit()?, self.normal.tolerance().relative());
+        let required = "less than friction times the normal force, within the tolerance of which the joint slides,";
+        let slides = ContactError::OutOfRange { field, value: force, required };
+        if force >= limit * (1.0 - tolerance) {
+            return Err(slides);
         }
-        self.shift_at(force / limit)
+        let amplitude = self.shift_at(force / limit)?;
+        let retreat = self.retreat_per_shift * amplitude;
+        let stiffness = self.normal.stiffness(retreat)?.value();
+        let slope = self.friction * self.retreat_per_shift * stiffness;
+        // Near the limit the force hardly changes with the shift.
+        let error = ROUNDING * force / (slope * amplitude);
+        if error.is_nan() || error > tolerance.max(LEAST_ERROR) {
+            return Err(slides);
+        }
+        Ok(amplitude)
     }
 
     fn scaled(

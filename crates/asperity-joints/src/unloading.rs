@@ -101,6 +101,10 @@ impl Unloading {
         self.joint.scene()
     }
 
+    pub(crate) fn tolerance(&self) -> Tolerance {
+        self.joint.tolerance()
+    }
+
     /// The unloading law.
     #[must_use]
     pub fn law(&self) -> UnloadingLaw {

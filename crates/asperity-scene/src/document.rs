@@ -13,8 +13,8 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
-use crate::in_si::{QuantityError, in_si};
-use crate::notation::{with_decimal_point, without_thousands};
+use crate::in_si::{QuantityError, Reason, in_si};
+use crate::notation::notation_hint;
 use crate::template::{counterface_keys, joined, keys_of};
 use crate::{Place, SceneError};
 
@@ -77,9 +77,14 @@ impl<'a> Document<'a> {
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);
         document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
-        let (in_si, stated) = in_si.map_err(|QuantityError { path, found, near, needed }| {
+        let (in_si, stated) = in_si.map_err(|QuantityError { path, found, reason }| {
             let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
-            SceneError::Value { at, found, near, needed: needed.into() }
+            match reason {
+                Reason::Notation(hint) => SceneError::Notation { at, found, hint },
+                Reason::Unit { near, needed } => {
+                    SceneError::Value { at, found, near, needed: needed.into() }
+                }
+            }
         })?;
         document.stated = stated;
         if in_si != text {
@@ -232,25 +237,25 @@ impl<'a> Document<'a> {
     }
 }
 
-/// Advice for a line whose number has a decimal comma or thousands separators.
+/// Advice for a line whose number is written in another notation, or whose quotes are curly.
 fn other_notation(line: &str) -> Option<String> {
-    let value = line.split_once('=')?.1.split('#').next()?;
-    let point = with_decimal_point(value).map(|same| format!("a decimal point, as in {same}"));
-    let plain = without_thousands(value).map(|same| format!("{same}, without separators"));
-    let both: Vec<String> = point.into_iter().chain(plain).collect();
-    (!both.is_empty()).then(|| format!("write {}; ", both.join(", or ")))
+    let value = line.split_once('=')?.1.split('#').next()?.trim();
+    if value.contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
+        return Some("curly quotes were found; write straight quotes, \"; ".into());
+    }
+    notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }
 
 /// The text of a file; `place` gives its place in an error.
 pub(crate) fn read_text(path: &Path, place: impl FnOnce() -> Place) -> Result<String, SceneError> {
     let mut bytes = vec![];
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-    let reason = match read.map(|_| String::from_utf8(bytes)) {
+    let reason = match read.map(|count| (count as u64, String::from_utf8(bytes))) {
         Err(error) => error.to_string(),
-        Ok(Ok(text)) if text.len() as u64 > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
+        Ok((count, _)) if count > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
         // Text in UTF-16 has zeros, too.
-        Ok(Ok(text)) if !text.contains('\0') => return Ok(text),
-        Ok(_) => "the file is binary, or a text that is not in UTF-8; a spreadsheet is exported as csv in UTF-8".into(),
+        Ok((_, Ok(text))) if !text.contains('\0') => return Ok(text),
+        Ok(_) => "the file is not UTF-8 text; save it as UTF-8 (from a spreadsheet: as csv)".into(),
     };
     Err(SceneError::Unreadable { at: Box::new(place()), reason })
 }
@@ -284,6 +289,16 @@ mod tests {
         let broken = HandedFiles::from([("b.x3p".into(), vec![])]);
         let refused = crate::parse_handed(&scan, &broken).unwrap_err().to_string();
         assert!(refused.starts_with("line 9: surface.file: b.x3p: "), "{refused}");
+    }
+
+    #[test]
+    fn long_texts_are_named_by_their_length() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.toml");
+        // The limit lies within a character.
+        std::fs::write(&path, format!("#{}", "\u{b5}".repeat(1 << 19))).unwrap();
+        let refused = read_text(&path, || Place::field("scene")).unwrap_err().to_string();
+        assert_eq!(refused, "scene cannot be read: more than 1048576 bytes");
     }
 
     #[test]

@@ -114,6 +114,16 @@ pub enum SceneError {
         /// The value needed.
         needed: Needed,
     },
+    /// A number that is written in another notation, with a decimal comma for example.
+    #[error("{at} = {found} {hint}")]
+    Notation {
+        /// The field.
+        at: Box<Place>,
+        /// The text found.
+        found: String,
+        /// How to write the number.
+        hint: String,
+    },
     /// A missing field.
     #[error("{at} is missing: {needed}")]
     Missing {

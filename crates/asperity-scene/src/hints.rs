@@ -6,6 +6,7 @@ use toml::de::Error;
 use crate::document::{Document, shorten};
 use crate::error::{Needed, SceneError};
 use crate::iso_units::gradient;
+use crate::notation::with_decimal_point;
 use crate::template::{joined, key};
 
 impl Document<'_> {
@@ -29,7 +30,10 @@ impl Document<'_> {
             let keys: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
             return self.unknown(&path, &keys);
         }
+        let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
+        let without_quotes = plain_number(name, &found).filter(|_| needed == "f64");
         let needed: Needed = match needed {
+            _ if without_quotes.is_some() => without_quotes.unwrap_or_default().into(),
             "f64" => Needed::Number(meaning),
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {
@@ -42,11 +46,8 @@ impl Document<'_> {
             names => names.replace('`', "\"").into(),
         };
         let words = needed.to_string();
-        let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
         let near = nearest_name(found.trim_matches('"'), words.split('"').skip(1).step_by(2));
-        let slope = || gradient(found.trim_matches('"')).filter(|_| name == "sdq");
         let near = near.map(Into::into).or_else(|| near_table(&found, &words));
-        let near = near.or_else(|| slope().map(asperity::short));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 
@@ -72,6 +73,21 @@ impl Document<'_> {
         }
         SceneError::UnknownKey { at: self.place(path), near: near.map(Into::into), allowed }
     }
+}
+
+/// The number needed instead of a text, of a key without a unit.
+fn plain_number(name: &str, found: &str) -> Option<String> {
+    let text = found.strip_prefix('"')?.strip_suffix('"')?;
+    let slope = gradient(text).filter(|_| ["sdq", "mean_slope"].contains(&name));
+    if let Some(slope) = slope.map(asperity::short) {
+        let given = with_decimal_point(text).unwrap_or(text.into());
+        return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
+    }
+    let number = with_decimal_point(text).unwrap_or(text.into());
+    number
+        .parse::<f64>()
+        .is_ok_and(f64::is_finite)
+        .then(|| format!("the number {number} without quotes"))
 }
 
 /// The section of a path and its last key, without numbers of bodies.

@@ -5,19 +5,26 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use crate::notation::{with_decimal_point, without_thousands};
+use crate::hardness::hardness;
+use crate::notation::notation_hint;
 use crate::quantity::units_of;
 use crate::template::joined;
-use crate::units::{converted, in_other_case, list, read};
+use crate::units::{Units, converted, in_other_case, list, read};
 
 /// The error for a text that is not a number in the unit of its key.
 pub(crate) struct QuantityError {
     /// The key with its sections.
     pub(crate) path: String,
     pub(crate) found: String,
-    /// The same number with a unit that differs only in case.
-    pub(crate) near: Option<String>,
-    pub(crate) needed: String,
+    pub(crate) reason: Reason,
+}
+
+/// Why a text is not a number in the unit of its key.
+pub(crate) enum Reason {
+    /// How to write the number instead.
+    Notation(String),
+    /// The text needed, and the same number with a unit that differs only in case.
+    Unit { near: Option<String>, needed: String },
 }
 
 /// A number with its unit in a text.
@@ -61,50 +68,56 @@ fn collect(
     section: &str,
     found: &mut Vec<Stated>,
 ) -> Result<(), QuantityError> {
-    let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
-    for (name, value) in items {
+    for (name, value) in table {
+        let name = name.get_ref();
         match value.get_ref() {
-            DeValue::Table(inner) => collect(inner, &joined(section, &name), found)?,
-            DeValue::Array(tables) => {
-                for (table, k) in tables.iter().zip(1..) {
-                    if let DeValue::Table(inner) = table.get_ref() {
-                        collect(inner, &format!("{name}[{k}]"), found)?;
-                    }
+            DeValue::Table(inner) => collect(inner, &joined(section, name), found)?,
+            DeValue::Array(items) => {
+                let tables = items.iter().zip(1..).filter_map(|(item, k)| match item.get_ref() {
+                    DeValue::Table(inner) => Some((inner, format!("{name}[{k}]"))),
+                    _ => None,
+                });
+                for (inner, section) in tables {
+                    collect(inner, &section, found)?;
                 }
             }
             DeValue::String(given) => {
-                let bare = section.split('[').next().unwrap_or(section);
-                if let Some(units) = units_of(bare, &name) {
-                    let dot = if section.is_empty() { "" } else { "." };
-                    let path = format!("{section}{dot}{name}");
-                    let Some(number) = read(given, units) else {
-                        let ((si, example, _), known) = (units, list(units.2));
-                        let plain = (with_decimal_point(given), without_thousands(given));
-                        let needed = match (converted(given, si), plain) {
-                            (Some(same), _) => {
-                                format!("a known unit, as in \"{same}\", which is the same,")
-                            }
-                            (_, (Some(decimal), Some(thousands))) => {
-                                format!("either \"{decimal}\" or \"{thousands}\"")
-                            }
-                            (_, (Some(same), None)) => {
-                                format!("a decimal point, as in \"{same}\",")
-                            }
-                            (_, (None, Some(same))) => {
-                                format!("a number without separators, as in \"{same}\",")
-                            }
-                            _ => format!(
-                                "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
-                            ),
-                        };
-                        let near = in_other_case(given, units);
-                        return Err(QuantityError { path, found: given.to_string(), near, needed });
-                    };
-                    found.push(Stated { path, span: value.span(), value: number });
+                if let Some((path, value_in_si)) = number(section, name, given)? {
+                    found.push(Stated { path, span: value.span(), value: value_in_si });
                 }
             }
             _ => {}
         }
     }
     Ok(())
+}
+
+/// The path of a key with a unit, and its number in SI units; `None` for keys without a unit.
+fn number(section: &str, name: &str, given: &str) -> Result<Option<(String, f64)>, QuantityError> {
+    let bare = section.split('[').next().unwrap_or(section);
+    let Some(units) = units_of(bare, name) else { return Ok(None) };
+    let path = joined(section, name);
+    match read(given, units) {
+        Some(number) => Ok(Some((path, number))),
+        None => Err(QuantityError { path, found: given.into(), reason: reason(given, units) }),
+    }
+}
+
+fn reason(given: &str, units: Units) -> Reason {
+    let (si, example, known) = units;
+    if let Some(same) = converted(given, si) {
+        let needed = format!("a known unit, as in \"{same}\", which is the same,");
+        return Reason::Unit { near: None, needed };
+    }
+    let hint = hardness(given).filter(|_| si == "Pa").map(|hint| format!("is not in Pa: {hint}"));
+    match hint.or_else(|| notation_hint(given)) {
+        Some(hint) => Reason::Notation(hint),
+        None => Reason::Unit {
+            near: in_other_case(given, units),
+            needed: format!(
+                "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {}),",
+                list(known)
+            ),
+        },
+    }
 }

@@ -1,8 +1,9 @@
-//! Likely units of parameters of ISO 25178 that are given without one.
+//! Likely units of parameters of ISO 25178 and of slopes that are given without one.
 
 use asperity::{Diagnostic, Surface};
 
 use crate::document::Document;
+use crate::notation::with_decimal_point;
 
 /// The units, SI first, in which instruments report ISO 25178 parameters.
 const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
@@ -46,24 +47,61 @@ pub(crate) fn likely_units(
     Some(hints.join("; "))
 }
 
-/// The rms gradient above which Sdq is probably in degrees or per cent: 45 degrees.
+/// The gradient above which it is probably in degrees or per cent: 45 degrees.
 const STEEP: f64 = 1.0;
+/// The largest gradient that is probably in per cent.
+const STEEPEST: f64 = 200.0;
 
-/// A warning for an rms gradient that is probably in degrees or per cent.
-pub(crate) fn likely_angle(sdq: f64) -> Option<Diagnostic> {
-    (sdq > STEEP && sdq < 90.0).then(|| {
-        let [given, slope, share] = [sdq, sdq.to_radians().tan(), 0.01 * sdq].map(asperity::short);
-        Diagnostic::warning("unit", "sdq", sdq)
-            .fact(format!("sdq is {given}, an rms gradient of more than 45 degrees"))
-            .advice(format!(
-                "{given} looks like degrees or per cent; {given} deg is {slope}, {given} % is {share}"
-            ))
+/// A warning for a gradient, of this name, that is probably in degrees or per cent.
+///
+/// ```
+/// let found = asperity_scene::likely_angle("mean_slope", 7.0).unwrap().to_string();
+/// let text = "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07";
+/// assert_eq!(found, text);
+/// assert_eq!(asperity_scene::likely_angle("mean_slope", 0.07), None);
+/// ```
+#[must_use]
+pub fn likely_angle(name: &str, gradient: f64) -> Option<Diagnostic> {
+    let (given, hint) = (asperity::short(gradient), angle_hint(gradient)?);
+    let found = Diagnostic::warning("unit", name.to_string(), gradient);
+    let found = found.fact(format!("{name} is {given}, steeper than 45 degrees"));
+    Some(found.advice(format!("{given} {hint}")))
+}
+
+/// "looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07" for a gradient of 7.
+pub(crate) fn angle_hint(gradient: f64) -> Option<String> {
+    let slope = gradient.to_radians().tan();
+    let [given, slope, share] = [gradient, slope, 0.01 * gradient].map(asperity::short);
+    (gradient > STEEP && gradient <= STEEPEST).then(|| match gradient < 89.0 {
+        true => {
+            format!("looks like degrees or per cent; {given} deg is {slope}, {given} % is {share}")
+        }
+        false => format!("looks like per cent; {given} % is {share}"),
     })
 }
 
-/// The rms gradient that a text states in per cent or degrees.
-pub(crate) fn gradient(text: &str) -> Option<f64> {
-    let number = |end: &str| text.trim().strip_suffix(end)?.trim().parse::<f64>().ok();
+/// Mean curvatures of peaks below this \[1/m\], radii above 1 cm, are probably in 1/mm.
+const FLAT: f64 = 100.0;
+
+/// A warning for a mean curvature of peaks that is probably in 1/mm.
+pub(crate) fn likely_curvature(spc: f64) -> Option<Diagnostic> {
+    (spc > 0.0 && spc < FLAT).then(|| {
+        let [given, radius, meant] = [spc, 1.0 / spc, 1e3 * spc].map(asperity::short);
+        let hint = format!("{given} looks like 1/mm; {given} 1/mm is {meant} 1/m");
+        Diagnostic::warning("unit", "spc", spc)
+            .fact(format!("spc is {given} 1/m, peaks of radius {radius} m"))
+            .advice("check the number and its unit")
+            .likely_unit(hint)
+    })
+}
+
+/// The gradient that a text states in per cent or degrees, as a number.
+#[must_use]
+pub fn gradient(text: &str) -> Option<f64> {
+    let number = |end: &str| {
+        let number = text.trim().strip_suffix(end)?.trim();
+        with_decimal_point(number).unwrap_or(number.into()).parse::<f64>().ok()
+    };
     let angle = || number("deg").or_else(|| number("\u{b0}")).map(|deg| deg.to_radians().tan());
     number("%").map(|percent| 0.01 * percent).or_else(angle).filter(|found| found.is_finite())
 }
@@ -74,14 +112,18 @@ mod tests {
 
     #[test]
     fn gradients_above_one_look_like_degrees_or_per_cent() {
-        let text = "sdq is 12, an rms gradient of more than 45 degrees: 12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
-        assert_eq!(likely_angle(12.0).unwrap().to_string(), text);
-        assert_eq!((likely_angle(0.4), likely_angle(200.0)), (None, None));
+        let text = "sdq is 12, steeper than 45 degrees: 12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
+        assert_eq!(likely_angle("sdq", 12.0).unwrap().to_string(), text);
+        let text = "sdq is 90, steeper than 45 degrees: 90 looks like per cent; 90 % is 0.9";
+        assert_eq!(likely_angle("sdq", 90.0).unwrap().to_string(), text);
+        assert_eq!((likely_angle("sdq", 0.4), likely_angle("sdq", 300.0)), (None, None));
     }
 
     #[test]
     fn texts_with_per_cent_or_degrees_are_gradients() {
-        for (text, wanted) in [("6 %", 0.06), ("12deg", 0.2126), ("45\u{b0}", 1.0)] {
+        for (text, wanted) in
+            [("6 %", 0.06), ("6,5 %", 0.065), ("12deg", 0.2126), ("45\u{b0}", 1.0)]
+        {
             assert!((gradient(text).unwrap() - wanted).abs() < 5e-5, "{text}");
         }
         assert!(gradient("6").is_none() && gradient("6 um").is_none() && gradient("%").is_none());

@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::fit::DataColumn;
 
 use crate::document::{read_text, shorten};
-use crate::notation::without_thousands;
+use crate::notation::{notation_hint, with_decimal_point};
 use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
@@ -47,11 +47,14 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         let record = record.map_err(|error| syntax(None, error.to_string()))?;
         let line = record.position().map(|position| position.line() as usize);
         if record.len() != columns.len() {
+            if record.len() == columns.len() + 1 && record.iter().last() == Some("") {
+                return Err(syntax(line, "the row ends in a separator; remove it".into()));
+            }
             let reason = format!(
                 "{} cells under a header of {} columns: one cell for each column was required{}",
                 record.len(),
                 columns.len(),
-                if record.len() > columns.len() { too_many(delimiter) } else { "" }
+                if record.len() > columns.len() { delimiter_hint(delimiter) } else { "" }
             );
             return Err(syntax(line, reason));
         }
@@ -65,16 +68,18 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                     None
                 }
                 given if decimal_commas && given.contains('.') => {
-                    let needed = "a number without a point, as other cells have decimal commas";
-                    return Err(SceneError::value(place(line, name), shorten(given), needed));
+                    let (at, found) = (place(line, name), format!("{:?}", shorten(given)));
+                    return Err(SceneError::Notation { at, found, hint: beside_commas(given) });
                 }
                 given => Some(number(given).ok_or_else(|| {
-                    let plain = without_thousands(given);
-                    let needed = match plain.filter(|plain| plain.parse::<f64>().is_ok()) {
-                        Some(plain) => format!("a number without thousands separators, {plain},"),
-                        None => "a number, or nothing".into(),
-                    };
-                    SceneError::value(place(line, name), shorten(given), &needed)
+                    let at = place(line, name);
+                    match notation_hint(given).or_else(|| share_hint(name, given)) {
+                        Some(hint) => {
+                            let found = format!("{:?}", shorten(given));
+                            SceneError::Notation { at, found, hint }
+                        }
+                        None => SceneError::value(at, shorten(given), "a number, or nothing"),
+                    }
                 })?),
             });
         }
@@ -88,8 +93,26 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
     Ok(columns)
 }
 
+/// How to write a number with a point where other cells have decimal commas.
+fn beside_commas(given: &str) -> String {
+    let (decimal, joined) = (given.replacen('.', ",", 1), given.replace('.', ""));
+    let is_group = given.rsplit('.').next().is_some_and(|last| last.len() == 3);
+    let how = if is_group { format!("{decimal} or {joined}") } else { decimal };
+    format!("has a point where other cells have decimal commas; write {how}")
+}
+
+/// How to write a number in per cent.
+fn share_hint(name: &str, given: &str) -> Option<String> {
+    let number = given.strip_suffix('%')?.trim();
+    let number: f64 = with_decimal_point(number).unwrap_or(number.into()).parse().ok()?;
+    Some(match name.strip_suffix("_std") {
+        Some(of) => format!("is a share of {of}; write the standard deviation in the unit of {of}"),
+        None => format!("has a per cent sign; write {}", asperity::short(0.01 * number)),
+    })
+}
+
 /// Advice for a row with more cells than columns.
-fn too_many(delimiter: u8) -> &'static str {
+fn delimiter_hint(delimiter: u8) -> &'static str {
     match delimiter {
         b',' => {
             "; numbers with decimal commas are read where semicolons or tabs separate the columns"
@@ -151,16 +174,33 @@ mod tests {
             assert_eq!(read(text).unwrap(), wanted, "{text:?}");
         }
         for (cell, wanted) in [
-            ("1.500,5", "a number without thousands separators, 1500.5 was required"),
-            ("1.500.000", "a number without thousands separators, 1500000 was required"),
-            ("1,5,0", "a number, or nothing was required"),
+            ("1.500,5", "load_N = \"1.500,5\" has thousands separators; write 1500.5"),
+            ("1.500.000", "has thousands separators; write 1500000 or 1.5e6"),
+            ("1,5,0", "is \"1,5,0\": a number, or nothing was required"),
         ] {
             let refused = read(&format!("load_N;area_m2\n{cell};2e-9\n")).unwrap_err();
             assert!(refused.contains(wanted), "{refused}");
         }
         // 1.500 may be 1500 there.
         let refused = read("load_N;area_m2\n1.500;2,0e-9\n").unwrap_err();
-        assert!(refused.contains("a number without a point"), "{refused}");
+        let wanted = "load_N = \"1.500\" has a point where other cells have decimal commas; write 1,500 or 1500";
+        assert!(refused.ends_with(wanted), "{refused}");
+        assert_eq!(read("load_N;area_m2\n1.500;2e-9\n").unwrap()[0].1, [Some(1.5)]);
+        let thousands = read("load_N;area_m2\n1.500;213.870.238\n").unwrap_err();
+        assert!(thousands.contains("has thousands separators"), "{thousands}");
+        for (text, wanted) in [
+            (
+                "area_m2,area_m2_std\n1,3%\n",
+                "area_m2_std = \"3%\" is a share of area_m2; write the",
+            ),
+            (
+                "area_fraction\n0.4 %\n",
+                "area_fraction = \"0.4 %\" has a per cent sign; write 0.004",
+            ),
+        ] {
+            let refused = read(text).unwrap_err();
+            assert!(refused.contains(wanted), "{refused}");
+        }
         assert_eq!(read("load_N;area_m2\n1,5e6;3e8\n").unwrap()[0].1, [Some(1.5e6)]);
         for row in ["1,5,2,0e-9", "1,5e6,3e8"] {
             let refused = read(&format!("load_N,area_m2\n{row}\n")).unwrap_err();
@@ -179,6 +219,7 @@ mod tests {
             ("load_N,area_m2\n1,2\n3\n", ":3: CSV: 1 cells under a header of 2 columns"),
             ("1,2\n3,4\n", ":1: the header is \"1,2\": a header, for example load_N"),
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
+            ("load_N,area_m2\n1,2,\n", ":2: CSV: the row ends in a separator; remove it"),
             ("load_N\n1,5\n", ":2: CSV: 2 cells under a header of 1 columns"),
         ] {
             let refused = read(text).unwrap_err();
@@ -189,7 +230,10 @@ mod tests {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path).unwrap_err().to_string();
-            assert!(refused.contains("cannot be read: the file is binary, or a text"), "{refused}");
+            assert!(
+                refused.contains("cannot be read: the file is not UTF-8 text; save it"),
+                "{refused}"
+            );
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

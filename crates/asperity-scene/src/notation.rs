@@ -1,4 +1,6 @@
-//! Numbers with a decimal comma or thousands separators, and how to write them.
+//! Numbers with a decimal comma, thousands separators or a power of ten, and how to write them.
+
+use crate::scaled::{PRODUCTS, mantissa, ten_to};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.
@@ -71,13 +73,13 @@ pub fn without_thousands(text: &str) -> Option<String> {
     }
 }
 
-/// How to write a number that is refused for its commas, points or blanks: "has a decimal comma;
-/// write 1.5" for `1,5`. `None` for other texts.
+/// How to write a number that is refused for its commas, points, blanks or powers: "has a decimal
+/// comma; write 1.5" for `1,5`. `None` for other texts.
 #[must_use]
 pub fn notation_hint(text: &str) -> Option<String> {
     match (with_decimal_point(text), without_thousands(text)) {
         (Some(decimal), Some(thousands)) => {
-            Some(format!("is {decimal} or {thousands}; write one of the two"))
+            Some(format!("is ambiguous; write {decimal} or {thousands}"))
         }
         (Some(decimal), None) => Some(format!("has a decimal comma; write {decimal}")),
         (None, Some(thousands)) => {
@@ -86,8 +88,44 @@ pub fn notation_hint(text: &str) -> Option<String> {
             let or = short.map_or(String::new(), |short| format!(" or {short}"));
             Some(format!("has thousands separators; write {thousands}{or}"))
         }
-        (None, None) => None,
+        (None, None) => with_exponent(text)
+            .map(|same| format!("has a power of ten; write {same}"))
+            .or_else(|| Some(format!("has a raised dot; write {}", without_raised_dot(text)?)))
+            .or_else(|| {
+                let refused = "has blanks between its digits; write one number without blanks";
+                has_blank(text).then(|| refused.into())
+            }),
     }
+}
+
+/// A number with a power of ten as `1.5e3 N`, for `1.5 10^3 N`, `1.5 x 10^3 N` and `10^3`.
+fn with_exponent(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (number, rest) = match ten_to(text) {
+        Some(_) => ("1".into(), text),
+        None => mantissa(text).filter(|(number, _)| !number.contains('e'))?,
+    };
+    let power = rest.trim_start();
+    let power = power.strip_prefix(PRODUCTS).map_or(power, str::trim_start);
+    let (power, unit) = ten_to(power)?;
+    Some(format!("{number}e{power}{unit}"))
+}
+
+/// `1.5 kN` for a number with a raised dot.
+fn without_raised_dot(text: &str) -> Option<String> {
+    let (whole, rest) = text.trim().split_once('\u{b7}')?;
+    let is_whole = !whole.is_empty() && whole.chars().all(|c| c.is_ascii_digit());
+    let is_decimal = is_whole && rest.starts_with(|c: char| c.is_ascii_digit());
+    is_decimal.then(|| format!("{whole}.{rest}"))
+}
+
+/// Whether a number is followed by a blank and further digits.
+fn has_blank(text: &str) -> bool {
+    mantissa(text.trim()).is_some_and(|(_, rest)| {
+        let next = mantissa(rest.trim_start());
+        rest.starts_with(char::is_whitespace)
+            && next.is_some_and(|(_, rest)| !rest.starts_with('/'))
+    })
 }
 
 #[cfg(test)]
@@ -147,10 +185,16 @@ mod tests {
     fn hints_give_every_reading() {
         for (text, hint) in [
             ("1,5 N", Some("has a decimal comma; write 1.5 N")),
-            ("1,500 N", Some("is 1.500 N or 1500 N; write one of the two")),
+            ("1,500 N", Some("is ambiguous; write 1.500 N or 1500 N")),
             ("1,000,000", Some("has thousands separators; write 1000000 or 1e6")),
             ("1.234.567 N", Some("has thousands separators; write 1234567 N")),
+            ("10^2 N", Some("has a power of ten; write 1e2 N")),
+            ("1.5 10^3 N", Some("has a power of ten; write 1.5e3 N")),
+            ("5 x 10\u{207b}\u{2076}", Some("has a power of ten; write 5e-6")),
+            ("1\u{b7}5 kN", Some("has a raised dot; write 1.5 kN")),
+            ("10 20 N", Some("has blanks between its digits; write one number without blanks")),
             ("5 N", None),
+            ("5 1/mm2", None),
         ] {
             assert_eq!(notation_hint(text).as_deref(), hint, "{text}");
         }

@@ -2,6 +2,7 @@
 
 use asperity::nearest_hint;
 
+use crate::hardness::hardness;
 use crate::notation::notation_hint;
 use crate::template::key;
 use crate::units::{UNITS, Units, converted, in_other_case, list, read};
@@ -64,6 +65,9 @@ fn number_in(text: &str, si: &str) -> Result<f64, String> {
             let same = same.replace(' ', "");
             return format!("is not a number in {si}: write {same}, which is the same");
         }
+        if let Some(hardness) = hardness(text).filter(|_| si == "Pa") {
+            return format!("{text:?} is not a number in Pa: {hardness}");
+        }
         if let Some(hint) = notation_hint(text) {
             return hint;
         }
@@ -81,8 +85,11 @@ mod tests {
     #[test]
     fn other_units_are_converted() {
         for (text, si, same) in [
-            ("250 HV", "Pa", "write 2.452GPa, which is the same"),
             ("36 ksi", "Pa", "write 248.2MPa,"),
+            ("30 Msi", "Pa", "write 206.8GPa,"),
+            ("0.5 in2", "m^2", "write 322.6mm2,"),
+            ("8000 \u{c5}", "m", "write 800nm,"),
+            ("0.8 micron", "m", "write 0.8um,"),
             ("100 lbf", "N", "write 444.8N,"),
             ("16 \u{b5}in", "m", "write 406.4nm,"),
         ] {
@@ -110,6 +117,60 @@ mod tests {
                 None => assert!(!error.contains("nearest"), "{error}"),
             }
         }
+    }
+
+    #[test]
+    fn powers_are_read_and_other_digits_after_a_number_refused() {
+        for (text, si, meant) in [
+            ("10^2 N", "N", 100.0),
+            ("10\u{b2} N", "N", 100.0),
+            ("10^-3 m", "m", 1e-3),
+            ("5\u{b7}10^6 Pa", "Pa", 5e6),
+            ("2.5 x 10^3 N", "N", 2500.0),
+            ("2.5*10^3N", "N", 2500.0),
+            ("2.5 \u{d7} 10\u{2076} Pa", "Pa", 2.5e6),
+            ("5 x 10^2 mm2", "m^2", 5e-4),
+            ("5\u{b7}10^1 mm2", "m^2", 5e-5),
+            ("10^3 1/mm2", "1/m^2", 1e9),
+            ("12 500 N", "N", 12500.0),
+            ("1\u{202f}234\u{202f}567.5 Pa", "Pa", 1_234_567.5),
+        ] {
+            assert_eq!(quantity(text, si), Ok(meant), "{text}");
+        }
+        for (text, si, how) in [
+            ("1.5 10^3 N", "N", "\"1.5 10^3 N\" has a power of ten; write 1.5e3 N"),
+            ("1\u{b7}5 kN", "N", "\"1\u{b7}5 kN\" has a raised dot; write 1.5 kN"),
+            ("0\u{b7}8 um", "m", "\"0\u{b7}8 um\" has a raised dot; write 0.8 um"),
+            (
+                "10 20 N",
+                "N",
+                "\"10 20 N\" has blanks between its digits; write one number without blanks",
+            ),
+            ("10^2", "N", "\"10^2\" has a power of ten; write 1e2"),
+            ("2^10 N", "N", "\"2^10 N\" is not a number in N"),
+            ("2*10 N", "N", "\"2*10 N\" is not a number in N"),
+            ("1 00 N", "N", "\"1 00 N\" has blanks"),
+            ("1000 500 N", "N", "\"1000 500 N\" has blanks"),
+        ] {
+            let error = quantity(text, si).unwrap_err();
+            assert!(error.starts_with(how), "{error}");
+        }
+    }
+
+    #[test]
+    fn vickers_hardness_is_converted_to_the_mean_pressure_on_the_projected_area() {
+        for text in ["120 HV", "120HV10", "HV 120", "HV10 120"] {
+            let error = quantity(text, "Pa").unwrap_err();
+            let wanted = format!(
+                "{text:?} is not a number in Pa: write 1.269GPa, the mean pressure on the projected area (9.807 HV/0.9272 MPa)"
+            );
+            assert_eq!(error, wanted);
+        }
+        for text in ["60 HRC", "200 HBW", "HB 200"] {
+            let error = quantity(text, "Pa").unwrap_err();
+            assert!(error.ends_with("convert the hardness to HV first"), "{error}");
+        }
+        assert!(quantity("120 HV", "N").unwrap_err().contains("units: N, kN"));
     }
 
     fn value(text: &str, key: &str) -> Option<f64> {

@@ -1,29 +1,27 @@
 //! Areas given by two sides: 10 mm x 20 mm.
 
-use crate::scaled::scale;
+use crate::scaled::{mantissa, scale};
+use crate::units::plain;
 
-/// An area in m² by its two sides: `10mm x 20mm`, `10 x 20 mm` or `10 x 20 mm2`, without spaces and
-/// ignored characters.
+/// An area in m² by its two sides: `10mm x 20mm`, `10 x 20 mm` or `10 x 20 mm2`.
 pub(crate) fn area(text: &str, lengths: &[(&str, i32)], areas: &[(&str, i32)]) -> Option<f64> {
     let (first, second) = text.split_once(['x', 'X', '\u{d7}', '*'])?;
-    let number = |text: &str| scale(text, 0).filter(|side| *side > 0.0);
-    let of = |text: &str, units: &[(&str, i32)]| {
-        let found = |(unit, power): &(&str, i32)| Some((number(text.strip_suffix(unit)?)?, *power));
-        units.iter().find_map(found)
+    // No powers of ten: 10 x 10^2 mm may have sides of 10 and 100 mm, or a power in its unit.
+    let side = |text: &str| {
+        let (number, rest) = mantissa(text.trim())?;
+        let is_unit = rest.trim_start().starts_with(char::is_alphabetic);
+        let number = scale(&number, 0).filter(|side| *side > 0.0)?;
+        (rest.is_empty() || is_unit).then(|| (number, plain(rest)))
     };
-    let (product, power) = match (of(first, lengths), number(first)) {
-        (Some((a, of_first)), _) => {
-            let (b, of_second) = of(second, lengths)?;
-            (a * b, of_first + of_second)
-        }
-        (None, Some(a)) => match (of(second, areas), of(second, lengths)) {
-            (Some((b, power)), _) => (a * b, power),
-            (None, Some((b, power))) => (a * b, 2 * power),
-            (None, None) => return None,
-        },
-        (None, None) => return None,
+    let ((a, of_first), (b, of_second)) = (side(first)?, side(second)?);
+    let power = |name: &str, units: &[(&str, i32)]| {
+        units.iter().find(|(unit, _)| *unit == name).map(|(_, power)| *power)
     };
-    scale(&format!("{product:e}"), power)
+    let power = match of_first.as_str() {
+        "" => power(&of_second, areas).or_else(|| Some(2 * power(&of_second, lengths)?))?,
+        _ => power(&of_first, lengths)? + power(&of_second, lengths)?,
+    };
+    scale(&format!("{:e}", a * b), power)
 }
 
 #[cfg(test)]
@@ -50,6 +48,9 @@ mod tests {
             "2 x 3 x 4 mm",
             "3 x 2 N",
             "-1mm x -1mm",
+            "10 20 x 5 mm",
+            "10 x 10^2 mm",
+            "10 x 1\u{b7}5 mm",
         ] {
             assert!(quantity(text, "m^2").is_err(), "{text}");
         }

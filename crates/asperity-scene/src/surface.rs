@@ -1,11 +1,11 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{Diagnostic, Interface, ProfileMoments, Surface};
+use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
 use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
-use crate::iso_units::{likely_angle, likely_units};
+use crate::iso_units::{angle_hint, likely_angle, likely_curvature, likely_units};
 use crate::measured::{Asked, SurfaceDescription, measured};
 use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
@@ -57,8 +57,8 @@ struct Numbers {
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
     follows_from: &'static [&'static str],
-    /// A warning of an rms gradient in another unit.
-    angle: Option<Diagnostic>,
+    /// A warning of a slope or a curvature in another unit.
+    unit: Option<Diagnostic>,
 }
 
 impl Numbers {
@@ -101,15 +101,15 @@ pub(crate) fn surface(
             .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
             .from_origin(document.place(section).to_string())
     };
-    let angles = [&first, &second].into_iter().flatten().filter_map(|n| n.angle.clone());
-    let notes: Vec<Diagnostic> = angles.chain(assumed.map(note)).collect();
+    let units = [&first, &second].into_iter().flatten().filter_map(|n| n.unit.clone());
+    let notes: Vec<Diagnostic> = units.chain(assumed.map(note)).collect();
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
             let roughness = Roughness::Moments([m0, m2, m4]);
             let surface = roughness.surface().map_err(document.refused("surface"))?;
             let follows_from = roughness.keys();
-            Numbers { surface, follows_from, roughness: Some(roughness), angle: None }
+            Numbers { surface, follows_from, roughness: Some(roughness), unit: None }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -212,7 +212,20 @@ fn numbers(
         }
         _ => None,
     };
-    let angle = keys.sdq.and_then(likely_angle);
+    let slope = [(GRADIENT, keys.sdq), (MEAN_SLOPE, keys.mean_slope)];
+    let slope = slope.into_iter().find_map(|(key, value)| likely_angle(key, value?));
+    let plain = |key: &str| !document.stated.contains(&at(key));
+    let curvature = || keys.spc.filter(|_| plain("spc")).and_then(likely_curvature);
+    let unit = slope.or_else(curvature);
+    // Of two surfaces, each warning has its place.
+    let is_pair = document.has(COUNTERFACE);
+    let unit = unit.map(|found| match is_pair {
+        true => {
+            let place = document.place(&at(&found.field)).to_string();
+            found.within(section).from_origin(place)
+        }
+        false => found,
+    });
     let surface = match (roughness, way) {
         (Some(roughness), _) => {
             let surface = roughness.surface();
@@ -221,9 +234,11 @@ fn numbers(
             {
                 return Err(SceneError::Measured { at: document.place(section), reason: units });
             }
-            if let (Err(_), Some(angle)) = (&surface, &angle) {
-                let reason = angle.to_string();
-                return Err(SceneError::Measured { at: document.place(section), reason });
+            if let Err(ContactError::OutOfRange { field: BANDWIDTH, .. }) = &surface
+                && let Some((key, slope, hint)) = too_steep(&roughness)
+            {
+                let (at, found) = (document.place(&at(key)), asperity::short(slope));
+                return Err(SceneError::Notation { at, found, hint });
             }
             surface.map_err(&refused)?
         }
@@ -244,5 +259,30 @@ fn numbers(
         (None, 0) => &[][..],
         _ => WAYS[way],
     };
-    Ok(Some((Numbers { surface, roughness, follows_from, angle }, key)))
+    Ok(Some((Numbers { surface, roughness, follows_from, unit }, key)))
+}
+
+/// The field of an error for moments that no isotropic Gaussian surface has.
+const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
+
+/// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope, and
+/// what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
+fn too_steep(roughness: &Roughness) -> Option<(&'static str, f64, String)> {
+    let rough = |std: f64, density: f64| (8.0 * 3f64.sqrt() * density).sqrt() * std;
+    let (key, slope, most, formula) = match *roughness {
+        Roughness::Gradient([sq, spd, sdq]) => {
+            let most = std::f64::consts::PI.sqrt() * rough(sq, spd);
+            (GRADIENT, sdq, most, "6.598 sq sqrt(spd)")
+        }
+        Roughness::MeanSlope([std, slope, density]) => {
+            let formula = "3.722 surface_height_std sqrt(asperity_density)";
+            (MEAN_SLOPE, slope, rough(std, density), formula)
+        }
+        _ => return None,
+    };
+    let hint = angle_hint(slope).unwrap_or_else(|| {
+        let most = asperity::short(most);
+        format!("is too steep: at most {formula} = {most} was required, as of every isotropic Gaussian surface")
+    });
+    Some((key, slope, hint))
 }

@@ -1,12 +1,12 @@
 //! Units of numbers, and a number with one of them.
 
-use crate::scaled::scale;
+use crate::scaled::{leading, scale};
 use crate::sides;
 
 pub(crate) type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
-/// The SI unit as in the template, an example, and the units with their powers of ten. Spaces, dots
-/// between units, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
+/// The SI unit as in the template, an example, and the units with their powers of ten. In units,
+/// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
 pub(crate) const UNITS: [Units; 10] = [
     (
         "Pa",
@@ -50,25 +50,30 @@ pub(crate) const UNITS: [Units; 10] = [
     ),
 ];
 /// Units that are not decimal, with their size in a decimal unit.
-const OTHERS: [(&str, &str, f64, &str); 8] = [
-    ("Pa", "HV", 9.80665e-3, "GPa"),
+const OTHERS: [(&str, &str, f64, &str); 13] = [
     ("Pa", "kgf/mm2", 9.80665, "MPa"),
+    ("Pa", "Msi", 6.894_757_3, "GPa"),
     ("Pa", "ksi", 6.894_757_3, "MPa"),
     ("Pa", "psi", 6.894_757_3, "kPa"),
     ("N", "kgf", 9.80665, "N"),
     ("N", "lbf", 4.448_221_6, "N"),
     ("m", "uin", 25.4, "nm"),
     ("m", "in", 25.4, "mm"),
+    ("m", "micron", 1.0, "um"),
+    ("m", "microns", 1.0, "um"),
+    ("m", "\u{c5}", 0.1, "nm"),
+    ("m", "\u{212b}", 0.1, "nm"),
+    ("m^2", "in2", 645.16, "mm2"),
 ];
 
-/// A number in a unit that is not decimal, in one that is: 2.452 GPa for 250 HV.
+/// A number in a unit that is not decimal, in one that is: 248.2 MPa for 36 ksi.
 pub(crate) fn converted(given: &str, si: &str) -> Option<String> {
-    let text = plain(given);
-    let other = OTHERS.iter().filter(|(of, ..)| *of == si);
-    other.into_iter().find_map(|(_, unit, factor, decimal)| {
-        let value = scale(text.strip_suffix(unit)?, 0)?;
-        Some(format!("{} {decimal}", asperity::short(factor * value)))
-    })
+    let (number, power, rest) = leading(given)?;
+    let unit = plain(rest);
+    let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;
+    let (.., factor, decimal) = OTHERS.iter().find(other)?;
+    let value = scale(&number, power)?;
+    Some(format!("{} {decimal}", asperity::short(factor * value)))
 }
 
 pub(crate) fn list(units: &[(&str, i32)]) -> String {
@@ -78,45 +83,40 @@ pub(crate) fn list(units: &[(&str, i32)]) -> String {
 /// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
 /// mN).
 pub(crate) fn in_other_case(given: &str, units: Units) -> Option<String> {
-    let text = plain(given);
-    let mut alike = units.2.iter().filter_map(|(unit, _)| {
-        let start = text.len().checked_sub(unit.len())?;
-        let (number, end) = (text.get(..start)?, text.get(start..)?);
-        let same = end.eq_ignore_ascii_case(unit) && scale(number, 0).is_some();
-        same.then(|| format!("{number}{unit}"))
-    });
-    alike.next().filter(|_| alike.next().is_none())
+    let (number, 0, rest) = leading(given)? else { return None };
+    let unit = plain(rest);
+    let mut alike = units.2.iter().filter(|(known, _)| known.eq_ignore_ascii_case(&unit));
+    let (known, _) = alike.next().filter(|_| alike.next().is_none())?;
+    Some(format!("{number}{known}"))
 }
 
-/// The text without ignored characters, in ASCII.
-fn plain(given: &str) -> String {
-    let left_out = |c: char| c.is_whitespace() || "^\u{b7}".contains(c);
-    let text: String = given.chars().filter(|c| !left_out(*c)).collect();
-    // Between units; between numbers it is a product.
-    let is_product = |(_, rest): (&str, &str)| rest.starts_with(|c: char| c.is_ascii_digit());
-    let text = match text.split_once('*').is_some_and(is_product) {
-        true => text,
-        false => text.replace('*', ""),
-    };
+/// A unit without ignored characters, in ASCII.
+pub(crate) fn plain(unit: &str) -> String {
+    let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
+    let text: String = unit.chars().filter(|c| !left_out(*c)).collect();
     let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
     text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
 }
 
 /// A number with one of the units.
 pub(crate) fn read(given: &str, (si, _, units): Units) -> Option<f64> {
-    let text = plain(given);
-    if si == "m^2" && text.contains(['x', 'X', '\u{d7}', '*']) {
-        let lengths = UNITS.iter().find(|(known, ..)| *known == "m")?.2;
-        return sides::area(&text, lengths, units);
-    }
-    let value_in = |unit: &str, power| scale(text.strip_suffix(unit)?, power);
-    units.iter().find_map(|(unit, power)| {
-        // 1/mm2 may be written /mm2 or mm-2.
-        let inverse = || {
-            let length = unit.strip_prefix("1/")?.strip_suffix('2')?;
-            value_in(&format!("/{length}2"), *power)
-                .or_else(|| value_in(&format!("{length}-2"), *power))
+    let with_unit = || {
+        let (number, power, rest) = leading(given)?;
+        let unit = plain(rest);
+        // 1/mm2 may be written /mm2 or mm-2, 1/mm /mm or mm-1.
+        let is = |known: &str| {
+            let inverse = |of: &str| {
+                let (length, power) = of.strip_suffix('2').map_or((of, 1), |length| (length, 2));
+                unit.strip_prefix('/') == Some(of) || unit == format!("{length}-{power}")
+            };
+            unit == known || known.strip_prefix("1/").is_some_and(inverse)
         };
-        value_in(unit, *power).or_else(inverse)
-    })
+        let (_, of_unit) = units.iter().find(|(known, _)| is(known))?;
+        scale(&number, power.checked_add(*of_unit)?)
+    };
+    let by_sides = || {
+        let lengths = UNITS.iter().find(|(known, ..)| *known == "m")?.2;
+        sides::area(given, lengths, units)
+    };
+    with_unit().or_else(|| if si == "m^2" { by_sides() } else { None })
 }

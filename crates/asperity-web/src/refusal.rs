@@ -58,6 +58,7 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
             let [unit, near] = [unit, near].map(Option::unwrap_or_default);
             format!("{text}{unit}{near}: {needed} was required")
         }
+        SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),
         SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
         SceneError::Measured { reason, .. } | SceneError::Unreadable { reason, .. } => {
             reason.clone()
@@ -74,6 +75,7 @@ impl From<SceneError> for Refusal {
         | SceneError::Syntax { at, .. }
         | SceneError::UnknownKey { at, .. }
         | SceneError::Value { at, .. }
+        | SceneError::Notation { at, .. }
         | SceneError::Missing { at, .. }
         | SceneError::Conflict { at, .. }
         | SceneError::Measured { at, .. }

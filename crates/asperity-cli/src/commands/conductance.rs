@@ -4,14 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, Body, ContactModel, Datum, Interface, Request, SeparationUnit};
-use asperity_scene::SceneFile;
+use asperity::{
+    At, Body, ContactModel, Datum, Interface, Request, SeparationUnit, shortest_digits,
+};
+use asperity_scene::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::{CONDUCTANCE, column, picture};
 use crate::input::args::{DrawnArgs, model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, of_unit, positive, positive_number, pressure};
+use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, summary};
@@ -72,7 +74,7 @@ pub struct Conductance {
     #[arg(long, value_name = "S", value_parser = length, requires = "mean_slope")]
     sigma: Option<f64>,
     /// For the correlations: the mean absolute slope of both surfaces together
-    #[arg(long, value_name = "M", value_parser = positive_number, requires = "sigma")]
+    #[arg(long, value_name = "M", value_parser = slope, requires = "sigma")]
     mean_slope: Option<f64>,
     #[command(flatten)]
     output: DrawnArgs,
@@ -88,7 +90,10 @@ impl Conductance {
         let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
         let mut scene = LoadedScene::load_for(&self.scene, &ids)?;
         match self.conductivity {
-            Some(given) => scene.file.scene.interface.thermal_conductivity = Some(given.value()),
+            Some(given) => {
+                given.note();
+                scene.file.scene.interface.thermal_conductivity = Some(given.value());
+            }
             None if scene.file.scene.interface.thermal_conductivity.is_none() => {
                 bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
             }
@@ -117,6 +122,7 @@ impl Conductance {
         };
 
         self.check_gas();
+        self.check_roughness();
 
         let wanted = |correlation: &Correlation| {
             ids.is_empty() && self.models.is_empty()
@@ -211,6 +217,11 @@ impl Conductance {
         if !Correlation::ALL.iter().any(wanted) {
             return self.output.write(&table, || picture(&table, contact));
         }
+        if self.gas.is_some() {
+            let text =
+                "cmy, mikic: correlations have no separation, so that gas and total are blank";
+            print_message("note", text);
+        }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
         let of = match (given, &scene.file.measured) {
             (Some(_), _) => "as given",
@@ -232,12 +243,36 @@ fn left_out(id: &str, scene: &LoadedScene, reason: &anyhow::Error) {
     print_message("warning", &format!("left out: {id}: {reason}"));
 }
 
+/// A larger conductivity \[W/(m K)\] of a gas or a paste in the gap is unlikely.
+const MOST_GAS: f64 = 10.0;
+/// A larger standard deviation of the heights \[m\] is unlikely.
+const ROUGHEST: f64 = 1e-3;
+
 /// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.
 const LONGEST_JUMP: f64 = 1e-2;
 
 impl Conductance {
-    /// Warns of a missing or unlikely temperature-jump distance.
+    /// Warns of unlikely numbers of the correlations.
+    fn check_roughness(&self) {
+        if let Some(sigma) = self.sigma.filter(|sigma| *sigma > ROUGHEST) {
+            let given = shortest_digits(sigma);
+            let text = format!("--sigma is {given} m; {given} looks like um, written {given}um");
+            print_message("warning", &text);
+        }
+        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
+            print_message("warning", &found.to_string());
+        }
+    }
+
+    /// Warns of an unlikely conductivity, and of a missing or unlikely temperature-jump distance.
     fn check_gas(&self) {
+        if let Some(gas) = self.gas.filter(|gas| *gas > MOST_GAS) {
+            let [given, meant] = [gas, 1e-3 * gas].map(rounded);
+            let text = format!(
+                "--gas is {given} W/(m K); {given} looks like mW/(m K); {given} mW/(m K) is {meant} W/(m K)"
+            );
+            print_message("warning", &text);
+        }
         match (self.gas, self.gas_parameter) {
             (Some(_), None) => {
                 let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
@@ -277,24 +312,34 @@ enum Conductivity {
 }
 
 impl Conductivity {
-    /// That of the interface; says how two values are read.
+    /// The conductivity of the interface \[W/(m K)\].
     fn value(self) -> f64 {
         match self {
             Self::Interface(conductivity) => conductivity,
-            Self::Bodies(first, second) => {
-                let mean = Interface::mean_conductivity(first, second);
-                let [k1, k2, k] = [first, second, mean].map(rounded);
-                let how = format!(
-                    "--conductivity {k1},{k2} is that of two bodies: 2 k1 k2/(k1 + k2) = {k} W/(m K); a decimal has a point"
-                );
-                print_message("note", &how);
-                mean
-            }
+            Self::Bodies(first, second) => Interface::mean_conductivity(first, second),
         }
+    }
+
+    /// Prints how two values are read.
+    fn note(self) {
+        let Self::Bodies(first, second) = self else { return };
+        let [k1, k2, k] = [first, second, self.value()].map(rounded);
+        let how = format!(
+            "--conductivity {k1},{k2} is read as two bodies, 2 k1 k2/(k1 + k2) = {k} W/(m K); a decimal is written {k1}.{k2}"
+        );
+        // No decimal has two points.
+        let how = match [&k1, &k2].iter().any(|k| k.contains(['.', 'e'])) {
+            true => how.split("; a decimal").next().unwrap_or_default(),
+            false => &how,
+        };
+        print_message("note", how);
     }
 }
 
 fn interface_conductivity(text: &str) -> Result<Conductivity, String> {
+    if text.contains(':') {
+        return Err("a range is not possible here; write K of the interface, or K1,K2".into());
+    }
     match Numbers::read(text, conductivity)?.0[..] {
         [one] => Ok(Conductivity::Interface(one)),
         [first, second] => Ok(Conductivity::Bodies(first, second)),

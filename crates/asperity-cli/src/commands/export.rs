@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
 use crate::input::lists::{Span, range};
-use crate::input::numbers::{friction, load, pressure, relative_error};
+use crate::input::numbers::{error_below_1, friction, load, pressure};
 use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
 
@@ -58,7 +58,7 @@ pub struct Export {
     unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
-    #[arg(long, value_name = "X", value_parser = relative_error)]
+    #[arg(long, value_name = "X", value_parser = error_below_1)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance

@@ -6,7 +6,7 @@ use asperity_scene::{notation_hint, with_decimal_point, without_thousands};
 pub fn refuse_one_number(text: &str) -> Result<(), String> {
     refuse_thousands(text)?;
     let parts = with_decimal_point(text).zip(text.trim().split_once(','));
-    let Some((one, (first, second))) = parts else { return Ok(()) };
+    let Some((one, (first, second))) = parts else { return refuse_one_with_unit(text) };
     let ends = |c: char| c.is_alphabetic() || c == '\u{b5}';
     let (mantissa, unit) = second.split_at(second.find(ends).unwrap_or(second.len()));
     let is_exponent = unit.trim_start_matches(['e', 'E']).parse::<i32>().is_ok();
@@ -19,6 +19,20 @@ pub fn refuse_one_number(text: &str) -> Result<(), String> {
     };
     let thousand = without_thousands(text).map(|same| format!(" or {same}")).unwrap_or_default();
     Err(format!("{text} is ambiguous; write {one}{thousand} for one value, or {two} for two"))
+}
+
+/// Refuses groups of three digits with a unit behind the last, such as 1.500,5 N.
+fn refuse_one_with_unit(text: &str) -> Result<(), String> {
+    let same = without_thousands(text).filter(|same| same.contains(char::is_alphabetic));
+    let first = text.split(',').next().unwrap_or_default();
+    let is_list = !text.contains(',') || first.contains(char::is_alphabetic);
+    // 0,100nm,200nm begins a list.
+    match same.filter(|same| !(is_list || same.contains(',') || same.starts_with('0'))) {
+        Some(same) => Err(format!(
+            "{text} is ambiguous; write {same} for one value, or give every value a unit"
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Refuses groups of three digits, of which one begins with a 0, as no value of a list does.
@@ -36,11 +50,13 @@ pub fn one_value_only(text: &str) -> Option<String> {
     Some(format!("{text:?} has a decimal comma; write {one}, as two values are not possible here"))
 }
 
-/// The decimal that two plain values may be: 1.5 for 1,5. Decimals rarely end in 0.
-pub fn may_be_decimal(text: &str) -> Option<String> {
-    let decimal = with_decimal_point(text)?;
-    let is_plain = decimal.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
-    (is_plain && !decimal.ends_with('0')).then_some(decimal)
+/// The single numbers that a list of plain values may be: 1500 and 1.500 for 1,500.
+pub fn single_values(text: &str) -> Vec<String> {
+    let is_plain = |same: &String| same.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+    let thousands = without_thousands(text)
+        .filter(|same| is_plain(same) && !same.trim_start_matches(['-', '+']).starts_with('0'));
+    let decimal = with_decimal_point(text).filter(is_plain);
+    thousands.into_iter().chain(decimal).collect()
 }
 
 #[cfg(test)]
@@ -66,7 +82,7 @@ mod tests {
         for (text, how) in [
             ("1,000,000", "1,000,000 has thousands separators; write 1000000 or 1e6"),
             ("1,050,200kN", "1,050,200kN has thousands separators; write 1050200kN"),
-            ("1,000", "1,000 is 1.000 or 1000; write one of the two"),
+            ("1,000", "1,000 is ambiguous; write 1.000 or 1000"),
             (
                 "1,500kN",
                 "1,500kN is ambiguous; write 1.500kN or 1500kN for one value, or 1kN,500kN for two",
@@ -97,21 +113,41 @@ mod tests {
         assert_eq!(number("0,5").unwrap_err(), one("0,5", "0.5"));
         assert_eq!(load("1,5 kN").unwrap_err(), one("1,5 kN", "1.5 kN"));
         let either = load("1,500").unwrap_err();
-        assert_eq!(either, "\"1,500\" is 1.500 or 1500; write one of the two");
+        assert_eq!(either, "\"1,500\" is ambiguous; write 1.500 or 1500");
     }
 
     #[test]
-    fn two_values_that_may_be_a_decimal_are_recognised() {
-        for (text, decimal) in [
-            ("1,5", Some("1.5")),
-            ("-0,25", Some("-0.25")),
-            ("10,100", None),
-            ("1,5,9", None),
-            ("1.5,2", None),
-            ("1, 5", None),
-            ("1,5e6", None),
+    fn one_number_with_separators_and_a_unit_is_refused() {
+        for (text, one) in [("1.500,5 N", "1500.5 N"), ("1,234.5 kN", "1234.5 kN")] {
+            let wanted = format!(
+                "{text} is ambiguous; write {one} for one value, or give every value a unit"
+            );
+            assert_eq!(all(load)(text), Err(wanted));
+        }
+        assert_eq!(all(load)("1.5N,2.5N").unwrap().0, [1.5, 2.5]);
+        let nanometres = |text: &str| number(text.trim_end_matches("nm"));
+        assert_eq!(all(nanometres)("0,100nm,200nm").unwrap().0, [0.0, 100.0, 200.0]);
+    }
+
+    #[test]
+    fn lists_whose_digits_may_be_one_number_are_recognised() {
+        for (text, single) in [
+            ("1,5", &["1.5"][..]),
+            ("-0,25", &["-0.25"]),
+            ("1,500", &["1500", "1.500"]),
+            ("1.500,5", &["1500.5"]),
+            ("1,234.5", &["1234.5"]),
+            ("1,234,567", &["1234567"]),
+            ("10,100", &["10100", "10.100"]),
+            ("0,100", &["0.100"]),
+            ("1,5,9", &[]),
+            ("1.5,2", &[]),
+            ("1, 5", &[]),
+            ("1,5e6", &[]),
+            ("100", &[]),
+            ("1.500", &[]),
         ] {
-            assert_eq!(may_be_decimal(text).as_deref(), decimal, "{text}");
+            assert_eq!(single_values(text), single, "{text}");
         }
     }
 }

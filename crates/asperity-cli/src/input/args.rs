@@ -15,7 +15,9 @@ use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{load, load_or_tension, number, pressure, pressure_or_tension};
+use crate::input::numbers::{
+    load, load_or_tension, number, pressure, pressure_or_tension, relative_error,
+};
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
 use crate::scene::{ALL_MODELS, LoadedScene, NamedModel};
@@ -292,5 +294,6 @@ pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
 
 /// A relative tolerance.
 pub fn tolerance(text: &str) -> Result<Tolerance, String> {
-    Tolerance::new(number(text)?).map_err(|e| e.to_string())
+    let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };
+    Tolerance::new(tolerance).map_err(|e| e.to_string())
 }

@@ -2,12 +2,12 @@
 
 use clap::{ArgMatches, Command};
 
-use crate::input::ambiguous::may_be_decimal;
+use crate::input::ambiguous::single_values;
 use crate::input::distances::{Distance, Distances};
 use crate::input::lists::Numbers;
 use crate::output::print_message;
 
-/// Says of each list of two values that may be one decimal how it was read.
+/// Prints a note for each list of values whose digits may be one number.
 pub fn note_lists(command: &Command, arguments: &ArgMatches) {
     for argument in command.get_arguments() {
         let id = argument.get_id().as_str();
@@ -17,12 +17,18 @@ pub fn note_lists(command: &Command, arguments: &ArgMatches) {
         let Some(name) = argument.get_long().filter(|_| is_list) else { continue };
         let given = arguments.get_raw(id).into_iter().flatten();
         for text in given.filter_map(|text| text.to_str()) {
-            let read = may_be_decimal(text).zip(text.split_once(','));
-            if let Some((decimal, (first, second))) = read {
-                let how = format!(
-                    "--{name} {text} is read as two values, {first} and {second}; a decimal is written {decimal}"
+            let single = single_values(text).join(" or ");
+            if !single.is_empty() {
+                let values: Vec<&str> = text.split(',').map(str::trim).collect();
+                let (last, others) = values.split_last().unwrap_or((&text, &[]));
+                let count = if values.len() == 2 { "two".into() } else { values.len().to_string() };
+                let others = others.join(", ");
+                print_message(
+                    "note",
+                    &format!(
+                        "--{name} {text} is read as {count} values, {others} and {last}; a single value is written {single}"
+                    ),
                 );
-                print_message("note", &how);
             }
         }
     }

@@ -5,6 +5,9 @@ use asperity::shortest_digits;
 
 use crate::input::ambiguous::one_value_only;
 
+/// The reason against a load of 0.
+const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)";
+
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "N").and_then(not_0)
@@ -46,7 +49,7 @@ pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
 
 fn not_0(value: f64) -> Result<f64, String> {
     match value {
-        0.0 => Err("0 is neither a load (above 0) nor a tension (below 0)".into()),
+        0.0 => Err(NO_LOAD.into()),
         value => Ok(value),
     }
 }
@@ -96,6 +99,26 @@ pub fn relative_error(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A relative error below 100 %; a plain number of 1 and above is refused.
+pub fn error_below_1(text: &str) -> Result<f64, String> {
+    relative_error(text).and_then(|error| match error {
+        error if error < 1.0 => Ok(error),
+        _ if text.contains('%') => Err("the error must be below 100%".into()),
+        error => {
+            let given = text.trim();
+            Err(format!("{given} means {} %; {given} % is written {given}%", 100.0 * error))
+        }
+    })
+}
+
+/// A slope above 0: a number, or in per cent or degrees.
+pub fn slope(text: &str) -> Result<f64, String> {
+    match asperity_scene::gradient(text).filter(|_| one_value_only(text).is_none()) {
+        Some(slope) => positive(slope),
+        None => positive_number(text),
+    }
+}
+
 /// A finite number above 0.
 pub fn positive_number(text: &str) -> Result<f64, String> {
     number(text).and_then(positive)
@@ -129,6 +152,12 @@ mod tests {
         assert!(
             share("0,5%").unwrap_err().starts_with("\"0,5%\" has a decimal comma; write 0.5%,")
         );
+        assert_eq!(error_below_1("1").unwrap_err(), "1 means 100 %; 1 % is written 1%");
+        assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; 5 % is written 5%");
+        assert_eq!([error_below_1("1%"), error_below_1("0.01")], [Ok(0.01), Ok(0.01)]);
+        assert!(error_below_1("100%").is_err() && error_below_1("0").is_err());
+        assert_eq!([slope("8%"), slope("0.08")], [Ok(0.08), Ok(0.08)]);
+        assert!(slope("0,08").is_err() && slope("-8%").is_err() && slope("steep").is_err());
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
         assert!(positive_number("0").is_err() && positive_number("-1").is_err());
     }

@@ -16,7 +16,7 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ("load,area_m2\n1,1\n", "column \"load\" is not known (the nearest is \"load_N\")"),
         (
             "load_kN,area_m2\n1,1e-9\n",
-            "column \"load_kN\" is in kN: give load_N, in N, 1000 times as large",
+            "column \"load_kN\" is in kN: name it load_N and multiply its values by 1000",
         ),
         ("load_N,area_m2\n1,5,3e-8\n", "decimal commas are read where semicolons or tabs"),
         (
@@ -119,7 +119,8 @@ fn bad_parameters_are_refused_by_name() {
     assert!(run.code == Some(1) && run.messages.contains("none.csv: the data cannot be read"));
     std::fs::write(bench.path("table.xlsx"), b"PK\x03\x04\x14\x00\x06\x00").unwrap();
     let run = bench.run("fit scene.toml table.xlsx --free hardness");
-    let binary = "table.xlsx: the data cannot be read: the file is binary, or a text that is not";
+    let binary =
+        "table.xlsx: the data cannot be read: the file is not UTF-8 text; save it as UTF-8";
     assert!(run.code == Some(1) && run.messages.contains(binary), "{}", run.messages);
     let run = bench.run("fit scene.toml data.csv");
     let keys = "--free is missing; name the numbers to fit, for example --free asperity_height_std (of scene.toml: equivalent_modulus, poissons_ratio, hardness,";

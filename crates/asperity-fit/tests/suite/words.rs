@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactModel, Quantity};
+use asperity_core::{At, ContactModel, Quantity, Request};
 use asperity_fit::{Fit, FitError, Parameter, rank};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -100,6 +100,72 @@ fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
     let unit = "load_N = 1 looks like kN; 1 kN is 1000 N";
     assert!(found.misfit.as_ref().is_some_and(|text| text.ends_with(unit)), "{found:?}");
     assert_eq!(found.limits, ["asperity_height_std is at its lower bound of 5e-8"]);
+}
+
+#[test]
+fn loads_and_pressures_of_a_row_must_agree() {
+    let columns = [("load_N", 100.0), ("pressure_Pa", 1e6), ("area_m2", 4e-8)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    let data = data(&columns);
+    assert_eq!(data.check_loads(1e-4), Ok(()));
+    assert_eq!(data.check_loads(1.004e-4), Ok(()), "rounded");
+    let refused = data.check_loads(5e-5).unwrap_err().to_string();
+    let wanted = "row 1: load_N = 100 and pressure_Pa = 1e6 contradict each other: on the nominal area of 5e-5 m2 this pressure is a load of 50 N; leave one of the two columns out, or correct the area";
+    assert_eq!(refused, wanted);
+}
+
+#[test]
+fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
+    let separations = [2.5e-6, 2e-6, 1.5e-6, 1e-6, 0.5e-6];
+    let request = Request::new([Quantity::Force]).at(separations.map(At::metres));
+    let answer = KogutEtsion.solve(&crate::kit::scene(TRUTH), &request).unwrap();
+    let loads: Vec<f64> = answer.values(Quantity::Force).unwrap();
+    let scene = varied(&[2]);
+    for (unit, factor) in [("um", 1e6), ("nm", 1e9), ("mm", 1e3)] {
+        let some = |values: &[f64], factor: f64| values.iter().map(|v| Some(v * factor)).collect();
+        let mut columns = vec![
+            ("load_N".to_string(), some(&loads, 1.0)),
+            ("separation_m".to_string(), some(&separations, factor)),
+        ];
+        for std in [false, true] {
+            if std {
+                let deviations = vec![Some(1e-8 * factor); LOADS.len()];
+                columns.push(("separation_m_std".into(), deviations));
+            }
+            let data = data(&columns);
+            let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+            let said = match fit.run(&KogutEtsion) {
+                Ok(fitted) => fitted.misfit.unwrap_or_default(),
+                Err(error) => error.to_string(),
+            };
+            assert!(said.contains(&format!(" looks like {unit}; ")), "{unit}: {said}");
+            assert!(said.contains("separation_m = "), "{unit}: {said}");
+        }
+    }
+}
+
+#[test]
+fn standard_deviations_far_below_the_residuals_are_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let off = [1.05, 0.96, 1.03, 0.98, 1.04];
+    for (value, off) in columns[1].1.iter_mut().flatten().zip(off) {
+        *value *= off;
+    }
+    let scene = varied(&[2]);
+    let fitted = |deviation: &dyn Fn(f64) -> f64| {
+        let mut columns = columns.clone();
+        let std = columns[1].1.iter().map(|value| value.map(deviation)).collect();
+        columns.push((format!("{}_std", columns[1].0), std));
+        let data = data(&columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    let misfit = fitted(&|_| 3.0).misfit.unwrap();
+    assert!(misfit.contains(" times the standard deviations (reduced chi squared "), "{misfit}");
+    assert!(misfit.contains("tangent_N_per_m_std = 3 looks like per cent of the value; 3 % of "));
+    let good = fitted(&|value| 0.04 * value);
+    assert!(good.misfit.is_none() && good.notes.is_empty(), "{good:?}");
+    let small = fitted(&|value| 0.004 * value);
+    assert!(small.misfit.is_none() && small.notes[0].contains("intervals are too narrow"));
 }
 
 #[test]

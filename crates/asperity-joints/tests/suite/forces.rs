@@ -1,6 +1,6 @@
 //! Cycles between tangential forces instead of shifts.
 
-use asperity_core::{At, HeightDistribution, Scene, TabulatedHeights};
+use asperity_core::{At, HeightDistribution, Scene, TabulatedHeights, Tolerance};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity_ke::KogutEtsion;
@@ -83,13 +83,39 @@ fn small_cycles_dissipate_with_the_cube_of_the_force() {
     }
 }
 
+/// Rounding of the load decides on which side of mu F these forces are.
+#[test]
+fn a_force_within_the_tolerance_of_friction_slides_at_every_preload() {
+    let mut scene = with_shear(1.0);
+    for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential] {
+        scene.heights = heights;
+        for load in [1.0, 50.0, 100.0, 500.0, 2000.0] {
+            let (at, law) = (At::Load(load), UnloadingLaw::Hertz);
+            let tolerance = Tolerance::default();
+            let joint = Unloading::new(&GreenwoodWilliamson, &scene, at, law, tolerance).unwrap();
+            let slip = PartialSlip::new(&joint, FRICTION).unwrap();
+            for share in [1.0, 1.0 - 1e-15, 1.0 - 1e-12, 1.0 - 1e-10, 1.0 - 1e-8] {
+                let force = FRICTION * load * share;
+                let refused = slip.amplitude_at(force).unwrap_err().to_string();
+                assert!(refused.contains("within the tolerance of which the joint slides"));
+            }
+        }
+        // An amplitude that is given is good to the tolerance: that of a force 1e-15 away is as near.
+        let slip = sheared(&scene, At::Load(100.0));
+        for share in [0.5, 0.99, 1.0 - 1e-4] {
+            let near = |force: f64| slip.amplitude_at(share * 20.0 * force).unwrap();
+            assert!((near(1.0 + 1e-15) / near(1.0) - 1.0).abs() < 1e-10, "{share}");
+        }
+    }
+}
+
 #[test]
 fn what_exceeds_friction_slides() {
     let slip = sheared(&with_shear(1.0), At::Load(100.0));
     for force in [20.000_001, 1e30, 0.0, -1.0, f64::NAN] {
         let refused = slip.amplitude_at(force).unwrap_err().to_string();
         assert!(refused.starts_with("tangential_force is "), "{refused}");
-        let slides = refused.contains("at which the joint slides");
+        let slides = refused.contains("of which the joint slides");
         assert_eq!(slides, force > 20.0, "{refused}");
     }
 }

@@ -119,10 +119,58 @@ fn every_way_gives_the_surface_of_the_library() {
         let surface = gradient.split("sdq = ").next().unwrap().replace("1 um", sq);
         text("", INTERFACE, &format!("{surface}sdq = {sdq}"))
     };
-    let hint = "12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
-    assert!(message(&angle("12", "1 um")).contains(hint));
-    let found = message(&angle("\"12 %\"", "1 um"));
-    assert!(found.contains("sdq is \"12 %\" (the nearest is \"0.12\"): a number"), "{found}");
+    let hint = "looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
+    assert!(message(&angle("12", "1 um")).contains(&format!("surface.sdq = 12 {hint}")));
+    for (given, wanted) in [
+        (
+            "\"12 %\"",
+            "surface.sdq is \"12 %\": the number 0.12 without quotes, as 12 % is 0.12, was",
+        ),
+        ("\"6,5 %\"", "the number 0.065 without quotes, as 6.5 % is 0.065, was"),
+        ("\"0,06\"", "surface.sdq is \"0,06\": the number 0.06 without quotes was required"),
+        ("90", "surface.sdq = 90 looks like per cent; 90 % is 0.9"),
+        (
+            "0.7",
+            "surface.sdq = 0.7 is too steep: at most 6.598 sq sqrt(spd) = 0.06951 was required",
+        ),
+    ] {
+        let found = message(&angle(given, "1 um"));
+        assert!(found.contains(wanted), "{found}");
+    }
+    let mean = |slope: &str| {
+        let surface = "[surface]\nsurface_height_std = 1e-6\nasperity_density = 1.11e8\n";
+        message(&text("", INTERFACE, &format!("{surface}mean_slope = {slope}")))
+    };
+    for (given, wanted) in [
+        (
+            "7",
+            "surface.mean_slope = 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07",
+        ),
+        (
+            "\"7 %\"",
+            "surface.mean_slope is \"7 %\": the number 0.07 without quotes, as 7 % is 0.07, was",
+        ),
+        (
+            "0.7",
+            "mean_slope = 0.7 is too steep: at most 3.722 surface_height_std sqrt(asperity_density) = 0.03922 was",
+        ),
+    ] {
+        let found = mean(given);
+        assert!(found.contains(wanted), "{found}");
+    }
+    // Each of two surfaces by its own section and line.
+    let pair = angle("12", "1 mm") + "\n[surface.counterface]\nsq = 1e-3\nspd = 1.11e8\nsdq = 7\n";
+    let warned = read(&pair).unwrap().warnings;
+    for wanted in ["surface.sdq: sdq is 12,", "surface.counterface.sdq: sdq is 7,"] {
+        assert!(warned.iter().any(|one| one.to_string().contains(wanted)), "{warned:?}");
+    }
+    let refused = message(&pair.replace("sq = 1e-3", "sq = 1e-6"));
+    assert!(refused.contains("surface.counterface.sdq = 7 looks like degrees"), "{refused}");
+    // A curvature in 1/mm.
+    let curvature = read(&text("", INTERFACE, &iso.replace("\"2.5 1/mm\"", "5"))).unwrap();
+    let warned: Vec<String> = curvature.findings().iter().map(ToString::to_string).collect();
+    let wanted = "spc is 5 1/m, peaks of radius 0.2 m: 5 looks like 1/mm; 5 1/mm is 5000 1/m";
+    assert!(warned.iter().any(|text| text.contains(wanted)), "{warned:?}");
     let warned = read(&angle("12", "1 mm")).unwrap().warnings;
     assert!(warned.iter().any(|one| one.to_string().contains(hint)), "{warned:?}");
     for (surface, wanted) in [

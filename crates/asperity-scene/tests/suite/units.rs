@@ -30,7 +30,11 @@ fn numbers_may_have_a_unit() {
         ),
         ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
         ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
-        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": a number in SI units, without"),
+        (
+            "0.31",
+            "\"0.31\"",
+            "interface.poissons_ratio is \"0.31\": the number 0.31 without quotes was",
+        ),
     ] {
         let found = message(&text("", INTERFACE, SURFACE).replace(from, to));
         assert!(found.contains(wanted), "{found}");
@@ -174,13 +178,21 @@ fn a_likely_unit_is_within_the_usual_range_beside_it() {
 #[test]
 fn commas_brackets_and_other_units_are_explained() {
     for (from, to, wanted) in [
-        ("0.3", "0,31", "write a decimal point, as in 0.31"),
-        ("\"400 MPa\"", "\"0,4 GPa\"", "is \"0,4 GPa\": a decimal point, as in \"0.4 GPa\", was"),
+        ("0.3", "0,31", "0,31 has a decimal comma; write 0.31; "),
+        (
+            "\"400 MPa\"",
+            "\"0,4 GPa\"",
+            "yield_strength = \"0,4 GPa\" has a decimal comma; write 0.4 GPa",
+        ),
         (
             "\"400 MPa\"",
             "\"58 ksi\"",
             "body[1].yield_strength is \"58 ksi\": a known unit, as in \"399.9 MPa\", which is the",
         ),
+        ("\"400 MPa\"", "\"1\u{b7}5 GPa\"", "= \"1\u{b7}5 GPa\" has a raised dot; write 1.5 GPa"),
+        ("\"400 MPa\"", "\u{201c}400 MPa\u{201d}", "write straight quotes"),
+        ("\"400 MPa\"", "10^8", "10^8 has a power of ten; write 1e8; "),
+        ("\"400 MPa\"", "\"120 HV\"", "= \"120 HV\" is not in Pa: write 1.269GPa, the mean"),
     ] {
         let body = format!("{STEEL}\npoissons_ratio = 0.3\nyield_strength = \"400 MPa\"");
         let scene = format!(
