@@ -85,16 +85,12 @@ impl Data {
     /// [`FitError::Loads`] for the first row whose load differs from the pressure times the area by
     /// more than 1 %.
     pub fn check_loads(&self, nominal_area: f64) -> Result<(), FitError> {
-        let agree = |[load, pressure]: [f64; 2]| {
-            (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD
-        };
+        let agree =
+            |[load, pressure]: [f64; 2]| (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD;
         match self.both_loads.iter().find(|(_, both)| !agree(*both)) {
-            Some((row, [load, pressure])) => Err(FitError::Loads {
-                row: *row,
-                load: *load,
-                pressure: *pressure,
-                nominal_area,
-            }),
+            Some((row, [load, pressure])) => {
+                Err(FitError::Loads { row: *row, load: *load, pressure: *pressure, nominal_area })
+            }
             None => Ok(()),
         }
     }

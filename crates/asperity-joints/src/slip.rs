@@ -161,8 +161,7 @@ impl PartialSlip {
     pub fn amplitude_at(&self, force: f64) -> Result<f64, ContactError> {
         let (field, force) = ("tangential_force", positive("tangential_force", force)?);
         let (limit, tolerance) = (self.limit()?, self.normal.tolerance().relative());
-        let required =
-            "less than friction times the normal force, within the tolerance of which the joint slides,";
+        let required = "less than friction times the normal force, within the tolerance of which the joint slides,";
         let slides = ContactError::OutOfRange { field, value: force, required };
         if force >= limit * (1.0 - tolerance) {
             return Err(slides);

@@ -81,7 +81,10 @@ fn plain_number(name: &str, found: &str) -> Option<String> {
         return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
     }
     let number = with_decimal_point(text).unwrap_or(text.into());
-    number.parse::<f64>().is_ok_and(f64::is_finite).then(|| format!("the number {number} without quotes"))
+    number
+        .parse::<f64>()
+        .is_ok_and(f64::is_finite)
+        .then(|| format!("the number {number} without quotes"))
 }
 
 /// The section of a path and its last key, without numbers of bodies.

@@ -93,11 +93,7 @@ fn collect(
 }
 
 /// The path of a key with a unit, and its number in SI units; `None` for keys without a unit.
-fn number(
-    section: &str,
-    name: &str,
-    given: &str,
-) -> Result<Option<(String, f64)>, QuantityError> {
+fn number(section: &str, name: &str, given: &str) -> Result<Option<(String, f64)>, QuantityError> {
     let bare = section.split('[').next().unwrap_or(section);
     let Some(units) = units_of(bare, name) else { return Ok(None) };
     let path = joined(section, name);

@@ -121,7 +121,9 @@ mod tests {
 
     #[test]
     fn texts_with_per_cent_or_degrees_are_gradients() {
-        for (text, wanted) in [("6 %", 0.06), ("6,5 %", 0.065), ("12deg", 0.2126), ("45\u{b0}", 1.0)] {
+        for (text, wanted) in
+            [("6 %", 0.06), ("6,5 %", 0.065), ("12deg", 0.2126), ("45\u{b0}", 1.0)]
+        {
             assert!((gradient(text).unwrap() - wanted).abs() < 5e-5, "{text}");
         }
         assert!(gradient("6").is_none() && gradient("6 um").is_none() && gradient("%").is_none());

@@ -47,7 +47,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         let record = record.map_err(|error| syntax(None, error.to_string()))?;
         let line = record.position().map(|position| position.line() as usize);
         if record.len() != columns.len() {
-            if record.len() == columns.len() + 1 && record.iter().last() == Some("") {
+            if record.len() == columns.len() + 1 && record.iter().next_back() == Some("") {
                 return Err(syntax(line, "the row ends in a separator; remove it".into()));
             }
             let reason = format!(
@@ -189,8 +189,14 @@ mod tests {
         let thousands = read("load_N;area_m2\n1.500;213.870.238\n").unwrap_err();
         assert!(thousands.contains("has thousands separators"), "{thousands}");
         for (text, wanted) in [
-            ("area_m2,area_m2_std\n1,3%\n", "area_m2_std = \"3%\" is a share of area_m2; write the"),
-            ("area_fraction\n0.4 %\n", "area_fraction = \"0.4 %\" has a per cent sign; write 0.004"),
+            (
+                "area_m2,area_m2_std\n1,3%\n",
+                "area_m2_std = \"3%\" is a share of area_m2; write the",
+            ),
+            (
+                "area_fraction\n0.4 %\n",
+                "area_fraction = \"0.4 %\" has a per cent sign; write 0.004",
+            ),
         ] {
             let refused = read(text).unwrap_err();
             assert!(refused.contains(wanted), "{refused}");
@@ -224,7 +230,10 @@ mod tests {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path).unwrap_err().to_string();
-            assert!(refused.contains("cannot be read: the file is not UTF-8 text; save it"), "{refused}");
+            assert!(
+                refused.contains("cannot be read: the file is not UTF-8 text; save it"),
+                "{refused}"
+            );
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

@@ -123,7 +123,8 @@ fn without_raised_dot(text: &str) -> Option<String> {
 fn has_blank(text: &str) -> bool {
     mantissa(text.trim()).is_some_and(|(_, rest)| {
         let next = mantissa(rest.trim_start());
-        rest.starts_with(char::is_whitespace) && next.is_some_and(|(_, rest)| !rest.starts_with('/'))
+        rest.starts_with(char::is_whitespace)
+            && next.is_some_and(|(_, rest)| !rest.starts_with('/'))
     })
 }
 
@@ -191,10 +192,7 @@ mod tests {
             ("1.5 10^3 N", Some("has a power of ten; write 1.5e3 N")),
             ("5 x 10\u{207b}\u{2076}", Some("has a power of ten; write 5e-6")),
             ("1\u{b7}5 kN", Some("has a raised dot; write 1.5 kN")),
-            (
-                "10 20 N",
-                Some("has blanks between its digits; write one number without blanks"),
-            ),
+            ("10 20 N", Some("has blanks between its digits; write one number without blanks")),
             ("5 N", None),
             ("5 1/mm2", None),
         ] {

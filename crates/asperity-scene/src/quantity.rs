@@ -131,7 +131,11 @@ mod tests {
             ("1.5 10^3 N", "N", "\"1.5 10^3 N\" has a power of ten; write 1.5e3 N"),
             ("1\u{b7}5 kN", "N", "\"1\u{b7}5 kN\" has a raised dot; write 1.5 kN"),
             ("0\u{b7}8 um", "m", "\"0\u{b7}8 um\" has a raised dot; write 0.8 um"),
-            ("10 20 N", "N", "\"10 20 N\" has blanks between its digits; write one number without blanks"),
+            (
+                "10 20 N",
+                "N",
+                "\"10 20 N\" has blanks between its digits; write one number without blanks",
+            ),
             ("10^2", "N", "\"10^2\" has a power of ten; write 1e2"),
             ("2^10 N", "N", "\"2^10 N\" is not a number in N"),
             ("2*10 N", "N", "\"2*10 N\" is not a number in N"),
@@ -147,7 +151,9 @@ mod tests {
     fn vickers_hardness_is_converted_to_the_mean_pressure_on_the_projected_area() {
         for text in ["120 HV", "120HV10", "HV 120", "HV10 120"] {
             let error = quantity(text, "Pa").unwrap_err();
-            let wanted = format!("{text:?} is not a number in Pa: write 1.269GPa, the mean pressure on the projected area (9.807 HV/0.9272 MPa)");
+            let wanted = format!(
+                "{text:?} is not a number in Pa: write 1.269GPa, the mean pressure on the projected area (9.807 HV/0.9272 MPa)"
+            );
             assert_eq!(error, wanted);
         }
         for text in ["60 HRC", "200 HBW", "HB 200"] {

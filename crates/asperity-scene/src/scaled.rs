@@ -60,7 +60,8 @@ pub(crate) fn leading(text: &str) -> Option<(String, i32, &str)> {
 
 /// The exponent of a power of ten, 10^6 or 10 with raised digits, and the rest of the text.
 pub(crate) fn ten_to(text: &str) -> Option<(i32, &str)> {
-    const RAISED: &str = "\u{2070}\u{b9}\u{b2}\u{b3}\u{2074}\u{2075}\u{2076}\u{2077}\u{2078}\u{2079}";
+    const RAISED: &str =
+        "\u{2070}\u{b9}\u{b2}\u{b3}\u{2074}\u{2075}\u{2076}\u{2077}\u{2078}\u{2079}";
     let rest = text.strip_prefix("10")?;
     if let Some(rest) = rest.strip_prefix('^').or_else(|| rest.strip_prefix("**")) {
         let signed = rest.trim_start_matches(['-', '+']);

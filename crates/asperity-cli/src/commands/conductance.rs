@@ -218,7 +218,8 @@ impl Conductance {
             return self.output.write(&table, || picture(&table, contact));
         }
         if self.gas.is_some() {
-            let text = "cmy, mikic: correlations have no separation, so that gas and total are blank";
+            let text =
+                "cmy, mikic: correlations have no separation, so that gas and total are blank";
             print_message("note", text);
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);

@@ -140,10 +140,16 @@ fn two_values_that_may_be_one_decimal_have_a_note() {
             "--pressure 1,5",
             Some("--pressure 1,5 is read as two values, 1 and 5; a single value is written 1.5"),
         ),
-        ("--separation 1,2", Some("--separation 1,2 is read as two values, 1 and 2; a single value is")),
+        (
+            "--separation 1,2",
+            Some("--separation 1,2 is read as two values, 1 and 2; a single value is"),
+        ),
         ("--load 1,500", Some("1 and 500; a single value is written 1500 or 1.500")),
         ("--load 1.500,5", Some("1.500 and 5; a single value is written 1500.5")),
-        ("--load 1,234,567", Some("as 3 values, 1, 234 and 567; a single value is written 1234567")),
+        (
+            "--load 1,234,567",
+            Some("as 3 values, 1, 234 and 567; a single value is written 1234567"),
+        ),
         ("--load 1.0,5", None),
         ("--load 1,5,9", None),
     ] {

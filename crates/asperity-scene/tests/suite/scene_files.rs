@@ -122,11 +122,17 @@ fn every_way_gives_the_surface_of_the_library() {
     let hint = "looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
     assert!(message(&angle("12", "1 um")).contains(&format!("surface.sdq = 12 {hint}")));
     for (given, wanted) in [
-        ("\"12 %\"", "surface.sdq is \"12 %\": the number 0.12 without quotes, as 12 % is 0.12, was"),
+        (
+            "\"12 %\"",
+            "surface.sdq is \"12 %\": the number 0.12 without quotes, as 12 % is 0.12, was",
+        ),
         ("\"6,5 %\"", "the number 0.065 without quotes, as 6.5 % is 0.065, was"),
         ("\"0,06\"", "surface.sdq is \"0,06\": the number 0.06 without quotes was required"),
         ("90", "surface.sdq = 90 looks like per cent; 90 % is 0.9"),
-        ("0.7", "surface.sdq = 0.7 is too steep: at most 6.598 sq sqrt(spd) = 0.06951 was required"),
+        (
+            "0.7",
+            "surface.sdq = 0.7 is too steep: at most 6.598 sq sqrt(spd) = 0.06951 was required",
+        ),
     ] {
         let found = message(&angle(given, "1 um"));
         assert!(found.contains(wanted), "{found}");
@@ -136,9 +142,18 @@ fn every_way_gives_the_surface_of_the_library() {
         message(&text("", INTERFACE, &format!("{surface}mean_slope = {slope}")))
     };
     for (given, wanted) in [
-        ("7", "surface.mean_slope = 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07"),
-        ("\"7 %\"", "surface.mean_slope is \"7 %\": the number 0.07 without quotes, as 7 % is 0.07, was"),
-        ("0.7", "mean_slope = 0.7 is too steep: at most 3.722 surface_height_std sqrt(asperity_density) = 0.03922 was"),
+        (
+            "7",
+            "surface.mean_slope = 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07",
+        ),
+        (
+            "\"7 %\"",
+            "surface.mean_slope is \"7 %\": the number 0.07 without quotes, as 7 % is 0.07, was",
+        ),
+        (
+            "0.7",
+            "mean_slope = 0.7 is too steep: at most 3.722 surface_height_std sqrt(asperity_density) = 0.03922 was",
+        ),
     ] {
         let found = mean(given);
         assert!(found.contains(wanted), "{found}");

@@ -30,7 +30,11 @@ fn numbers_may_have_a_unit() {
         ),
         ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
         ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
-        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": the number 0.31 without quotes was"),
+        (
+            "0.31",
+            "\"0.31\"",
+            "interface.poissons_ratio is \"0.31\": the number 0.31 without quotes was",
+        ),
     ] {
         let found = message(&text("", INTERFACE, SURFACE).replace(from, to));
         assert!(found.contains(wanted), "{found}");
@@ -175,7 +179,11 @@ fn a_likely_unit_is_within_the_usual_range_beside_it() {
 fn commas_brackets_and_other_units_are_explained() {
     for (from, to, wanted) in [
         ("0.3", "0,31", "0,31 has a decimal comma; write 0.31; "),
-        ("\"400 MPa\"", "\"0,4 GPa\"", "yield_strength = \"0,4 GPa\" has a decimal comma; write 0.4 GPa"),
+        (
+            "\"400 MPa\"",
+            "\"0,4 GPa\"",
+            "yield_strength = \"0,4 GPa\" has a decimal comma; write 0.4 GPa",
+        ),
         (
             "\"400 MPa\"",
             "\"58 ksi\"",
@@ -192,6 +200,9 @@ fn commas_brackets_and_other_units_are_explained() {
         );
         let found = message(&scene.replacen(from, to, 1));
         assert!(found.contains(wanted), "{found}");
+        let twice =
+            scene.replacen("[surface]", "[body]\n[surface]", 1).replace("[[body]]", "[body]");
+        assert!(message(&twice).contains("each of two bodies is written [[body]]; "));
         let found = message(&scene.replace("[[body]]", "[body]"));
         assert!(found.contains("each written [[body]]"), "{found}");
     }
