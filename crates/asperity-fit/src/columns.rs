@@ -38,13 +38,21 @@ fn kind(name: &str) -> Result<Kind, FitError> {
     };
     // A name without its unit is nearest to the column that it begins.
     let begun = || known.iter().copied().find(|known| known.starts_with(plain) && plain.len() > 2);
+    // Pressure_Pa, or pressure [Pa].
+    let letters = |name: &str| -> String {
+        name.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect()
+    };
+    let same = known.iter().copied().find(|known| letters(known) == letters(plain));
     found(plain).ok_or_else(|| match in_other_unit(plain, &known) {
         Some(OtherUnit { column, unit, si, factor }) => {
             FitError::ColumnUnit { name: plain.into(), column: column.into(), unit, si, factor }
         }
         None => FitError::UnknownColumn {
             name: name.into(),
-            near: nearest_name(plain, known.iter().copied()).or_else(begun).map(Into::into),
+            near: same
+                .or_else(|| nearest_name(plain, known.iter().copied()))
+                .or_else(begun)
+                .map(Into::into),
             known: known.join(", "),
         },
     })

@@ -104,7 +104,7 @@ pub(crate) fn list(names: &[&str]) -> String {
 mod tests {
     use super::*;
 
-    fn said(parameters: &[Parameter], directions: &DMatrix<f64>) -> Vec<String> {
+    fn sentences_of(parameters: &[Parameter], directions: &DMatrix<f64>) -> Vec<String> {
         crate::remark::sentences(undetermined(parameters, directions))
     }
 
@@ -117,19 +117,19 @@ mod tests {
         let three = parameters(&["density", "radius", "std"]);
         let one = DMatrix::from_column_slice(3, 1, &[-0.4472136, 0.8944272, 1e-9]);
         let wanted = ["of density and radius, only density x radius^0.5 is determined"];
-        assert_eq!(said(&three, &one), wanted);
+        assert_eq!(sentences_of(&three, &one), wanted);
         assert_eq!(undetermined(&three, &one)[0].parameters, [0, 1]);
         let both = parameters(&["density", "radius"]);
-        let found = said(&both, &one.rows(0, 2).into_owned());
+        let found = sentences_of(&both, &one.rows(0, 2).into_owned());
         assert_eq!(found, ["only density x radius^0.5 is determined"]);
         let shift = DMatrix::from_column_slice(3, 1, &[0.0, 0.0, 1.0]);
-        let found = said(&three, &shift);
+        let found = sentences_of(&three, &shift);
         assert_eq!(found, ["std is not determined: it does not change the data"]);
         let two = DMatrix::from_column_slice(3, 2, &[0.5, 1.0, 0.0, 2.0, 0.0, 1.0]);
-        let found = said(&three, &two);
+        let found = sentences_of(&three, &two);
         assert_eq!(found.len(), 1);
         assert!(found[0].starts_with("only ") && found[0].ends_with(" is determined"), "{found:?}");
-        assert!(said(&three, &DMatrix::zeros(3, 0)).is_empty());
+        assert!(sentences_of(&three, &DMatrix::zeros(3, 0)).is_empty());
     }
 
     #[test]
@@ -138,6 +138,6 @@ mod tests {
         both.push(Parameter::new("separation_offset", "m", 0.0, [-1.0, 1.0], 1.0).unwrap());
         let one = DMatrix::from_column_slice(2, 1, &[0.6, 0.8]);
         let wanted = ["std and separation_offset are not determined separately"];
-        assert_eq!(said(&both, &one), wanted);
+        assert_eq!(sentences_of(&both, &one), wanted);
     }
 }

@@ -103,9 +103,12 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
             }
         }
     }
-    let (mut least, mut likely) = (EXPLAINED.min(SHARE * here), None);
-    // Without any contact in the unit given, the start says little.
-    let more_starts = usize::from(here.is_infinite());
+    // Without contact in the unit given, the start says little, and any contact says much.
+    let (least, more_starts) = match here.is_infinite() {
+        true => (1.0, 1),
+        false => (EXPLAINED.min(SHARE * here), 0),
+    };
+    let (mut least, mut likely) = (least, None);
     for column in columns {
         for (unit, factor) in column.units() {
             let data = problem.data.scaled(|one| column.scaled(one, *factor));

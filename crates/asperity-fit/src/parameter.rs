@@ -20,6 +20,9 @@ pub enum Role {
 }
 
 impl Role {
+    /// The names of the parameters of the rig.
+    pub const RIG: [&str; 2] = ["separation_offset", "series_compliance"];
+
     /// The name of a parameter of the rig: `separation_offset` or `series_compliance`.
     #[must_use]
     pub fn of(name: &str) -> Self {

@@ -9,17 +9,17 @@ use crate::combinations::list;
 /// in their odds.
 const STRONG: f64 = 6.0;
 
-/// Fitted models, that of the lowest BIC first.
+/// Fitted models, ordered by BIC, lowest first, or by rms where one of them has no BIC.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Ranking {
     /// The fitted models.
     pub models: Vec<Fitted>,
-    /// What their order says, and what it does not.
+    /// The meaning of their order, and its limits.
     pub summary: String,
 }
 
-/// Orders models by their BIC or, if one of them has none, by the misfit; those that did not
+/// Orders models by BIC, lowest first, or by rms where one of them has no BIC; those that did not
 /// converge come last.
 #[must_use]
 pub fn rank(mut models: Vec<Fitted>) -> Ranking {

@@ -1,4 +1,4 @@
-//! What a fit says about its parameters.
+//! Remarks on the parameters of a fit.
 
 /// A sentence, and the places of the parameters that it is about.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,6 +22,8 @@ pub struct Curve {
     pub join_gaps: bool,
     /// Thin, light grey and unbroken, without markers: the others in the background.
     pub faint: bool,
+    /// Grey and dotted, of no other look: values that do not hold.
+    pub invalid: bool,
 }
 
 impl Curve {
@@ -30,7 +32,8 @@ impl Curve {
     pub fn new(look: usize, key: &str, label: &str) -> Self {
         let (key, label) = (key.into(), label.into());
         let (every_point, marked) = (false, None);
-        Self { key, label, look, line: true, every_point, marked, join_gaps: false, faint: false }
+        let (join_gaps, faint, invalid) = (false, false, false);
+        Self { key, label, look, line: true, every_point, marked, join_gaps, faint, invalid }
     }
 
     /// A line in the background; such curves share a label, and one key of the legend.
@@ -45,8 +48,18 @@ impl Curve {
         Self { line: false, every_point: true, ..Self::new(look, key, label) }
     }
 
+    /// A line of values that do not hold; two looks differ.
+    #[must_use]
+    pub fn invalid(look: usize, key: &str, label: &str) -> Self {
+        Self { invalid: true, ..Self::new(look, key, label) }
+    }
+
     pub(crate) fn colour(&self) -> Colour {
-        if self.faint { LIGHT_GREY } else { COLOURS[self.look % COLOURS.len()] }
+        match (self.faint, self.invalid) {
+            (true, _) => LIGHT_GREY,
+            (_, true) => GREY,
+            _ => COLOURS[self.look % COLOURS.len()],
+        }
     }
 
     /// Width of its line.
@@ -55,6 +68,9 @@ impl Curve {
     }
 
     pub(crate) fn dash(&self) -> &'static [f64] {
+        if self.invalid {
+            return DOTS[self.look % DOTS.len()];
+        }
         DASHES[(self.look + self.look / DASHES.len()) % DASHES.len()]
     }
 
@@ -102,6 +118,9 @@ const DASHES: [&[f64]; 10] = [
     &[13.3, 3.3, 2.7, 3.3, 2.7, 3.3, 2.7, 3.3],
 ];
 
+/// Those of invalid curves: dots, and dots in pairs.
+const DOTS: [&[f64]; 2] = [&[1.6, 3.2], &[1.6, 3.2, 1.6, 8.0]];
+
 /// The path of an outline around (0, 0), and whether it is filled with the curve's colour or white.
 pub(crate) type Marker = (&'static str, bool);
 
@@ -131,6 +150,16 @@ const MARKERS: [Marker; 12] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn invalid_curves_have_dashes_of_their_own() {
+        let [first, second] = [0, 1].map(|look| Curve::invalid(look, "", ""));
+        assert!(first.dash() != second.dash() && first.colour() == GREY);
+        assert!((0..15).all(|look| {
+            let valid = Curve::new(look, "", "");
+            valid.dash() != first.dash() && valid.dash() != second.dash()
+        }));
+    }
 
     #[test]
     fn fifteen_looks_differ_in_grey_and_without_markers() {

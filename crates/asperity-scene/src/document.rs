@@ -239,6 +239,9 @@ impl<'a> Document<'a> {
 
 /// Advice for a line whose number is written in another notation, or whose quotes are curly.
 fn other_notation(line: &str) -> Option<String> {
+    if line.trim() == "[body]" {
+        return Some("each of two bodies is written [[body]]; ".into());
+    }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
     if value.contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
         return Some("curly quotes were found; write straight quotes, \"; ".into());

@@ -46,7 +46,21 @@ impl std::str::FromStr for Free {
             None => text.trim().parse().map_err(|_| format!("{text:?} is not a number")),
         };
         let bounds = bounds.map(|bounds| match bounds.split_once(':') {
-            Some((low, high)) => Ok([number(low)?, number(high)?]),
+            Some((low, high)) => {
+                let plain = |text: &str| text.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
+                let (bounds, plain) = ([number(low)?, number(high)?], [plain(low), plain(high)]);
+                // 0 needs no unit.
+                let has_unit = |text: &str| text.trim().parse::<f64>().is_err();
+                match (plain, [has_unit(low), has_unit(high)]) {
+                    ([true, _], [_, true]) => {
+                        Err(format!("{low} has no unit; give both bounds a unit"))
+                    }
+                    ([_, true], [true, _]) => {
+                        Err(format!("{high} has no unit; give both bounds a unit"))
+                    }
+                    _ => Ok(bounds),
+                }
+            }
             None => {
                 Err(format!("{bounds:?} are no bounds: write {name}=low:high, with decimal points"))
             }

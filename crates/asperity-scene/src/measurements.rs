@@ -47,7 +47,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         let record = record.map_err(|error| syntax(None, error.to_string()))?;
         let line = record.position().map(|position| position.line() as usize);
         if record.len() != columns.len() {
-            if record.len() == columns.len() + 1 && record.iter().last() == Some("") {
+            if record.len() == columns.len() + 1 && record.iter().next_back() == Some("") {
                 return Err(syntax(line, "the row ends in a separator; remove it".into()));
             }
             let reason = format!(

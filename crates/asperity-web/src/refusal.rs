@@ -133,7 +133,7 @@ mod tests {
             (
                 "youngs_modulus",
                 "\"210,000 MPa\"",
-                "210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two".into(),
+                "210,000 MPa is ambiguous; write 210.000 MPa or 210000 MPa".into(),
             ),
             (
                 "youngs_modulus",

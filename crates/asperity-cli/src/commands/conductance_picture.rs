@@ -10,9 +10,6 @@ use crate::output::{once, plot};
 
 pub const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 
-/// The looks of correlations where they do not hold: grey, with dashes and markers of their own.
-const GREY: [usize; 2] = [9, 59];
-
 /// The head of the conductance of the gas, or of contacts and gas together.
 pub fn column(part: &str) -> String {
     format!("{part}_{}", CONDUCTANCE.column())
@@ -34,17 +31,19 @@ pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
         }
     }
     let names: Vec<Cell> = long.rows.iter().map(|row| row[0].clone()).collect();
-    let (few, mut greys) = (long.rows.len() <= plot::MARKED * ids.len(), GREY.into_iter());
+    let (few, mut invalid) = (long.rows.len() <= plot::MARKED * ids.len(), 0..);
     let curve = |name: &Cell| {
         let Cell::Text(text) = name else { return None };
-        let look = ids.iter().position(|id| id == name).or_else(|| greys.next());
-        let mut curve = Curve::new(look.unwrap_or_default(), text, text);
+        let mut curve = match ids.iter().position(|id| id == name) {
+            Some(look) => Curve::new(look, text, text),
+            None => Curve::invalid(invalid.next().unwrap_or_default(), text, text),
+        };
         curve.every_point = few;
         Some(curve)
     };
     let mut curves: Vec<Curve> = once(&names).iter().filter_map(curve).collect();
     // Below the others, which they may cover.
-    curves.sort_by_key(|curve| !GREY.contains(&curve.look));
+    curves.sort_by_key(|curve| !curve.invalid);
     let (contacts, total) = (CONDUCTANCE.column(), column("total"));
     let columns = [
         (&*contacts, "conductance of the contacts (W/(m² K))"),

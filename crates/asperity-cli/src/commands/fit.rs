@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use asperity::Quantity;
 use asperity::bem::Bem;
-use asperity::fit::{Data, DataColumn, FitError, Fitted, Progress, Ranking, rank};
+use asperity::fit::{Data, DataColumn, FitError, Fitted, Progress, Ranking, Role, rank};
 use asperity_scene::{Free, SceneError, read_measurements};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -40,8 +40,8 @@ reading minus separation) and series_compliance (of the rig, in m/N: a stiffness
 the scene; default bounds are a factor 30 either way.
 
 Columns: model, parameter, value, lower and upper (the 95 % interval; blank where the data
-do not fix that end within the bounds), unit, rms (relative) and bic. Models are ranked by
-BIC, lowest first. json also has correlation, condition, undetermined combinations,
+do not fix that end within the bounds), unit, rms (relative) and bic. Models are ordered by
+BIC, lowest first, or by rms where one of them has no BIC. json also has correlation, condition, undetermined combinations,
 limits at which parameters stop, residuals and unreachable data. If no model describes the
 data, or none reaches the target, the exit code is 1; the unit that explains the data, if
 there is one, is named.
@@ -96,9 +96,10 @@ impl FitCommand {
             let keys = keys.filter(|(_, input)| scene.file.value_of(*input).is_some());
             let keys: Vec<String> = keys.map(|(name, _)| name).collect();
             let text = format!(
-                "--free is missing; name the numbers to fit, for example --free asperity_height_std (of {}: {}; of the rig: separation_offset, series_compliance)",
+                "--free is missing; name the numbers to fit, for example --free asperity_height_std (of {}: {}; of the rig: {})",
                 scene.name,
-                keys.join(", ")
+                keys.join(", "),
+                Role::RIG.join(", ")
             );
             usage_error("fit", ErrorKind::MissingRequiredArgument, &text);
         }
@@ -162,7 +163,13 @@ impl FitCommand {
                 Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
                     print_message("warning", &format!("left out: {error}"));
                 }
-                Err(error) => return Err(error).context(scene.name.clone()),
+                Err(error) => {
+                    // Errors of columns and rows are those of the data.
+                    let data = self.data.as_ref().map(|path| path.display().to_string());
+                    let of_data = matches!(error, SceneError::Fit(FitError::Loads { .. }));
+                    let place = data.filter(|_| of_data).unwrap_or(scene.name.clone());
+                    return Err(error).context(place);
+                }
             }
         }
         if fitted.is_empty() {

@@ -134,9 +134,43 @@ fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
     for label in labels {
         assert!(picture.contains(label), "{label}");
     }
-    for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1"] {
+    for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1", "--conductivity 45:200:2"] {
         assert_eq!(bench.run(&format!("{asked} {wrong}")).code, Some(2), "{wrong}");
     }
+}
+
+#[test]
+fn unlikely_numbers_are_named_with_their_unit() {
+    let bench = Bench::new();
+    let asked =
+        "conductance scene.toml --conductivity 50 --pressure 1MPa --model cmy,ke --format csv";
+    let run = bench.run(&format!("{asked} --sigma 1.4 --mean-slope 14 --gas 26"));
+    for wanted in [
+        "--sigma is 1.4 m; 1.4 looks like um, written 1.4um",
+        "--mean-slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent",
+        "--gas is 26 W/(m K); 26 looks like mW/(m K); 26 mW/(m K) is 0.026 W/(m K)",
+        "cmy, mikic: correlations have no separation, so that gas and total are blank",
+    ] {
+        assert!(run.messages.contains(wanted), "{}", run.messages);
+    }
+    let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 14% --gas 0.026"));
+    assert!(!run.messages.contains("looks like"), "{}", run.messages);
+}
+
+/// The stroke of invalid curves is that of no other, also of the tenth.
+#[test]
+fn only_invalid_curves_are_dotted() {
+    let bench = Bench::new();
+    let models = "gw,ceb,zmc,ke,etsion,jg,jg-cosine,af,persson,cmy,mikic";
+    let run = bench.run(&format!(
+        "conductance scene.toml --conductivity 50 --pressure 1e5:1e7:9:log --model {models} --plot h.svg --format csv"
+    ));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let picture = std::fs::read_to_string(bench.path("h.svg")).unwrap();
+    assert!(picture.contains("mikic (invalid: ") && !picture.contains("cmy (invalid: "));
+    let dotted = picture.matches("stroke-dasharray=\"1.6 3.2\"").count();
+    // The line and its key in the legend.
+    assert_eq!(dotted, 2, "{dotted}");
 }
 
 #[test]

@@ -13,6 +13,8 @@ fn bad_data_are_refused_with_their_row_and_column() {
             "load_N,aera_m2\n1,1\n",
             "column \"aera_m2\" is not known (the nearest is \"area_m2\"): the columns are load_N,",
         ),
+        ("Load_N,area_m2\n1,1\n", "column \"Load_N\" is not known (the nearest is \"load_N\")"),
+        ("load [N],area_m2\n1,1\n", "column \"load [N]\" is not known (the nearest is \"load_N\")"),
         ("load,area_m2\n1,1\n", "column \"load\" is not known (the nearest is \"load_N\")"),
         (
             "load_kN,area_m2\n1,1e-9\n",
@@ -130,6 +132,8 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv",
         "data.csv --free hardness=1N:2N",
         "data.csv --free hardness=1GPa",
+        "data.csv --free hardness=0.1:5GPa",
+        "data.csv --free hardness=1GPa:5e9",
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
@@ -156,6 +160,15 @@ fn a_model_without_the_quantity_is_left_out_among_others() {
     assert!(run.messages.contains("warning: left out: gao has no value for the data"));
     let run = bench.run(&format!("{fit} gao"));
     assert!(run.code == Some(1) && run.messages.contains("gao has no value for the data at any"));
+}
+
+#[test]
+fn loads_and_pressures_of_one_row_must_agree() {
+    let bench = Bench::new();
+    bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e5,5e-8\n");
+    let run = bench.run("fit scene.toml data.csv --free asperity_height_std");
+    let wanted = "error: data.csv: row 2: load_N = 100 and pressure_Pa = 1e5 contradict each other: on the nominal area of 1e-4 m2 this pressure is a load of 10 N;";
+    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }
 
 #[test]

@@ -113,6 +113,13 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     assert_eq!(column(&run.out, "tangential_force_N"), [1.0, 10.0, 100.0, 1.0, 10.0, 100.0]);
     let slides = "a tangential force of 100 N is not below mu F = 30 N: the joint slides";
     assert!(run.messages.contains(slides), "{}", run.messages);
+    let edge =
+        bench.run("slip scene.toml --model gw --friction 0.2 --load 500 --tangential-force 100");
+    assert!(
+        edge.code == Some(1) && edge.messages.contains(": the joint slides"),
+        "{}",
+        edge.messages
+    );
     let amplitudes = column_of(&run.out, "amplitude_m");
     assert!(amplitudes[2].is_none() && column_of(&run.out, "loss_J")[2].is_none());
     let joint = joint(&bench, "ke", At::Load(1000.0), UnloadingLaw::Hertz);

@@ -76,16 +76,19 @@ class Fit:
 
 @dataclass(frozen=True)
 class Fits:
-    """Models fitted to the same measurements, that of the lowest BIC first."""
+    """Models fitted to the same measurements.
+
+    Models are ordered by BIC, lowest first, or by rms where one of them has no BIC.
+    """
 
     #: The fitted models.
     models: tuple[Fit, ...]
-    #: What their order says, and what it does not.
+    #: The meaning of their order, and its limits.
     summary: str
 
     @property
     def best(self) -> Fit:
-        """The model of the lowest BIC."""
+        """The first model: that of the lowest BIC, or rms where one has no BIC."""
         return self.models[0]
 
     def __getitem__(self, model: str) -> Fit:

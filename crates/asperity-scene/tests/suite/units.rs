@@ -200,6 +200,9 @@ fn commas_brackets_and_other_units_are_explained() {
         );
         let found = message(&scene.replacen(from, to, 1));
         assert!(found.contains(wanted), "{found}");
+        let twice =
+            scene.replacen("[surface]", "[body]\n[surface]", 1).replace("[[body]]", "[body]");
+        assert!(message(&twice).contains("each of two bodies is written [[body]]; "));
         let found = message(&scene.replace("[[body]]", "[body]"));
         assert!(found.contains("each written [[body]]"), "{found}");
     }
