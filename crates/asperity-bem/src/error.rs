@@ -80,7 +80,7 @@ pub enum BemError {
     },
     /// Every pixel of a periodic map is in contact.
     #[error(
-        "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load or a free boundary"
+        "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load, or a free boundary if the map is periodic"
     )]
     FullContact,
     /// Too many pixels are in contact, or the boundary is free, for

@@ -17,8 +17,6 @@ use super::plan::Case;
 const ENOUGH_PATCHES: f64 = 200.0;
 /// Above this share of the area patches merge, and their number tells nothing.
 const MERGED: f64 = 0.05;
-/// Number of seeds behind every row.
-pub const LEAST_SEEDS: u64 = 4;
 
 /// The contact of one surface under one load.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -12,8 +12,8 @@ use asperity::{
 };
 
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
-use super::kept::{Kept, LEAST_SEEDS};
-use super::plan::Case;
+use super::kept::Kept;
+use super::plan::{Case, LEAST_SEEDS};
 use super::rows::Bem;
 use super::solve::solve_family;
 

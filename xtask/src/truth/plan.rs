@@ -3,7 +3,9 @@
 use anyhow::Result;
 
 use super::family::{FAMILIES, Family, LOADS, is_carried, scene};
-use super::kept::LEAST_SEEDS;
+
+/// Number of seeds behind every row.
+pub const LEAST_SEEDS: u64 = 4;
 
 /// Families with the same materials and loads.
 #[derive(Debug, Clone, Copy)]

@@ -30,7 +30,6 @@ impl Question<'_> {
         }
         table.head.extend(ENDS.map(|end| format!("separation_{end}_m")));
         for model in models {
-            let others = std::mem::take(&mut self.found);
             let mut uncorrected = vec![];
             self.ask(model, |Row { mut place, values }| {
                 uncorrected.push(values.iter().map(Option::is_some).collect::<Vec<_>>());
@@ -41,23 +40,19 @@ impl Question<'_> {
                 place.extend([const { Cell::Number(None) }; 2]);
                 table.rows.push(place);
             })?;
-            let is_whole = self.add_corrected(model, &uncorrected, &mut table);
-            // Corrected values include what such a finding says of the model.
-            let of_model = std::mem::replace(&mut self.found, others).into_iter();
-            self.found.extend(of_model.filter(|found| !is_whole || !found.is_of_model()));
+            self.add_corrected(model, &uncorrected, &mut table);
         }
         self.finish(answered)?;
         Ok(table)
     }
 
-    /// The corrected rows of one model, and whether every value that it has, by row and quantity,
-    /// is corrected.
+    /// The corrected rows of one model, which has values or not by row and quantity.
     fn add_corrected(
         &mut self,
         (own, model): &NamedModel,
         uncorrected: &[Vec<bool>],
         table: &mut Table,
-    ) -> bool {
+    ) {
         let _progress = progress(own);
         let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
         let compiled = shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
@@ -82,7 +77,7 @@ impl Question<'_> {
             Ok(corrected) => corrected,
             Err(reason) => {
                 self.lacking.push(lacks(rows, "value", reason));
-                return false;
+                return;
             }
         };
         let (mut reasons, mut lighter) = (vec![], vec![]);
@@ -99,12 +94,10 @@ impl Question<'_> {
             );
             print_message("note", &text);
         }
-        let is_whole = reasons.is_empty();
         self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
             let what = partly.map_or("value".into(), |quantity| quantity.to_string());
             lacks(count, &what, reason)
         }));
-        is_whole
     }
 
     /// A row; values that the model does not `had` have no reason of their own.

@@ -8,6 +8,9 @@ use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, 
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.15;
+/// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below, the
+/// models themselves differ in how they change.
+const LIGHTER: f64 = 30.0;
 /// Skewnesses farther than this beyond the solved ones have no evidence.
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
@@ -40,6 +43,15 @@ impl SurfaceShape {
     pub fn new(skewness: f64, slopes: [f64; 2]) -> Self {
         let ratio = slopes[0] / slopes[1];
         Self { skewness, slope_ratio: ratio.max(ratio.recip()) }
+    }
+
+    /// How it differs from an isotropic Gaussian surface: `skewness -1`, `slopes 2:1`.
+    pub(crate) fn words(self) -> Vec<String> {
+        let short = |x: f64| ((10.0 * x).round() / 10.0).to_string();
+        let skewness = (self.skewness != 0.0).then(|| format!("skewness {}", short(self.skewness)));
+        let slopes =
+            (self.slope_ratio > 1.0).then(|| format!("slopes {}:1", short(self.slope_ratio)));
+        skewness.into_iter().chain(slopes).collect()
     }
 
     /// The shape with a small skewness replaced by 0 and a ratio of slopes near 1 by 1: single
@@ -145,12 +157,18 @@ impl Evidence {
         let plain = |place: &Place| place.shape == SurfaceShape::default();
         let like = |other: &&Place| plain(place) || !plain(other);
         let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
+        let plasticity = match plain(place) {
+            true => "plasticity_index".into(),
+            false => {
+                format!("plasticity_index of a surface with {}", place.shape.words().join(" and "))
+            }
+        };
         let [_, hardness] = range(Place::of_hardness);
-        let [_, load] = range(|place| place.load);
+        let [lightest, load] = range(|place| place.load);
         let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
-            .or_else(|| outside("plasticity_index", place.index, up_to(index)))
-            .or_else(|| outside("p/(E g)", place.load, up_to(load)))
+            .or_else(|| outside(&plasticity, place.index, up_to(index)))
+            .or_else(|| outside("p/(E g)", place.load, [lightest / LIGHTER, load]))
             .or_else(|| outside("p/H", place.of_hardness(), up_to(hardness)))
             .or_else(|| {
                 let ratio = place.shape.slope_ratio;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::ExpectedContact;
 use crate::evidence::case::Compared;
-use crate::{ExpectedContact, SurfaceShape};
 
 /// A model relative to boundary elements, and an interval that holds nine of ten surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -104,13 +104,7 @@ impl ExpectedContact {
             true => text += &format!(", psi {}", short(self.plasticity_index)),
             false => text += ", elastic",
         }
-        let SurfaceShape { skewness, slope_ratio } = self.shape;
-        if skewness != 0.0 {
-            text += &format!(", skewness {}", short(skewness));
-        }
-        if slope_ratio > 1.0 {
-            text += &format!(", slopes {}:1", short(slope_ratio));
-        }
+        text.extend(self.shape.words().into_iter().map(|part| format!(", {part}")));
         format!("{text}; boundary elements on {} surfaces", self.surfaces)
     }
 }
