@@ -1,9 +1,9 @@
 //! The head of every html page: of the explorer, its other pages, and the guide.
 
-use crate::guide::escape;
+use crate::html::escape;
 
 /// What a page has in its head.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Head<'a> {
     /// Its title.
     pub title: &'a str,

@@ -12,6 +12,7 @@ pub mod files;
 pub mod folder;
 pub mod guide;
 pub mod head;
+pub mod html;
 pub mod page;
 pub mod report;
 pub mod table;

@@ -1,6 +1,5 @@
 //! The legend: for each curve a key with line, dash and marker, for each named area a swatch, and
-//! the label. plotters' own legend
-//! measures text by its bytes and stands inside one chart.
+//! the label. plotters' own legend measures text by its bytes and stands inside one chart.
 
 use crate::canvas::{Canvas, Rect, Type};
 use crate::figure::Panel;

@@ -81,7 +81,9 @@ impl<'a> Document<'a> {
             let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
             match reason {
                 Reason::Notation(hint) => SceneError::Notation { at, found, hint },
-                Reason::Unit { near, needed } => SceneError::Value { at, found, near, needed },
+                Reason::Unit { near, needed } => {
+                    SceneError::Value { at, found, near, needed: needed.into() }
+                }
             }
         })?;
         document.stated = stated;

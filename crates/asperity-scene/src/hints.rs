@@ -3,8 +3,8 @@
 use asperity::nearest_name;
 use toml::de::Error;
 
-use crate::SceneError;
 use crate::document::{Document, shorten};
+use crate::error::{Needed, SceneError};
 use crate::iso_units::gradient;
 use crate::notation::with_decimal_point;
 use crate::template::{joined, key};
@@ -32,19 +32,22 @@ impl Document<'_> {
         }
         let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
         let without_quotes = plain_number(name, &found).filter(|_| needed == "f64");
-        let needed = match needed {
-            _ if without_quotes.is_some() => without_quotes.unwrap_or_default(),
-            "f64" => format!("a number in SI units, without quotes ({meaning}),"),
+        let needed: Needed = match needed {
+            _ if without_quotes.is_some() => without_quotes.unwrap_or_default().into(),
+            "f64" => Needed::Number(meaning),
             "a boolean" => "true or false".into(),
-            "a sequence" if path == "body" => format!("a list ({meaning}), each written [[body]],"),
-            "a sequence" => format!("a list ({meaning})"),
-            "path string" => format!("the path of a file, in quotes ({meaning}),"),
+            "a sequence" if path == "body" => {
+                format!("a list ({meaning}), each written [[body]],").into()
+            }
+            "a sequence" => format!("a list ({meaning})").into(),
+            "path string" => format!("the path of a file, in quotes ({meaning}),").into(),
             other if other.starts_with("wanted ") => "a name in quotes".into(),
             "floating-point number overflowed" => "a number of at most 1.8e308".into(),
-            names => names.replace('`', "\""),
+            names => names.replace('`', "\"").into(),
         };
-        let near = nearest_name(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
-        let near = near.map(Into::into).or_else(|| near_table(&found, &needed));
+        let words = needed.to_string();
+        let near = nearest_name(found.trim_matches('"'), words.split('"').skip(1).step_by(2));
+        let near = near.map(Into::into).or_else(|| near_table(&found, &words));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 

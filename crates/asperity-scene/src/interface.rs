@@ -54,7 +54,7 @@ impl BodyKeys {
                         at: document.place(&path("material")),
                         found: format!("{:?}", shorten(id)),
                         near: near.map(Into::into),
-                        needed,
+                        needed: needed.into(),
                     }
                 })?
             }

@@ -36,7 +36,7 @@ mod write;
 
 pub use check::Measured;
 pub use document::HandedFiles;
-pub use error::{Place, SceneError};
+pub use error::{Needed, Place, SceneError};
 pub use fit::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
@@ -48,7 +48,7 @@ pub use models::LeftOut;
 pub use notation::{notation_hint, with_decimal_point, without_thousands};
 pub use numbers::{Roughness, interface_of};
 pub use options::{Asperities, ModelOptions, OptionValue};
-pub use quantity::{quantity, unit_of};
+pub use quantity::{quantity, quantity_hint, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed, parse_handed_scan};
 pub use template::{template, template_on};

@@ -96,8 +96,12 @@ impl Scan {
                 SceneError::value(option(field), value, &required)
             }
             error => {
+                let at = match error {
+                    TopographyError::TooManyMissing { .. } => option("max_missing"),
+                    _ => document.place(&self.at),
+                };
                 let reason = format!("{}: {error}", self.path.display());
-                SceneError::Measured { at: document.place(&self.at), reason }
+                SceneError::Measured { at, reason }
             }
         }
     }

@@ -41,30 +41,40 @@ pub fn unit_of(key: &str) -> Option<&'static str> {
 /// # Errors
 /// A message with the text and the known units.
 pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
+    number_in(text, si).map_err(|hint| format!("{text:?} {hint}"))
+}
+
+/// How to write a text that [`quantity`] refuses: "is not a number in N: write 2kN, for example
+/// (units: ..)". `None` for texts that it reads.
+#[must_use]
+pub fn quantity_hint(text: &str, si: &str) -> Option<String> {
+    number_in(text, si).err()
+}
+
+/// The number, or what follows its text in a message.
+fn number_in(text: &str, si: &str) -> Result<f64, String> {
     if let Ok(value) = text.trim().parse() {
         return Ok(value);
     }
     let Some(units) = UNITS.into_iter().find(|(known, ..)| *known == si) else {
         let number = text.trim().strip_suffix(si).unwrap_or(text).trim().parse();
-        return number.map_err(|_| format!("{text:?} is not a number in {si}: write it in {si}"));
+        return number.map_err(|_| format!("is not a number in {si}: write it in {si}"));
     };
     read(text, units).ok_or_else(|| {
         if let Some(same) = converted(text, si) {
             let same = same.replace(' ', "");
-            return format!("{text:?} is not a number in {si}: write {same}, which is the same");
+            return format!("is not a number in {si}: write {same}, which is the same");
         }
         if let Some(hardness) = hardness(text).filter(|_| si == "Pa") {
             return format!("{text:?} is not a number in Pa: {hardness}");
         }
         if let Some(hint) = notation_hint(text) {
-            return format!("{text:?} {hint}");
+            return hint;
         }
         let (_, example, names) = units;
         let near = nearest_hint(in_other_case(text, units));
         let (example, names) = (example.replace(' ', ""), list(names));
-        format!(
-            "{text:?} is not a number in {si}{near}: write {example}, for example (units: {names})"
-        )
+        format!("is not a number in {si}{near}: write {example}, for example (units: {names})")
     })
 }
 

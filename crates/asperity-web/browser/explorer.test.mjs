@@ -10,7 +10,7 @@ before(async () => (page = await explorer()));
 after(() => page?.end());
 
 const field = (path) => `[data-path="${path}"]`;
-const heights = (amplitude) => Array.from({ length: 64 }, (_, y) => Array.from({ length: 64 }, (_, x) =>
+const heights = (amplitude, count = 64) => Array.from({ length: count }, (_, y) => Array.from({ length: count }, (_, x) =>
   amplitude * (Math.sin(0.7 * x) + Math.cos(0.9 * y) + Math.sin(0.5 * x - 0.8 * y))).join(" ")).join("\n");
 
 test("edits that follow at once are all in the scene, also while boundary elements are solved", async () => {
@@ -187,14 +187,52 @@ test("pressures of the contact map are shown under the pointer", async () => {
   await page.change(["#example", "made-here"]);
   await page.browser.until("return document.querySelector('#contact image')", "a map");
   await page.browser.until(SETTLED);
-  const said = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
+  const readings = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
     const at = (x, y) => {
       document.getElementById("contact").dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
       return document.getElementById("contact-reading").textContent;
     };
     return [at(0.001, 0.999), ...Array.from({ length: 4096 }, (_, k) => at(((k % 64) + 0.5) / 64, (Math.floor(k / 64) + 0.5) / 64))]`);
-  assert.match(said[0], /^x 1\.56[23] µm, y 198\.4 µm: /);
-  assert.ok(said.some((text) => /: no contact$/.test(text)) && said.some((text) => /: at most 7 GPa$/.test(text)), said[1]);
+  assert.match(readings[0], /^x 1\.56[23] µm, y 198\.4 µm: /);
+  assert.ok(readings.some((text) => /: no contact$/.test(text)) && readings.some((text) => /: up to 7 GPa$/.test(text)), readings[1]);
+});
+
+test("the pressure under the pointer is that of its pixel where parts do not divide the columns", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("odd.txt", heights(1e-7, 130));
+  await page.change([field("surface.unit"), "m"], [field("surface.pixel_size"), "1 um"]);
+  await page.run("document.getElementById('solve-load').click()");
+  await page.browser.until("return document.querySelector('#contact image')", "a map");
+  await page.browser.until(SETTLED);
+  const [inside, last] = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
+    return [128.5, 129.5].map((pixel) => {
+      document.getElementById("contact").dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + (pixel / 130) * box.width, clientY: box.top + 1 }));
+      return document.getElementById("contact-reading").textContent;
+    })`);
+  assert.match(inside, /^x 127\.5 µm, y 1\.5 µm: /);
+  assert.match(last, /^x 129\.5 µm, y 1\.5 µm: /);
+});
+
+test("what to try follows back, a link, a new scan and a typed text", async () => {
+  const shown = () => page.run("return document.getElementById('try').hidden ? '' : document.getElementById('tries').textContent");
+  await page.change(["#example", "bolted-joint"]);
+  const bolted = await shown();
+  await page.change(["#example", "lapped-seal"]);
+  const lapped = await shown();
+  assert.ok(bolted && lapped && bolted !== lapped);
+  await page.run("history.back()");
+  await page.browser.until("return /bolt/i.test(document.getElementById('scene').value)", "the example before");
+  await page.browser.until(SETTLED);
+  assert.equal(await shown(), bolted);
+  const link = await page.run("return location.href");
+  await page.file("own.txt", heights(1e-7));
+  assert.equal(await shown(), "");
+  await page.browser.go("about:blank");
+  await page.browser.go(link);
+  await page.browser.until(SETTLED);
+  assert.equal(await shown(), bolted);
+  await page.scene(example("wheel-rail"));
+  assert.equal(await shown(), "");
 });
 
 test("what to try beside the example does what it says, and an example can be opened again", async () => {

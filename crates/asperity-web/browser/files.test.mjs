@@ -43,7 +43,7 @@ test("bad files have a message, and the page goes on", async () => {
   const x3p = filesOf(map).find(([name]) => name === "scan.x3p")[1];
   const broken = Buffer.from(x3p);
   broken.fill(0x55, 600, 900);
-  for (const [name, bytes, said] of [
+  for (const [name, bytes, wanted] of [
     ["empty.x3p", "", /empty\.x3p is empty \(0 bytes\)/],
     ["torn.x3p", x3p.subarray(0, x3p.length / 2), /torn\.x3p/],
     ["corrupt.x3p", broken, /corrupt\.x3p/],
@@ -53,7 +53,7 @@ test("bad files have a message, and the page goes on", async () => {
     await page.scene(example("wheel-rail"));
     await page.file(name, bytes);
     const shown = `${await page.text("message")} ${await page.text("scene-error")}`;
-    assert.match(shown, said);
+    assert.match(shown, wanted);
     assert.ok(!/undefined|NaN m|panicked/.test(shown), shown);
   }
   await page.scene(example("wheel-rail"));

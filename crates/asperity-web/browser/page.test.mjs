@@ -53,11 +53,11 @@ test("a link restores everything in a fresh profile, and a damaged one has a mes
     assert.deepEqual([await fresh.value("load"), await fresh.value("scene")], ["123 N", example("lapped-seal")]);
     assert.deepEqual(await fresh.values(), before);
     const other = Buffer.from(JSON.stringify({ version: 99, scene: "" })).toString("base64url");
-    for (const [wrong, said] of [[hash.slice(0, 40), /damaged or incomplete/], [`#s=${other}`, /version|damaged/], ["#s=<b id=sly>", /damaged/]]) {
+    for (const [wrong, wanted] of [[hash.slice(0, 40), /damaged or incomplete/], [`#s=${other}`, /version|damaged/], ["#s=<b id=sly>", /damaged/]]) {
       await fresh.browser.go("about:blank");
       await fresh.browser.go(fresh.site.url + wrong);
       await fresh.browser.until(READY);
-      assert.match(await fresh.text("message"), said);
+      assert.match(await fresh.text("message"), wanted);
       assert.ok(Object.keys(await fresh.values()).length > 5);
     }
   } finally {

@@ -35,9 +35,9 @@ test("a refused load has its reason at the field, and the values before are dimm
   await choose(["gw", "ke"]);
   await page.change(["#load", "100 N"]);
   const before = await page.values();
-  for (const [load, said] of [["-5", /load is -5/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
+  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; use dmt, jkr/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
     await page.change(["#load", load]);
-    assert.match(await page.text("load-error"), said);
+    assert.match(await page.text("load-error"), wanted);
     assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
     assert.deepEqual([await page.values(), await page.value("load")], [before, load]);
     assert.ok((await opacity("#answers")) < 0.5 && (await opacity("#curve")) < 0.5);
@@ -46,12 +46,42 @@ test("a refused load has its reason at the field, and the values before are dimm
   assert.deepEqual([await page.phase(), await page.text("load-error"), await opacity("#answers")], ["ready", "", "1"]);
 });
 
+test("a load that slow models refuse with the others is refused, and the values before come back", async () => {
+  await page.scene(example("wheel-rail"));
+  for (const [ids, load, reason] of [[["gw", "gao"], "1e20 N", /largest force found/], [["gao"], "-5", /carry no tension/]]) {
+    await choose(ids);
+    await page.change(["#load", "100 N"]);
+    const before = await page.values();
+    await page.change(["#load", load]);
+    assert.match(await page.text("load-error"), reason);
+    assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
+    assert.deepEqual([await page.values(), parseFloat(await page.value("load"))], [before, parseFloat(load)]);
+    assert.ok((await opacity("#answers")) < 0.5 && !/…/.test(await page.text("answers")));
+  }
+  await page.change(["#load", "200 N"]);
+  assert.deepEqual([await page.phase(), await page.text("load-error"), await opacity("#answers")], ["ready", "", "1"]);
+});
+
+test("a tension beyond the pull-off has the reason of each model, and models with adhesion answer a refused one", async () => {
+  await page.scene(example("elastomer-on-glass").replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
+  await choose(["dmt", "jkr"]);
+  await page.change(["#load", "-1 N"]);
+  assert.match(await page.text("load-error"), /^dmt: load is -1\.0 N: the surfaces pull off at -0\.\d+ N.*; jkr: load is -1\.0 N: the surfaces pull off at -0\./);
+  await page.change(["#load", "10 mN"]);
+  await choose(["gw"]);
+  await page.change(["#load", "-1 mN"]);
+  assert.match(await page.text("load-error"), /models without adhesion carry no tension/);
+  await choose(["gw", "dmt"]);
+  await page.browser.until(SETTLED);
+  assert.deepEqual([await page.phase(), await page.text("load-error"), await page.value("load")], ["ready", "", "-1 mN"]);
+});
+
 test("a model that alone refuses a load says why in its row", async () => {
   await page.scene(example("elastomer-on-glass").replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
   await choose(["gw", "dmt"]);
   await page.change(["#load", "-1 mN"]);
   assert.equal(await page.phase(), "ready");
-  assert.match(await page.run("return document.querySelector('#answers td.reason').textContent"), /load is -0\.001/);
+  assert.match(await page.run("return document.querySelector('#answers td.reason').textContent"), /load is -1 mN: models without adhesion/);
   assert.ok(await page.run("return Boolean(document.querySelector('#answers [data-model=dmt][data-value]'))"));
 });
 
@@ -83,13 +113,13 @@ test("a masked scan names the share of missing points at its own field", async (
 
 test("the message of a field has its name and the text as typed, and no line", async () => {
   await page.scene(example("wheel-rail"));
-  for (const [path, typed, said] of [
+  for (const [path, typed, wanted] of [
     ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a decimal comma; write 0.3"],
     ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two"],
     ["body[1].hardness", "-5", "Hardness H: -5 Pa: a finite number above 0 was required"],
   ]) {
     await page.change([field(path), typed]);
-    assert.equal(await note(path), said);
+    assert.equal(await note(path), wanted);
     assert.equal(await page.phase(), "failed");
     await page.scene(example("wheel-rail"));
   }
@@ -145,7 +175,7 @@ test("boundary elements' stiffnesses are those of the program", { skip: !program
     Object.fromEntries([...row.querySelectorAll('[data-value]')].map(({ dataset: { quantity, value } }) => [quantity, Number(value)])))`);
   await page.run("document.getElementById('save-scan').click()");
   const scene = await saved("scene.toml", "save-scene");
-  assert.match(await page.text("scene-files"), /random-1\.x3p .* put the two together/);
+  assert.match(await page.text("scene-files"), /random-1\.x3p .* save them in one folder/);
   assert.doesNotMatch(scene, /stylus|asperity curve|m0/);
   for (let k = 0; k < 50 && !readdirSync(page.scratch).includes("random-1.x3p"); k++) await new Promise((resolve) => setTimeout(resolve, 100));
   const { stdout, stderr } = spawnSync(program, ["bem", join(page.scratch, "scene.toml"), "--pressure", String(solved.pressure), "--quantity", "tangent,unloading-stiffness", "--format", "json"], { encoding: "utf8" });

@@ -42,10 +42,15 @@ pub(crate) fn usual_views() -> Vec<View> {
     [separation].into_iter().chain(USUAL.map(View::of)).collect()
 }
 
+/// Why a model without adhesion refuses a tension.
+const NO_TENSION: &str = "models without adhesion carry no tension; use dmt, jkr or jkr-separation, which need work_of_adhesion";
+
 /// A model on a scene, ready for many loads.
 pub(crate) struct Compiled {
     name: String,
     contact: Box<dyn Contact>,
+    /// Whether it describes adhesion, which carries tension.
+    adhesive: bool,
     had: Vec<Quantity>,
     /// Why the model has no value of a quantity.
     refused: BTreeMap<Quantity, String>,
@@ -59,9 +64,10 @@ impl Compiled {
             model.compile(scene, &Request::new(quantities.iter().copied()))
         };
         let (name, all) = (model.name().to_string(), quantities(file));
+        let adhesive = model.validity().adhesive;
         let (mut had, mut refused) = (all.clone(), BTreeMap::new());
         let whole = match compile(&all) {
-            Ok(contact) => return Ok(Self { name, contact, had, refused }),
+            Ok(contact) => return Ok(Self { name, contact, adhesive, had, refused }),
             Err(whole) => whole,
         };
         had.retain(|quantity| match compile(&[*quantity]) {
@@ -72,7 +78,8 @@ impl Compiled {
             }
         });
         let contact = compile(if had.is_empty() { &[Quantity::Force] } else { &had });
-        Ok(Self { name, contact: contact.map_err(|_: ContactError| whole)?, had, refused })
+        let contact = contact.map_err(|_: ContactError| whole)?;
+        Ok(Self { name, contact, adhesive, had, refused })
     }
 
     fn respond(&self, at: &[At]) -> Response {
@@ -111,7 +118,11 @@ impl Compiled {
         let cells: Vec<AnswerCell> =
             [separation].into_iter().chain(quantities(file).into_iter().map(of)).collect();
         let empty = cells.iter().all(|cell| cell.digits.is_none());
-        let reason = empty.then(|| cells[0].shown.clone());
+        let load = at.load(&file.scene).unwrap_or_default();
+        let reason = empty.then(|| match load < 0.0 && !self.adhesive {
+            true => format!("load is {}: {NO_TENSION}", shown(load, "N")),
+            false => cells[0].shown.clone(),
+        });
         let row = AnswerRow { model: id.into(), name: self.name.clone(), cells, reason };
         (row, response.warnings)
     }
@@ -175,11 +186,23 @@ mod tests {
     fn a_load_that_a_model_refuses_has_its_reason() {
         let file = file();
         let ke = Compiled::new(&file, "ke").unwrap();
-        for load in [-5.0, 1e30] {
-            let reason = ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
-            assert!(reason.contains("load") && reason.contains("required"), "{reason}");
-        }
+        let reason = |load: f64| ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
+        let tension = reason(-5.0);
+        assert!(tension.starts_with("load is -5 N: models without adhesion carry no tension; use"));
+        assert!(reason(1e30).contains("largest force found"), "{}", reason(1e30));
         assert_eq!(ke.row(&file, "ke", At::Load(100.0)).0.reason, None);
+    }
+
+    #[test]
+    fn models_with_adhesion_refuse_a_tension_where_the_surfaces_pull_off() {
+        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        for id in ["dmt", "jkr"] {
+            let row = Compiled::new(&file, id).unwrap().row(&file, id, At::Load(-1.0)).0;
+            let reason = row.reason.unwrap();
+            assert!(reason.starts_with("load is -1.0 N: the surfaces pull off at -0."), "{reason}");
+        }
     }
 
     #[test]

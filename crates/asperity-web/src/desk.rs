@@ -8,8 +8,8 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::handed::{admit, readable};
-use crate::message::{Answer, AnswerRow, LoadKeys, LoadShown, Message, Shown};
+use crate::files::{admit, readable};
+use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
@@ -174,45 +174,20 @@ impl Desk {
         let (at, load) = span::load(load, &file.scene)?;
         let (mut rows, mut findings) = (vec![], Vec::<Diagnostic>::new());
         for id in models {
-            if let Some(Ok(compiled)) = self.compiled.get(id) {
-                let (row, found) = compiled.row(file, id, at);
-                rows.push(row);
-                findings.extend(found);
+            match self.compiled.get(id) {
+                Some(Ok(compiled)) => {
+                    let (row, found) = compiled.row(file, id, at);
+                    rows.push(row);
+                    findings.extend(found);
+                }
+                Some(Err(reason)) => rows.push(AnswerRow::without_values(id, reason)),
+                None => {}
             }
-        }
-        if let Some(reason) = refused(&rows, &load) {
-            return Err(Refusal::at("load", reason));
         }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
         let head = answer::head(file).join(",");
         Ok(Answer { load, views: answer::views(file), head, rows, findings })
     }
-}
-
-/// Why no model has a value; `None` if one has.
-fn refused(rows: &[AnswerRow], load: &LoadShown) -> Option<String> {
-    let all: Option<Vec<_>> =
-        rows.iter().map(|row| Some((&row.model, row.reason.as_ref()?))).collect();
-    let all = all.filter(|all| !all.is_empty())?;
-    if load.newtons < 0.0 {
-        let ids: Vec<&str> = all.iter().map(|(model, _)| model.as_str()).collect();
-        let (text, ids) = (&load.text, ids.join(", "));
-        return Some(format!(
-            "load is {text}: {ids} carry no tension; use dmt, jkr or jkr-separation, which need the work_of_adhesion"
-        ));
-    }
-    let mut said = Vec::<String>::new();
-    for (model, reason) in &all {
-        let same = |other: &(&String, &String)| other.1 == *reason;
-        let line = match all.iter().filter(|other| same(other)).count() == all.len() {
-            true => reason.to_string(),
-            false => format!("{model}: {reason}"),
-        };
-        if !said.contains(&line) {
-            said.push(line);
-        }
-    }
-    Some(said.join("; "))
 }
 
 fn json(value: impl Serialize) -> Result<Value, Refusal> {
@@ -230,7 +205,7 @@ fn reply<T: Serialize>(answer: Result<T, Refusal>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::handed::MOST_FILE;
+    use crate::files::MOST_FILE;
 
     fn call(desk: &mut Desk, message: Value) -> Value {
         serde_json::from_str(&desk.call(&message.to_string())).unwrap()
@@ -247,6 +222,14 @@ mod tests {
         let answer = call(&mut desk, asked);
         assert_eq!(answer["ok"]["rows"][1]["model"], "gw");
         assert_eq!(answer["ok"]["load"]["pascals"], 1e6);
+        // A load that no model carries has rows too, with the reasons.
+        let tension = json!({ "text": "-5 N", "unit": "N" });
+        let asked = json!({ "call": "answer", "models": ["ke", "none"], "load": tension });
+        let refused = call(&mut desk, asked);
+        for row in refused["ok"]["rows"].as_array().unwrap() {
+            assert!(row["reason"].is_string(), "{row}");
+        }
+        assert_eq!(refused["ok"]["rows"].as_array().unwrap().len(), 2);
         let curve = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
         let rows = curve["ok"]["rows"]["ke"].as_str().unwrap();
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });

@@ -81,8 +81,8 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         let (f, a) = (force.value(x * unit)?, area.value(x * unit)?);
         csv += &format!("{id},{x},{f},{a}\n");
         let at = format!("interference {} ({} of the {})", shown(x * unit, "m"), short(x), of);
-        let said = format!("{at}\nforce {}\narea {}", shown(f, "N"), shown(a, "m2"));
-        readings.push(Mark::new(x, &said));
+        let reading = format!("{at}\nforce {}\narea {}", shown(f, "N"), shown(a, "m2"));
+        readings.push(Mark::new(x, &reading));
     }
     let panel = |column: &str, name: &str| {
         let x = Axis::new("interference", axis).log();
@@ -107,13 +107,13 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         kinks,
         axis,
         range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
-        asperity: said(file),
+        asperity: asperity_sentence(file),
         guide: guide(id),
     })
 }
 
 /// Radius, modulus and hardness of the scene, by their symbols.
-fn said(file: &SceneFile) -> String {
+fn asperity_sentence(file: &SceneFile) -> String {
     let interface = &file.scene.interface;
     let hardness = interface.check().ok().and_then(|(hardness, ..)| hardness);
     let critical = file.scene.asperity().and_then(|asperity| asperity.critical_interference());
@@ -162,8 +162,8 @@ mod tests {
             (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
         );
         assert!(found.source.contains("(2002)"), "{}", found.source);
-        let (said, end) = found.asperity.split_once(", critical interference w_c = ").unwrap();
-        assert!(said.ends_with("H = 2 GPa") && end.ends_with("m."), "{}", found.asperity);
+        let (words, end) = found.asperity.split_once(", critical interference w_c = ").unwrap();
+        assert!(words.ends_with("H = 2 GPa") && end.ends_with("m."), "{}", found.asperity);
         assert!(
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );

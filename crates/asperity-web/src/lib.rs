@@ -9,7 +9,7 @@ mod answer;
 mod code;
 mod desk;
 mod fields;
-mod handed;
+mod files;
 mod law;
 mod link;
 mod map_readings;

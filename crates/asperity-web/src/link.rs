@@ -37,6 +37,9 @@ pub(crate) struct PageState {
     /// The random surface, which is made again.
     #[serde(default)]
     pub(crate) random: Option<RandomKeys>,
+    /// The example that the scene started from.
+    #[serde(default)]
+    pub(crate) example: Option<String>,
 }
 
 fn version() -> u32 {
@@ -116,6 +119,7 @@ mod tests {
             view: "tangent".into(),
             scan: Some(scan),
             random: None,
+            example: Some("wheel-rail".into()),
         }
     }
 

@@ -190,6 +190,13 @@ pub(crate) struct AnswerRow {
     pub(crate) reason: Option<String>,
 }
 
+impl AnswerRow {
+    /// The row of a model that cannot answer.
+    pub(crate) fn without_values(id: &str, reason: &str) -> Self {
+        Self { model: id.into(), name: id.into(), cells: vec![], reason: Some(reason.into()) }
+    }
+}
+
 /// A value, or the reason why there is none.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct AnswerCell {

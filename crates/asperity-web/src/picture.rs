@@ -60,8 +60,8 @@ pub(crate) fn curves(
             // Positive numbers sort as their bits do.
             let found = band.entry(pressure.to_bits()).or_insert((value, value, 0));
             *found = (found.0.min(value), found.1.max(value), found.2 + 1);
-            let said = format!("{} {}", cells[0], shown(value, unit));
-            readings.entry(pressure.to_bits()).or_default().push(said);
+            let reading = format!("{} {}", cells[0], shown(value, unit));
+            readings.entry(pressure.to_bits()).or_default().push(reading);
         }
     }
     let row = |name: &str, pressure: f64, value: f64| {
@@ -85,8 +85,8 @@ pub(crate) fn curves(
     }
     for [pressure, value] in solved {
         csv += &row(BEM, *pressure, *value);
-        let said = format!("boundary elements {}", shown(*value, unit));
-        readings.entry(pressure.to_bits()).or_default().push(said);
+        let reading = format!("boundary elements {}", shown(*value, unit));
+        readings.entry(pressure.to_bits()).or_default().push(reading);
     }
 
     let x = if in_pascals {
@@ -119,7 +119,7 @@ pub(crate) fn curves(
     if (low..=high).contains(&at) {
         panel.verticals.push(Mark::new(at, &load.text));
     }
-    let reading = |(bits, said): (u64, Vec<String>)| {
+    let reading = |(bits, lines): (u64, Vec<String>)| {
         let pascals = f64::from_bits(bits);
         let newtons = pascals * file.scene.nominal_area;
         let (at, name) = if in_pascals {
@@ -127,7 +127,7 @@ pub(crate) fn curves(
         } else {
             (newtons, shown(newtons, "N"))
         };
-        Mark::new(at, &format!("{name}\n{}", said.join("\n")))
+        Mark::new(at, &format!("{name}\n{}", lines.join("\n")))
     };
     panel.readings = readings.into_iter().map(reading).collect();
     Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
@@ -249,9 +249,9 @@ mod tests {
         assert!(!svg.contains("style="));
         // The load at 1 MPa, with the values of both models and of boundary elements.
         let reading = svg.split("<title>").find(|part| part.starts_with("100 N\n")).unwrap();
-        let said: Vec<&str> = reading.split("</title>").next().unwrap().lines().collect();
-        assert_eq!((said.len(), said[3]), (4, "boundary elements 0.001"), "{said:?}");
-        assert!(said[1] == "gw 3.868e-4" && said[2] == "ke 6.645e-4", "{said:?}");
+        let lines: Vec<&str> = reading.split("</title>").next().unwrap().lines().collect();
+        assert_eq!((lines.len(), lines[3]), (4, "boundary elements 0.001"), "{lines:?}");
+        assert!(lines[1] == "gw 3.868e-4" && lines[2] == "ke 6.645e-4", "{lines:?}");
         let keys = crate::message::LoadKeys { text: "1 MPa".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let alone = curves(&file, &rows[..1], "separation", &load, &[]).unwrap();

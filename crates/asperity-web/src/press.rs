@@ -214,8 +214,8 @@ mod tests {
                     iterations += usize::from(count == 2);
                 }
                 Event::Solved { pressure, svg, cells, head, points, readings, .. } => {
-                    let said = serde_json::to_value(readings).unwrap();
-                    let [x, values] = ["x", "values"].map(|key| said[key].as_array().unwrap());
+                    let found = serde_json::to_value(readings).unwrap();
+                    let [x, values] = ["x", "values"].map(|key| found[key].as_array().unwrap());
                     assert_eq!((x.len(), values.len()), (64, 64 * 64));
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_scene::{SceneError, notation_hint, quantity, unit_of};
+use asperity_scene::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
 use serde::Serialize;
 
 /// An error with its place.
@@ -13,14 +13,14 @@ pub(crate) struct Refusal {
     pub(crate) line: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) field: Option<String>,
-    /// The message behind the name of its field in the form: without line and key of the file.
+    /// The message without line and key, to follow the name of the field in the form.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) said: Option<String>,
+    pub(crate) field_message: Option<String>,
 }
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
-        Self { message: message.to_string(), line: None, field: None, said: None }
+        Self { message: message.to_string(), line: None, field: None, field_message: None }
     }
 
     pub(crate) fn at(field: &str, message: impl ToString) -> Self {
@@ -29,13 +29,13 @@ impl Refusal {
 
     /// An error of a scene whose values were typed like this.
     pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
-        let said = said(&error, typed);
-        Self { said, ..Self::from(error) }
+        let field_message = field_message(&error, typed);
+        Self { field_message, ..Self::from(error) }
     }
 }
 
-/// The message of an error about one value, behind the name of its field.
-fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
+/// The message of an error about one value, to follow the name of its field.
+fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
     Some(match error {
         SceneError::Value { at, near, needed, .. } => {
             let text = typed.get(&at.field)?;
@@ -43,18 +43,20 @@ fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> 
                 return Some(format!("{text} {hint}"));
             }
             let unit = unit_of(at.field.rsplit('.').next()?);
-            let plain = text.parse::<f64>().is_ok();
-            match unit.map(|unit| (unit, quantity(text, unit))) {
-                Some((_, Err(reason))) => reason.replacen(&format!("{text:?}"), text, 1),
-                found => {
-                    // Plain numbers are in the SI unit.
-                    let unit = found.filter(|_| plain).map(|(unit, _)| format!(" {unit}"));
-                    let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
-                    let needed = needed.replace(" in SI units, without quotes", "");
-                    let [unit, near] = [unit, near].map(Option::unwrap_or_default);
-                    format!("{text}{unit}{near}: {needed} was required")
-                }
+            if let Some(hint) = unit.and_then(|unit| quantity_hint(text, unit)) {
+                return Some(format!("{text} {hint}"));
             }
+            // Plain numbers are in the SI unit.
+            let unit = unit.filter(|_| text.parse::<f64>().is_ok());
+            let unit = unit.map(|unit| format!(" {unit}"));
+            let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
+            // The form has no quotes.
+            let needed = match needed {
+                Needed::Number(meaning) => format!("a number ({meaning})"),
+                Needed::Other(words) => words.clone(),
+            };
+            let [unit, near] = [unit, near].map(Option::unwrap_or_default);
+            format!("{text}{unit}{near}: {needed} was required")
         }
         SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),
         SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
@@ -63,14 +65,6 @@ fn said(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> 
         }
         _ => return None,
     })
-}
-
-/// The field of a message about the share of missing points, which names the file alone.
-fn of_option(field: &str, message: &str) -> String {
-    match message.contains("max_missing = ") {
-        true => field.replace(".file", ".max_missing"),
-        false => field.into(),
-    }
 }
 
 impl From<SceneError> for Refusal {
@@ -91,8 +85,7 @@ impl From<SceneError> for Refusal {
         };
         // A field that names its file has it behind: `surface.file = "a.x3p"`.
         let field = at.field.split(" = ").next().unwrap_or_default();
-        let field = of_option(field, &message);
-        Self { line: at.line, ..Self::at(&field, message) }
+        Self { line: at.line, ..Self::at(field, message) }
     }
 }
 
@@ -118,6 +111,8 @@ refusals!(
 #[cfg(test)]
 mod tests {
     use std::path::Path;
+
+    use asperity_scene::HandedFiles;
 
     use super::*;
     use crate::fields::fields;
@@ -155,11 +150,11 @@ mod tests {
             (
                 "poissons_ratio",
                 "\"abc\"",
-                "abc: a number (above -1, at most 0.5), was required".into(),
+                "abc: a number (above -1, at most 0.5) was required".into(),
             ),
         ] {
             let found = refusal(key, value);
-            assert_eq!(found.said.as_deref(), Some(&*wanted));
+            assert_eq!(found.field_message.as_deref(), Some(&*wanted));
             assert!(found.message.starts_with("line ") && found.line.is_some());
             assert_eq!(found.field, Some(format!("body[1].{key}")));
         }
@@ -167,8 +162,16 @@ mod tests {
 
     #[test]
     fn a_share_of_missing_points_is_about_its_own_field() {
-        let of = |message| of_option("surface.file", message);
-        assert_eq!(of("the share is 0.2: at most max_missing = 0.1"), "surface.max_missing");
-        assert_eq!(of("a.x3p: not a zip archive"), "surface.file");
+        let row = |k: usize| if k < 4 { "nan\t1\t3\t2\n" } else { "2\t4\t1\t3\n" };
+        let text = (0..8).map(row).collect::<String>().into_bytes();
+        let files = HandedFiles::from([("a.txt".to_string(), text)]);
+        let scene = crate::surface_keys::with_scan(asperity_scene::template(), "a.txt").unwrap();
+        let scene =
+            scene.replace("file = \"a.txt\"", "file = \"a.txt\"\nunit = \"um\"\npixel_size = 1");
+        let refused = Refusal::from(asperity_scene::parse_handed(&scene, &files).unwrap_err());
+        assert_eq!(refused.field.as_deref(), Some("surface.max_missing"), "{}", refused.message);
+        let refused =
+            Refusal::from(asperity_scene::parse_handed(&scene, &HandedFiles::new()).unwrap_err());
+        assert_eq!(refused.field.as_deref(), Some("surface.file"), "{}", refused.message);
     }
 }

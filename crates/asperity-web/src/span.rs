@@ -138,7 +138,7 @@ mod tests {
             let (_, again) = of(&keys(&slid.text, None, unit));
             assert!((again.pascals / slid.pascals - 1.0).abs() < 1e-15);
         }
-        // A plain number says its unit from then on.
+        // The text of a plain number is shown with the unit beside it.
         assert_eq!(of(&keys("2e6", None, "Pa")).1.text, "2e6 Pa");
         assert_eq!(of(&keys("2e6 Pa", None, "N")).0, At::Pressure(2e6));
         let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();

@@ -19,7 +19,7 @@ export function table(views, ids, values, solved) {
 }
 
 // The cells of a solved load that stand in the columns of the models.
-export const columns = (views, { cells }) => views.map(({ id }) => cells.find(({ quantity }) => quantity === id) ?? { quantity: id, shown: "not found by boundary elements" });
+export const columns = (views, { cells }) => views.map(({ id }) => cells.find(({ quantity }) => quantity === id) ?? { quantity: id, shown: "boundary elements do not give this quantity" });
 
 export function load(shown, typed) {
   const field = $("load");
@@ -33,7 +33,15 @@ export function load(shown, typed) {
   field.removeAttribute("aria-invalid");
 }
 
-export function refuseLoad(message) {
+// Why no model answers: each reason once, with its models where there are several.
+export function commonRefusal(rows) {
+  const models = new Map();
+  for (const { model, reason } of rows) models.set(reason, [...(models.get(reason) ?? []), model]);
+  return [...models].map(([reason, ids]) => (models.size > 1 ? `${ids.join(", ")}: ${reason}` : reason)).join("; ");
+}
+
+export function refuseLoad(message, typed = $("load").value) {
+  put($("load"), typed);
   $("load-error").textContent = message;
   $("load").setAttribute("aria-invalid", "true");
 }
@@ -84,7 +92,7 @@ export function numbers(list) {
     element("tr", {}, element("th", { scope: "row" }, name), element("td", { title: digits }, shown), element("td", {}, meaning))));
 }
 
-// What the state of the page has, where there is no scene to show it by.
+// Shows load, models and quantity of the state while the scene has an error.
 export function keep({ load, models, view }) {
   if (load) put($("load"), load);
   names(models);

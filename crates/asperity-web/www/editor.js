@@ -28,9 +28,9 @@ export function number(error) {
     lines.append(k === error?.line ? element("b", {}, String(k)) : String(k), "\n");
   }
   lines.scrollTop = area.scrollTop;
-  const said = $("scene-error");
-  said.hidden = !error;
-  said.textContent = error?.message ?? "";
+  const message = $("scene-error");
+  message.hidden = !error;
+  message.textContent = error?.message ?? "";
   if (error) area.setAttribute("aria-invalid", "true");
   else area.removeAttribute("aria-invalid");
 }

@@ -100,9 +100,10 @@ class Elements {
     figure.addEventListener("pointermove", ({ clientX, clientY }) => {
       const box = figure.querySelector("image")?.getBoundingClientRect();
       if (!box || !this.shown) return;
-      const { x, y, values } = this.shown.readings;
-      const column = Math.floor(((clientX - box.left) / box.width) * x.length);
-      const row = Math.floor(((clientY - box.top) / box.height) * y.length);
+      const { pixels: [rows, columns], step, x, y, values } = this.shown.readings;
+      const part = (share, pixels) => Math.floor(Math.floor(share * pixels) / step);
+      const column = part((clientX - box.left) / box.width, columns);
+      const row = part((clientY - box.top) / box.height, rows);
       output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
     });
     figure.addEventListener("pointerleave", () => { output.textContent = ""; });
@@ -120,13 +121,13 @@ class Elements {
       return row;
     }));
     // What several loads have in common is shown once, for the lightest.
-    const said = new Map();
+    const lines = new Map();
     for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
-      if (!said.has(code)) said.set(code, { text: `${severity}: ${message}`, also: [] });
-      else said.get(code).also.push(load);
+      if (!lines.has(code)) lines.set(code, { text: `${severity}: ${message}`, also: [] });
+      else lines.get(code).also.push(load);
     }
-    notes.hidden = said.size === 0;
-    notes.replaceChildren(...[...said.values()].map(({ text, also }) =>
+    notes.hidden = lines.size === 0;
+    notes.replaceChildren(...[...lines.values()].map(({ text, also }) =>
       element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
   }
 

@@ -56,9 +56,11 @@ export const EXAMPLES = [
   ["lapped-seal", "Lapped seal"],
 ];
 
-function tries(name) {
-  $("try").hidden = false;
-  $("tries").replaceChildren(...TRIES[name].map(([question, act, does]) =>
+// What to try on an example; nothing for another scene.
+export function tries(name) {
+  state.example = Object.hasOwn(TRIES, name ?? "") ? name : null;
+  $("try").hidden = !state.example;
+  $("tries").replaceChildren(...(TRIES[state.example] ?? []).map(([question, act, does]) =>
     element("li", {}, `${question} `, element("button", { type: "button", onclick: does }, act))));
 }
 

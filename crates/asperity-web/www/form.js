@@ -144,7 +144,7 @@ export function mark(error, findings) {
   for (const input of document.querySelectorAll("[data-path]")) {
     let [text, severity] = of.get(input.dataset.path) ?? [];
     // The form has names and no lines.
-    if (severity === "error" && error?.said) text = `${input.labels[0].textContent}: ${error.said}`;
+    if (severity === "error" && error?.field_message) text = `${input.labels[0].textContent}: ${error.field_message}`;
     const note = $(`${input.id}-note`);
     note.hidden = !text;
     note.textContent = text ?? "";

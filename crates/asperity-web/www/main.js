@@ -5,9 +5,12 @@ import { answer, change, redraw, setScene, setView, typed, typingEnds } from "./
 import { note, openLink, rest, writeLink } from "./link.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
-import { EXAMPLES, exampleText, openExample } from "./examples.js";
+import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
+
+// A scene with another surface or a typed text is no longer the example that it started from.
+const ownScene = () => tries(null);
 
 function loads() {
   const moved = (keys, kind) => {
@@ -38,7 +41,7 @@ function surfaces() {
       throw error;
     }));
   });
-  scans();
+  scans(ownScene);
 }
 
 function boundaryElements() {
@@ -57,6 +60,7 @@ function fail(message) {
 
 async function open() {
   const { opened, message } = await openLink(setScene);
+  if (opened) tries(state.example);
   if (message) tell(message);
   return { opened, message };
 }
@@ -65,7 +69,10 @@ async function start() {
   if (typeof WebAssembly !== "object") {
     return fail("This browser has no WebAssembly: use another browser, or the program asperity.");
   }
-  editor(typed, typingEnds);
+  editor((text) => {
+    ownScene();
+    typed(text);
+  }, typingEnds);
   options($("example"), [["", "open …"], ...EXAMPLES]);
   $("example").addEventListener("change", () => {
     const name = $("example").value;

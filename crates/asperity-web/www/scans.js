@@ -29,7 +29,7 @@ export async function useScan(text, { file, typed }) {
 export const usualRandom = () => Object.fromEntries(RANDOM.map(([key, , value]) => [key, value]));
 const typedRandom = () => Object.fromEntries(RANDOM.map(([key]) => [key, $(`random-${key}`).value]));
 
-function use(source) {
+function use(source, changed) {
   tell("");
   return work("page", null, async () => {
     let [before, used] = [];
@@ -39,12 +39,14 @@ function use(source) {
     } while (state.text !== before);
     const { text, scan, random, message } = used;
     Object.assign(state, { scan, random });
+    changed();
     const shown = setScene(text, "scan");
     if (message && !random) shown.then(() => tell(message));
   });
 }
 
-export function scans() {
+// `changed` follows when the surface of the scene becomes another.
+export function scans(changed) {
   $("random-fields").append(...RANDOM.map(([key, label, value]) => {
     const input = element("input", { id: `random-${key}`, type: "text", value });
     return element("div", { className: "row" }, element("label", { htmlFor: input.id }, label), input);
@@ -53,7 +55,7 @@ export function scans() {
     const [file] = $("scan").files;
     // The same file can be chosen again.
     $("scan").value = "";
-    if (file) use({ file });
+    if (file) use({ file }, changed);
   });
   const drop = $("drop");
   addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
@@ -62,9 +64,9 @@ export function scans() {
     event.preventDefault();
     drop.classList.remove("over");
     const [file] = event.dataTransfer.files;
-    if (file) use({ file });
+    if (file) use({ file }, changed);
   });
-  $("make-random").addEventListener("click", () => use({ typed: typedRandom() }));
+  $("make-random").addEventListener("click", () => use({ typed: typedRandom() }, changed));
   $("save-scan").addEventListener("click", () => work("page", null, async () => {
     const [name] = page.shown?.files ?? [];
     if (name) download(name, new Blob([await desks.quick.file(page.text, name)]), "application/octet-stream");

@@ -54,7 +54,7 @@ async function showScene() {
   } finally {
     page.rows.clear();
     page.values.clear();
-    page.load = null;
+    Object.assign(page, { load: null, answered: "" });
   }
   const { shown } = page;
   form.fill(shown, edit, page.materials);
@@ -100,20 +100,18 @@ async function values(keys) {
     found = await ask(desks.quick, "answer", { models, load: keys });
   } catch (error) {
     if (error.field !== "load") throw error;
-    // The values of the load before stay, dimmed.
-    if (page.load || keys.position !== undefined) page.refused = error.message;
-    if (page.load) return blocks.refuseLoad(error.message);
-    if (page.refused) return clear(error.message);
-    // A load that a link brought: the scene is shown at another.
-    await values({ position: USUAL });
-    return tell(error.message);
+    return refuse(error.message, keys);
   }
+  const { rows } = found;
+  if (rows.some(({ reason }) => !reason)) page.answered = found.load.text;
+  // Slow models are still to answer.
+  else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
   Object.assign(page, { load: found.load, refused: "", views: found.views, columns: found.head });
   if (state.load !== found.load.text) takeAway.dropAdvice();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
-  page.values = new Map(found.rows.map((row) => [row.model, row]));
+  page.values = new Map(rows.map((row) => [row.model, row]));
   table();
   await curves(desks.quick, models);
   await draw();
@@ -122,7 +120,26 @@ async function values(keys) {
   blocks.addFindings(found.findings);
   form.mark(null, findings);
   takeAway.code();
-  if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown));
+  if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, keys));
+}
+
+// A load that no chosen model answers: the values of the load before stay, dimmed.
+async function refuse(message, keys, typed) {
+  if (page.load || keys.position !== undefined) page.refused = message;
+  if (page.load) return blocks.refuseLoad(message, typed);
+  if (page.refused) return clear(message);
+  // A load that a link brought: the scene is shown at another.
+  await values({ position: USUAL });
+  tell(message);
+}
+
+// Slow models refuse a load that is shown, as the others did: back to the one before.
+async function withdraw(load, message, keys) {
+  if (state.load !== load) return;
+  if (page.answered) await values({ text: page.answered });
+  else page.load = null;
+  await refuse(message, keys, load);
+  writeLink();
 }
 
 // The rows of curves that are not there yet.
@@ -137,7 +154,7 @@ async function curves(desk, models) {
 const check = (desk, models) => ask(desk, "check", { models, load: { text: state.load } });
 
 // Models whose laws take seconds, in a worker of their own: they appear when they are ready.
-async function slowValues(shown) {
+async function slowValues(shown, keys) {
   const current = () => page.shown === shown;
   const models = chosen().filter(isSlow);
   if (!current() || models.length === 0) return;
@@ -147,6 +164,9 @@ async function slowValues(shown) {
   // A later load has a piece of its own.
   if (state.load === load) {
     found.rows.forEach((row) => page.values.set(row.model, row));
+    const rows = chosen().map((id) => page.values.get(id)).filter(Boolean);
+    if (rows.every(({ reason }) => reason)) return work("page", null, () => withdraw(load, blocks.commonRefusal(rows), keys));
+    page.answered = load;
     table();
   }
   await curves(desks.slow, models);
@@ -178,9 +198,12 @@ async function draw() {
 export function setModels(ids) {
   takeAway.pick(ids.find((id) => !state.models.includes(id)));
   state.models = ids;
+  // The load before was answered by other models.
+  page.answered = "";
   note("models");
   takeAway.models(page.shown, chosen());
-  answer({ text: state.load });
+  // Other models may answer a load that was refused.
+  answer(page.refused ? { text: $("load").value.trim(), unit: $("unit").value } : { text: state.load });
   writeLink();
 }
 

@@ -7,14 +7,16 @@ import { $, tell } from "./page.js";
 export const files = new Map();
 export const desks = { quick: new Desk(files), slow: new Desk(files), solver: new Desk(files) };
 
-// What a link restores. The load is typed, with its unit.
-export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null };
+// What a link restores. The load is typed, with its unit; the example is that which the scene
+// started from.
+export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
 // Answers of the desks: the scene as read from a text, the load on it, the columns and values of
-// models, and the rows of their curves; the load that was refused, and the scan that a link asks for.
+// models, and the rows of their curves; why the load was refused, the last load that a model
+// answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
-  load: null, refused: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
+  load: null, refused: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
 };
 
 // The scan without which the scene of a link cannot be shown.

@@ -112,7 +112,7 @@ export const takeAway = {
   // What has to lie beside a saved scene file.
   files(names) {
     $("scene-files").hidden = names.length === 0;
-    $("scene-files").textContent = `The program reads ${names.join(", ")} from the folder of the scene file: put the two together.`;
+    $("scene-files").textContent = `The program reads ${names.join(", ")} from the folder of the scene file: save them in one folder.`;
   },
   // The models of the scene; none for a scene with an error.
   models({ models: all, usual }, ids) {

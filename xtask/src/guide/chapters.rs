@@ -11,6 +11,8 @@ pub struct Chapter {
     pub title: &'static str,
     /// The files that it shows, one after the other.
     pub parts: &'static [(&'static str, Part)],
+    /// Whether `w_c` and `x^2` in its text are an index and a power.
+    pub equations: bool,
     /// What stands between or behind the parts.
     pub extra: Extra,
 }
@@ -40,7 +42,7 @@ const fn text(
     title: &'static str,
     parts: &'static [(&'static str, Part)],
 ) -> Chapter {
-    Chapter { slug, title, parts, extra: Extra::None }
+    Chapter { slug, title, parts, equations: true, extra: Extra::None }
 }
 
 const fn model(
@@ -49,7 +51,7 @@ const fn model(
     parts: &'static [(&'static str, Part)],
     laws: Laws,
 ) -> Chapter {
-    Chapter { slug, title, parts, extra: Extra::Laws(laws) }
+    Chapter { extra: Extra::Laws(laws), ..text(slug, title, parts) }
 }
 
 use Part::{Code, Head, Section, Whole};
@@ -108,21 +110,23 @@ pub const GROUPS: &[Group] = &[
                     ("crates/asperity-joints/src/conductance.rs", Head),
                 ],
             ),
-            text(
-                "boundary-elements",
-                "Boundary elements",
-                &[("crates/asperity-bem/src/lib.rs", Head)],
-            ),
+            Chapter {
+                // The hats of Fourier transforms would be read as powers.
+                equations: false,
+                ..text(
+                    "boundary-elements",
+                    "Boundary elements",
+                    &[("crates/asperity-bem/src/lib.rs", Head)],
+                )
+            },
             text(
                 "accuracy",
                 "Accuracy and speed",
                 &[("README.md", Section("How accurate, how fast"))],
             ),
             Chapter {
-                slug: "figures",
-                title: "Figures",
-                parts: &[("README.md", Section("Figures"))],
                 extra: Extra::Figures,
+                ..text("figures", "Figures", &[("README.md", Section("Figures"))])
             },
         ],
     },
@@ -153,10 +157,8 @@ pub const GROUPS: &[Group] = &[
         title: "Models",
         chapters: &[
             Chapter {
-                slug: "models",
-                title: "All models",
-                parts: &[("crates/asperity-web/guide/models.md", Whole)],
                 extra: Extra::Models,
+                ..text("models", "All models", &[("crates/asperity-web/guide/models.md", Whole)])
             },
             model(
                 "gw",

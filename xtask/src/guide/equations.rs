@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::template::escape;
+use crate::html::escape;
 
 /// Whether a block of text holds equations, not numbers or the output of a program.
 #[must_use]

@@ -9,8 +9,9 @@ use asperity::{Described, Model};
 use super::chapters;
 use super::site::{self, Site};
 use super::source::root;
-use super::template::{escape, figure};
+use super::template::figure;
 use crate::figures::FIGURES;
+use crate::html::escape;
 
 /// A table of all models but those on random surfaces.
 #[must_use]

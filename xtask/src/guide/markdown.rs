@@ -10,7 +10,7 @@ use pulldown_cmark::{
 };
 
 use super::equations;
-use super::template::escape;
+use crate::html::escape;
 
 /// A heading with the id of its element.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -25,12 +25,9 @@ use serde::Serialize;
 use chapters::{Chapter, Extra};
 use site::Site;
 pub use source::root;
-pub use template::escape;
 
 /// The folder of the guide within that of the page.
 pub const FOLDER: &str = "guide";
-/// The explorer, seen from the guide.
-const EXPLORER: &str = "../index.html";
 /// The documentation of the interfaces beside the guide, listed where it was written.
 const API: [(&str, &str); 2] =
     [("../rust/index.html", "Rust crates"), ("../python/asperity.html", "Python package")];
@@ -87,7 +84,7 @@ pub fn write(page_folder: &Path) -> Result<PathBuf> {
         let path = root().join("crates/asperity-web").join(part);
         copy(&path, &folder.join(path.file_name().unwrap_or_default()))?;
     }
-    let violations = links::violations(&pages, &[links::normal(&folder.join(EXPLORER))])?;
+    let violations = links::violations(&pages, &[links::normal(&folder.join(template::EXPLORER))])?;
     ensure!(violations.is_empty(), "links of the guide:\n{}", violations.join("\n"));
     Ok(folder.join("index.html"))
 }

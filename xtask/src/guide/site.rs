@@ -85,9 +85,8 @@ impl Site {
         let fragments = self.chapters[chapter.slug].clone();
         let mut html = String::new();
         for (fragment, headings) in &fragments {
-            // The hats of Fourier transforms there would be read as powers.
-            let equations = chapter.slug != "boundary-elements";
-            html += &markdown::render(&fragment.text, headings, equations, |link, is_picture| {
+            let with = chapter.equations;
+            html += &markdown::render(&fragment.text, headings, with, |link, is_picture| {
                 self.resolve(&fragment.path, link, is_picture)
             })?;
         }

@@ -3,8 +3,12 @@
 use std::fmt::Write as _;
 
 use super::chapters::{Chapter, GROUPS};
-use super::{EXPLORER, site};
+use super::site;
 use crate::head::Head;
+use crate::html::escape;
+
+/// The explorer, seen from the guide.
+pub const EXPLORER: &str = "../index.html";
 
 /// What is the same on all pages.
 pub struct Frame {
@@ -99,11 +103,4 @@ fn neighbours(current: &Chapter) -> String {
 #[must_use]
 pub fn figure(address: &str, alt: &str) -> String {
     format!("<figure><img src=\"{address}\" alt=\"{}\" loading=\"lazy\"></figure>\n", escape(alt))
-}
-
-/// Text as html, also within an attribute.
-#[must_use]
-pub fn escape(text: &str) -> String {
-    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    text.replace('"', "&quot;")
 }

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 
 use crate::figures::{FIGURES, FigureSpec, models, paper};
 use crate::folder::figures_folder;
+use crate::html::escape;
 
 /// Where the figures go in the gallery's page.
 const PLACE: &str = "<!-- figures -->";
@@ -43,9 +44,9 @@ pub(super) fn write(folder: &Path) -> Result<()> {
         let from = figures_folder().join(&file);
         fs::copy(&from, pictures.join(&file)).with_context(|| from.display().to_string())?;
         let title = (figure.style)(&csv(figure)?)?.title;
-        let (title, mut links) = (escaped(&title), String::new());
+        let (title, mut links) = (escape(&title), String::new());
         for one in scenes {
-            let (link, label) = (link(&one)?, escaped(&one.label));
+            let (link, label) = (link(&one)?, escape(&one.label));
             write!(links, "<a href=\"index.html#s={link}\">{label}</a> ")?;
         }
         let links = links.trim_end();
@@ -66,10 +67,6 @@ pub(super) fn write(folder: &Path) -> Result<()> {
 fn csv(figure: &FigureSpec) -> Result<String> {
     let path = figures_folder().join(format!("{}.csv", figure.name));
     fs::read_to_string(&path).with_context(|| path.display().to_string())
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
 /// The scenes of a figure; none for a figure that is not the curve of a scene.

@@ -8,7 +8,8 @@ use crate::refusal::Refusal;
 /// The longest file, in bytes: each worker that solves the scene holds it.
 pub(crate) const MOST_FILE: u64 = 128 << 20;
 
-/// A file with a larger share of missing points has no surface to speak of.
+/// Largest share of missing points at which a file is accepted; `max_missing` of the scene decides
+/// later.
 const MOST_MISSING: f64 = 0.99;
 
 /// Refuses a file without bytes and one that is too large.
