@@ -104,10 +104,9 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
         }
     }
     // Without contact in the unit given, the start says little, and any contact says much.
-    let (least, more_starts) = match here.is_infinite() {
-        true => (1.0, 1),
-        false => (EXPLAINED.min(SHARE * here), 0),
-    };
+    let has_separations = problem.data.iter().any(|one| one.measured.is_difference());
+    let more_starts = usize::from(here.is_infinite() || has_separations);
+    let least = if here.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * here) };
     let (mut least, mut likely) = (least, None);
     for column in columns {
         for (unit, factor) in column.units() {

@@ -66,7 +66,7 @@ fn number_in(text: &str, si: &str) -> Result<f64, String> {
             return format!("is not a number in {si}: write {same}, which is the same");
         }
         if let Some(hardness) = hardness(text).filter(|_| si == "Pa") {
-            return format!("{text:?} is not a number in Pa: {hardness}");
+            return format!("is not a number in Pa: {hardness}");
         }
         if let Some(hint) = notation_hint(text) {
             return hint;
