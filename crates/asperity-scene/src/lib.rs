@@ -31,6 +31,7 @@ mod scene_file;
 mod sides;
 mod surface;
 mod template;
+mod unit_name;
 mod units;
 mod write;
 

@@ -2,6 +2,7 @@
 
 use crate::scaled::{leading, scale};
 use crate::sides;
+use crate::unit_name::plain;
 
 pub(crate) type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
@@ -88,14 +89,6 @@ pub(crate) fn in_other_case(given: &str, units: Units) -> Option<String> {
     let mut alike = units.2.iter().filter(|(known, _)| known.eq_ignore_ascii_case(&unit));
     let (known, _) = alike.next().filter(|_| alike.next().is_none())?;
     Some(format!("{number}{known}"))
-}
-
-/// A unit without ignored characters, in ASCII.
-pub(crate) fn plain(unit: &str) -> String {
-    let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
-    let text: String = unit.chars().filter(|c| !left_out(*c)).collect();
-    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
-    text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
 }
 
 /// A number with one of the units.

@@ -168,12 +168,19 @@ impl Evidence {
         let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
             .or_else(|| outside(&plasticity, place.index, up_to(index)))
-            .or_else(|| outside("p/(E g)", place.load, [lightest / LIGHTER, load]))
+            .or_else(|| outside("p/(E g)", place.load, up_to(load)))
             .or_else(|| outside("p/H", place.of_hardness(), up_to(hardness)))
             .or_else(|| {
                 let ratio = place.shape.slope_ratio;
                 outside("the ratio of slopes", ratio, range(|place| place.shape.slope_ratio))
             });
+        if place.load * LIGHTER < lightest {
+            let reason = format!(
+                "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
+                place.load
+            );
+            return Err(Self::none(reason));
+        }
         let [low, high] = range(|place| place.shape.skewness);
         let skewness = place.shape.skewness;
         let solved = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
