@@ -101,8 +101,8 @@ impl<'f> Fit<'f> {
     /// Fits a model; `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
-    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Unit`] if it
-    /// has them in another unit of a column, and [`FitError::Interrupted`].
+    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Unit`] if
+    /// it has them in another unit of a column, and [`FitError::Interrupted`].
     pub fn run_with(
         &self,
         model: &dyn ContactModel,

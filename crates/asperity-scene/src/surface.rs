@@ -265,8 +265,8 @@ fn numbers(
 /// The field of an error for moments that no isotropic Gaussian surface has.
 const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
 
-/// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope, and
-/// what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
+/// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,
+/// and what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
 fn too_steep(roughness: &Roughness) -> Option<(&'static str, f64, String)> {
     let rough = |std: f64, density: f64| (8.0 * 3f64.sqrt() * density).sqrt() * std;
     let (key, slope, most, formula) = match *roughness {

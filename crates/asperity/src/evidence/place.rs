@@ -8,8 +8,8 @@ use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, 
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.15;
-/// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below, the
-/// models themselves differ in how they change.
+/// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below,
+/// the models themselves differ in how they change.
 const LIGHTER: f64 = 30.0;
 /// Skewnesses farther than this beyond the solved ones have no evidence.
 const BEYOND_SKEWNESS: f64 = 0.2;
