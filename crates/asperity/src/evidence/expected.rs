@@ -27,8 +27,9 @@ const FEW: f64 = 1.4;
 /// Pressures over the hardness beyond which stiffnesses change too fast to be interpolated: on new
 /// surfaces they were up to twice as large, and they spoil what is interpolated at lower pressures.
 const STIFFEST: f64 = 0.3;
-/// Pressure over the hardness beyond which gaps are left out: the table has means of open gaps, which
-/// lie above the distance of the mean planes, of which separations are, by the mean plastic depth.
+/// Pressure over the hardness beyond which gaps are left out: the table has means of open gaps,
+/// which lie above the distance of the mean planes, of which separations are, by the mean plastic
+/// depth.
 const FLATTENED: f64 = 0.2;
 /// Area fraction above which patches are few because contacts merge.
 const MERGED: f64 = 0.02;
