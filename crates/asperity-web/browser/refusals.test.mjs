@@ -115,7 +115,7 @@ test("the message of a field has its name and the text as typed, and no line", a
   await page.scene(example("wheel-rail"));
   for (const [path, typed, wanted] of [
     ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a decimal comma; write 0.3"],
-    ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is 210.000 MPa or 210000 MPa; write one of the two"],
+    ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is ambiguous; write 210.000 MPa or 210000 MPa"],
     ["body[1].hardness", "-5", "Hardness H: -5 Pa: a finite number above 0 was required"],
   ]) {
     await page.change([field(path), typed]);

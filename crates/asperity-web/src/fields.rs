@@ -73,11 +73,16 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
             None => _ = table.remove(key),
             Some(value) => {
                 let mut value = as_value(value);
-                // A comment behind the old value stays.
-                if let Some(old) = table.get(key).and_then(Item::as_value) {
-                    *value.decor_mut() = old.decor().clone();
+                // Comments above the key and behind the old value stay.
+                match table.get_mut(key) {
+                    Some(item) => {
+                        if let Some(old) = item.as_value() {
+                            *value.decor_mut() = old.decor().clone();
+                        }
+                        *item = Item::Value(value);
+                    }
+                    None => _ = table.insert(key, Item::Value(value)),
                 }
-                table.insert(key, Item::Value(value));
             }
         }
     }
@@ -210,6 +215,13 @@ mod tests {
         let wanted = TEXT.replace("7 GPa", "6 GPa").replace("1e-13", "2e-13");
         let wanted = wanted.replace("hardness = 2e9\n", "");
         assert_eq!(edited, format!("{wanted}\n[options]\njg_hardness = \"cosine\"\n"));
+    }
+
+    #[test]
+    fn comments_above_and_behind_a_value_stay() {
+        let text = "# as measured\nnominal_area = 1e-4 # m2\n";
+        let edited = edit(text, &[change("nominal_area", Some("3 cm2"))]).unwrap();
+        assert_eq!(edited, "# as measured\nnominal_area = \"3 cm2\" # m2\n");
     }
 
     #[test]
