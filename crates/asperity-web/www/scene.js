@@ -124,7 +124,8 @@ async function values(keys) {
 }
 
 // A load that no chosen model answers: the values of the load before stay, dimmed.
-async function refuse(message, keys, typed) {
+// The answer at the load before may have come, and changed the field, since this one was typed.
+async function refuse(message, keys, typed = keys.text) {
   if (page.load || keys.position !== undefined) page.refused = message;
   if (page.load) return blocks.refuseLoad(message, typed);
   if (page.refused) return clear(message);
