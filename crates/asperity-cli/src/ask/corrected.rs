@@ -80,11 +80,12 @@ impl Question<'_> {
                 return;
             }
         };
-        let (mut reasons, mut lighter) = (vec![], vec![]);
+        let (mut reasons, mut lighter, mut apart) = (vec![], vec![], vec![]);
         for (&at, had) in self.request.at.iter().zip(uncorrected) {
             let row = corrected.at(at);
             let extrapolated = row.iter().filter(|row| row.is_extrapolated());
             lighter.extend(extrapolated.map(CorrectedRow::basis));
+            apart.extend(row.iter().filter_map(|row| row.separation().err()));
             table.rows.push(self.corrected_row(&corrected, (at, had), &row, &mut reasons));
         }
         if let Some(basis) = lighter.first() {
@@ -94,6 +95,9 @@ impl Question<'_> {
             );
             print_message("note", &text);
         }
+        let count = apart.len();
+        let separation = apart.into_iter().next().map(|reason| lacks(count, "separation", reason));
+        self.lacking.extend(separation);
         self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
             let what = partly.map_or("value".into(), |quantity| quantity.to_string());
             lacks(count, &what, reason)

@@ -54,6 +54,9 @@ pub struct ExpectedContact {
     pub values: Vec<(Compared, Estimate)>,
     /// Sq \[m\], the unit of differences of gaps.
     pub rms_height: f64,
+    /// Mean pressure over the hardness; 0 without one.
+    #[serde(skip)]
+    pub pressure_over_hardness: f64,
 }
 
 /// A value and an interval that holds nine of ten surfaces, or nine of ten means of many.
@@ -73,6 +76,19 @@ impl ExpectedContact {
     #[must_use]
     pub fn estimate(&self, quantity: Compared) -> Option<Estimate> {
         self.values.iter().find(|(known, _)| *known == quantity).map(|(_, estimate)| *estimate)
+    }
+
+    /// Why there is no [`estimate`](Self::estimate) of a quantity.
+    #[must_use]
+    pub fn undetermined(&self, quantity: Compared) -> String {
+        let highest = quantity.highest_pressure();
+        match self.pressure_over_hardness > highest {
+            true => format!(
+                "it is interpolated up to {highest} H, and the pressure is {:.2} H",
+                self.pressure_over_hardness
+            ),
+            false => "its interval would exceed a factor of 1.5".into(),
+        }
     }
 
     /// The ratio of a model to the estimate, or the difference of mean gaps over Sq; `model` is its
@@ -148,7 +164,7 @@ impl Evidence {
                 Compared::UnloadingStiffness if place.strain == 0.0 => Compared::Stiffness,
                 other => other,
             };
-            if !solved.is_smooth_at(&place) {
+            if place.of_hardness() > solved.highest_pressure() {
                 return None;
             }
             let least = if quantity == Compared::Area { place.load * place.strain } else { 0.0 };
@@ -174,6 +190,7 @@ impl Evidence {
             surfaces: self.surfaces_near(&place),
             values,
             rms_height,
+            pressure_over_hardness: place.of_hardness(),
         })
     }
 
@@ -195,7 +212,8 @@ impl Evidence {
 
     fn solved_values(&self, quantity: Compared) -> Vec<SolvedValue> {
         let cases = self.places.iter().zip(&self.cases);
-        let near = cases.filter(|(place, _)| quantity.is_smooth_at(place));
+        let highest = quantity.highest_pressure();
+        let near = cases.filter(|(place, _)| place.of_hardness() <= highest);
         near.filter_map(|(place, case)| solved_value(quantity, place, case)).collect()
     }
 
@@ -213,12 +231,12 @@ impl Evidence {
 }
 
 impl Compared {
-    /// Whether cases here take part in interpolation.
-    fn is_smooth_at(self, place: &Place) -> bool {
+    /// The pressure over the hardness up to which cases take part in interpolation.
+    fn highest_pressure(self) -> f64 {
         match self {
-            Self::Area => true,
-            Self::Stiffness | Self::UnloadingStiffness => place.of_hardness() <= STIFFEST,
-            Self::MeanGap => place.of_hardness() <= FLATTENED,
+            Self::Area => f64::INFINITY,
+            Self::Stiffness | Self::UnloadingStiffness => STIFFEST,
+            Self::MeanGap => FLATTENED,
         }
     }
 }

@@ -46,7 +46,7 @@ impl SurfaceShape {
     }
 
     /// How it differs from an isotropic Gaussian surface: `skewness -1`, `slopes 2:1`.
-    pub(crate) fn words(self) -> Vec<String> {
+    pub(crate) fn differences(self) -> Vec<String> {
         let short = |x: f64| ((10.0 * x).round() / 10.0).to_string();
         let skewness = (self.skewness != 0.0).then(|| format!("skewness {}", short(self.skewness)));
         let slopes =
@@ -160,7 +160,10 @@ impl Evidence {
         let plasticity = match plain(place) {
             true => "plasticity_index".into(),
             false => {
-                format!("plasticity_index of a surface with {}", place.shape.words().join(" and "))
+                format!(
+                    "plasticity_index of a surface with {}",
+                    place.shape.differences().join(" and ")
+                )
             }
         };
         let [_, hardness] = range(Place::of_hardness);

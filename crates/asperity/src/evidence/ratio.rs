@@ -104,7 +104,7 @@ impl ExpectedContact {
             true => text += &format!(", psi {}", short(self.plasticity_index)),
             false => text += ", elastic",
         }
-        text.extend(self.shape.words().into_iter().map(|part| format!(", {part}")));
+        text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
         format!("{text}; boundary elements on {} surfaces", self.surfaces)
     }
 }

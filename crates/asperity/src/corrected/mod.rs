@@ -195,8 +195,9 @@ impl CorrectedRow<'_> {
         };
         let here = compared.of_contact(contact, self.expected.pressure)?;
         let ratio = self.expected.ratio(compared, here).ok_or_else(|| {
-            let reason = format!("the solved surfaces do not determine the {quantity} here: its interval would exceed a factor of 1.5");
-            self.of.refused(reason)
+            let why = self.expected.undetermined(compared);
+            self.of
+                .refused(format!("the solved surfaces do not determine the {quantity} here: {why}"))
         })?;
         let of = |ratio: f64| value / ratio.powf(power);
         let ends = [of(ratio.low), of(ratio.high)];
@@ -213,7 +214,9 @@ impl CorrectedRow<'_> {
         let contact = &*self.of.contact;
         let gap = Compared::MeanGap.of_contact(contact, self.expected.pressure)?;
         let ratio = self.expected.ratio(Compared::MeanGap, gap).ok_or_else(|| {
-            self.of.refused("the solved surfaces do not determine the mean gap here: its interval would exceed a factor of 1.5".into())
+            let why = self.expected.undetermined(Compared::MeanGap);
+            self.of
+                .refused(format!("the solved surfaces do not determine the separation here: {why}"))
         })?;
         let separation = contact.separation(self.at)?;
         let metres =
@@ -228,124 +231,4 @@ impl CorrectedRow<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Interface, ProfileMoments, Surface};
-
-    const ASKED: [Quantity; 4] =
-        [Quantity::Area, Quantity::MeanPressure, Quantity::Tangent, Quantity::ContactRadiusSum];
-
-    fn scene(m4: f64) -> Scene {
-        let surface =
-            Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4 }).unwrap();
-        Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4)
-    }
-
-    fn corrected(id: &str, scene: &Scene) -> Corrected {
-        Corrected::new(&id.parse().unwrap(), scene, None, &Request::new(ASKED)).unwrap()
-    }
-
-    #[test]
-    fn every_corrected_model_gives_what_boundary_elements_are_expected_to() {
-        let scene = scene(3e8);
-        // From p/(E g) = 1e-6, below all solved loads, on.
-        for load in [1.0, 1e3, 3e4] {
-            let values = |id: &str| {
-                let corrected = corrected(id, &scene);
-                let row = corrected.at(At::Load(load)).unwrap();
-                ASKED[..3].iter().map(|q| row.value(*q).unwrap()).collect::<Vec<_>>()
-            };
-            let (ke, jg) = (values("ke"), values("jg"));
-            for (ke, jg) in ke.iter().zip(&jg) {
-                // Below the solved loads ratios are kept, and models differ a little.
-                let within = if load > 10.0 { 1e-6 } else { 0.05 };
-                assert!((ke.value / jg.value - 1.0).abs() < within, "{load} {ke:?} {jg:?}");
-                assert!(ke.lower < ke.value && ke.value < ke.upper, "{ke:?}");
-            }
-            let area_times_pressure = ke[0].value * ke[1].value;
-            assert!((area_times_pressure / load - 1.0).abs() < 1e-9, "{area_times_pressure}");
-        }
-        let pressure = 1e3 / scene.nominal_area;
-        let expected =
-            Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
-        let ke = corrected("ke", &scene);
-        let area = ke.at(At::Load(1e3)).unwrap().value(Quantity::Area).unwrap();
-        let wanted = expected.estimate(Compared::Area).unwrap().value * scene.nominal_area;
-        assert!((area.value / wanted - 1.0).abs() < 1e-9, "{area:?} {wanted}");
-        let separation = ke.at(At::Load(1e3)).unwrap().separation().unwrap();
-        let gap = expected.estimate(Compared::MeanGap).unwrap();
-        let mean = |found: Separation| {
-            let datum = crate::Datum::SurfaceMean;
-            found.measured_in(SeparationUnit::Metres, datum, &scene).unwrap().value
-        };
-        assert!((mean(separation.value) / gap.value - 1.0).abs() < 1e-9, "{separation:?} {gap:?}");
-        // Of a surface with some thousand contacts, which adds little to the interval of means.
-        for (end, wanted) in [(separation.lower, gap.low), (separation.upper, gap.high)] {
-            assert!((mean(end) / wanted - 1.0).abs() < 0.02, "{separation:?} {gap:?}");
-        }
-    }
-
-    #[test]
-    fn few_contacts_scatter() {
-        let scene = scene(3e8);
-        let ke = corrected("ke", &scene);
-        let width = |load: f64| {
-            let area = ke.at(At::Load(load)).unwrap().value(Quantity::Area).unwrap();
-            area.upper / area.lower
-        };
-        assert!(width(0.3) > 1.3 * width(1e3), "{} {}", width(0.3), width(1e3));
-        // Persson's theory counts no contacts; its surfaces scatter as much.
-        let area = |id: &str| {
-            let row = corrected(id, &scene);
-            row.at(At::Load(0.3)).unwrap().value(Quantity::Area).unwrap()
-        };
-        let (same, persson) = (area("ke"), area("persson-fudge"));
-        let relative = (persson.upper / persson.lower) / (same.upper / same.lower);
-        assert!((relative - 1.0).abs() < 0.02, "{persson:?} {same:?}");
-        let refused = ke.at(At::Load(1e-9)).unwrap_err().to_string();
-        assert!(refused.contains("less than one asperity touches"), "{refused}");
-    }
-
-    #[test]
-    fn references_and_hardening_are_not_corrected() {
-        let refused = |id: &str| {
-            let model: Model = id.parse().unwrap();
-            let refused = Corrected::new(&model, &scene(3e8), None, &Request::new(ASKED));
-            refused.unwrap_err().to_string()
-        };
-        assert!(refused("ghaednia").contains("do not harden"), "{}", refused("ghaednia"));
-    }
-
-    #[test]
-    fn nothing_is_left_uncorrected() {
-        let scene = scene(3e8);
-        let ke: Model = "ke".parse().unwrap();
-        let asked = Request::new([Quantity::Contacts, Quantity::Force, Quantity::Stiffness]);
-        let ke = Corrected::new(&ke, &scene, None, &asked).unwrap();
-        let row = ke.at(At::Load(1e3)).unwrap();
-        assert!((row.value(Quantity::Force).unwrap().value / 1e3 - 1.0).abs() < 1e-9);
-        let refused = row.value(Quantity::Contacts).unwrap_err().to_string();
-        assert!(
-            refused.starts_with("ke-corrected: contacts has no counterpart in boundary elements"),
-            "{refused}"
-        );
-        let refused = row.value(Quantity::Stiffness).unwrap_err().to_string();
-        assert!(
-            refused.contains("use tangent (first loading) or unloading-stiffness"),
-            "{refused}"
-        );
-        // Inclined contacts have no radii.
-        let mut inclined = self::scene(3e8);
-        inclined.interface.equivalent_shear_modulus = Some(41e9);
-        let asked = Request::new([Quantity::UnloadingStiffness, Quantity::Area]);
-        let gao = Corrected::new(&"gao".parse().unwrap(), &inclined, None, &asked).unwrap();
-        let row = gao.at(At::Load(1e3)).unwrap();
-        assert!(row.value(Quantity::Area).is_ok());
-        assert!(row.value(Quantity::UnloadingStiffness).is_err());
-        let refused = ke.at(At::from(2.0)).unwrap_err().to_string();
-        assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
-        let broad = corrected("ke", &self::scene(3e11));
-        let refused = broad.at(At::Load(1e3)).unwrap_err().to_string();
-        assert!(refused.contains("ke-corrected: no boundary-element solution is close: alpha"));
-    }
-}
+mod tests;
