@@ -4,16 +4,17 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{
-    At, Body, ContactModel, Datum, Interface, Request, SeparationUnit, shortest_digits,
-};
-use asperity_scene::{SceneFile, likely_angle};
+use asperity::{At, ContactModel, Datum, Request, SeparationUnit, shortest_digits};
+use asperity_scene::likely_angle;
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::{CONDUCTANCE, column, picture};
+use super::conductivity::{
+    Conductivity, conductivity, interface_conductivity, missing_conductivity,
+};
 use crate::input::args::{DrawnArgs, model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
+use crate::input::numbers::{length, load, pressure, slope};
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, summary};
@@ -302,71 +303,4 @@ fn formula(name: &str) -> Result<Formula, String> {
         Some(id) => Ok(Formula::Correlation(id)),
         None => model_id(name).map(Formula::Model),
     }
-}
-
-/// The conductivity of an interface, or those of its two bodies \[W/(m K)\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Conductivity {
-    Interface(f64),
-    Bodies(f64, f64),
-}
-
-impl Conductivity {
-    /// The conductivity of the interface \[W/(m K)\].
-    fn value(self) -> f64 {
-        match self {
-            Self::Interface(conductivity) => conductivity,
-            Self::Bodies(first, second) => Interface::mean_conductivity(first, second),
-        }
-    }
-
-    /// Prints how two values are read.
-    fn note(self) {
-        let Self::Bodies(first, second) = self else { return };
-        let [k1, k2, k] = [first, second, self.value()].map(rounded);
-        let how = format!(
-            "--conductivity {k1},{k2} is read as two bodies, 2 k1 k2/(k1 + k2) = {k} W/(m K); a decimal is written {k1}.{k2}"
-        );
-        // No decimal has two points.
-        let how = match [&k1, &k2].iter().any(|k| k.contains(['.', 'e'])) {
-            true => how.split("; a decimal").next().unwrap_or_default(),
-            false => &how,
-        };
-        print_message("note", how);
-    }
-}
-
-fn interface_conductivity(text: &str) -> Result<Conductivity, String> {
-    if text.contains(':') {
-        return Err("a range is not possible here; write K of the interface, or K1,K2".into());
-    }
-    match Numbers::read(text, conductivity)?.0[..] {
-        [one] => Ok(Conductivity::Interface(one)),
-        [first, second] => Ok(Conductivity::Bodies(first, second)),
-        ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
-    }
-}
-
-/// What lacks a conductivity, and where to set it.
-fn missing_conductivity(file: &SceneFile) -> String {
-    let lacks = |(body, k): (&Body, usize)| {
-        body.thermal_conductivity.is_none().then(|| format!("body[{k}].thermal_conductivity"))
-    };
-    let lacking: Vec<String> = file.bodies.iter().zip(1..).filter_map(lacks).collect();
-    match (&lacking[..], file.bodies.len()) {
-        ([one], 2) => format!("{one} is missing: set it there, or use --conductivity"),
-        (_, 1) => {
-            "thermal_conductivity of a rigid counterface is unknown: use --conductivity".into()
-        }
-        (_, 0) => {
-            "interface.thermal_conductivity is missing: set it there, or use --conductivity".into()
-        }
-        _ => {
-            "thermal_conductivity is missing: set it in both [[body]], or use --conductivity".into()
-        }
-    }
-}
-
-fn conductivity(text: &str) -> Result<f64, String> {
-    of_unit(text, "W/(m K)").and_then(positive)
 }

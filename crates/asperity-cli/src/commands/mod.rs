@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod conductance;
 mod conductance_picture;
+mod conductivity;
 mod curve;
 mod export;
 mod fit;

@@ -186,7 +186,7 @@ fn data_in_another_unit_are_an_error_with_the_unit() {
         assert_eq!(run.code, Some(1), "{}", run.messages);
         let why = "error: scene.toml: ke: no values within the bounds describe the data, which are off by a factor of ";
         assert!(run.messages.contains(why) && run.messages.contains(wanted), "{}", run.messages);
-        // The values are meaningless, and nothing else is said of them.
+        // The values mean nothing, so that no other message speaks of them.
         assert!(!run.messages.contains("warning"), "{}", run.messages);
         assert_eq!(column(&run.out, "value").len(), 2);
     }

@@ -134,12 +134,12 @@ fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
             }
             let data = data(&columns);
             let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-            let said = match fit.run(&KogutEtsion) {
+            let message = match fit.run(&KogutEtsion) {
                 Ok(fitted) => fitted.misfit.unwrap_or_default(),
                 Err(error) => error.to_string(),
             };
-            assert!(said.contains(&format!(" looks like {unit}; ")), "{unit}: {said}");
-            assert!(said.contains("separation_m = "), "{unit}: {said}");
+            assert!(message.contains(&format!(" looks like {unit}; ")), "{unit}: {message}");
+            assert!(message.contains("separation_m = "), "{unit}: {message}");
         }
     }
 }

@@ -99,7 +99,7 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// The load, by the name of what was given; loads act on `area` \[m^2\].
+/// A mean gap \[m\], a load \[N\] on `area` \[m^2\] or a pressure \[Pa\], as `given` names it.
 pub(super) fn load_case(given: &str, value: f64, area: f64) -> LoadCase {
     match given {
         "gap" => LoadCase::MeanGap(value),

@@ -1,6 +1,7 @@
 //! Tests of measured surfaces, in one binary: it is linked once, and they run side by side.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod broken;
 mod files;
 mod formats;
 mod gaussian;
