@@ -20,7 +20,7 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use asperity_core::{ContactError, ProfileMoments, Scene, positive};
+use asperity_core::{ContactError, ProfileMoments, Scene, positive, short};
 use serde::Serialize;
 
 /// The combined roughness of a gap, input of the correlations.
@@ -171,8 +171,32 @@ impl Correlation {
         [*range.start(), *range.end()]
     }
 
-    /// The plasticity index of a scene outside the correlation's range: below 1 for the plastic
-    /// correlation, at least 1 for the elastic one. `None` inside the range or without a hardness.
+    /// The contacts that the correlation does not describe, `elastic` or `plastic`.
+    #[must_use]
+    pub fn other_contacts(self) -> &'static str {
+        match self {
+            Self::CooperMikicYovanovich => "elastic",
+            Self::MikicElastic => "plastic",
+        }
+    }
+
+    /// The reason why the correlation does not hold for a scene of
+    /// [other contacts](Self::other_contacts).
+    #[must_use]
+    pub fn reason_against(self, scene: &Scene) -> Option<String> {
+        self.foreign(scene).map(|index| {
+            format!(
+                "plasticity_index is {}, so that the contacts are {} and this correlation does not hold ({})",
+                short(index),
+                self.other_contacts(),
+                self.citation()
+            )
+        })
+    }
+
+    /// The plasticity index of a scene with [other contacts](Self::other_contacts): below 1 for the
+    /// plastic correlation, at least 1 for the elastic one. `None` for contacts that the
+    /// correlation describes, or without a hardness.
     #[must_use]
     pub fn foreign(self, scene: &Scene) -> Option<f64> {
         let index = scene.plasticity_index().ok()?;
