@@ -125,7 +125,7 @@ test("the message of a field has its name and the text as typed, and no line", a
   }
   // What the program's check notes is there too.
   await page.change([field("nominal_area"), "1"]);
-  assert.match(await note("nominal_area"), /nominal_area is 1 m2 .*1 looks like mm2/);
+  assert.match(await note("nominal_area"), /nominal area is 1 m2 .*1 looks like mm2/);
   await page.change([field("nominal_area"), "1 cubit"]);
   assert.match(await note("nominal_area"), /units: m2, cm2, mm2/);
 });

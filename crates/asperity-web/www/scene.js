@@ -174,7 +174,8 @@ async function slowValues(shown, keys) {
     const rows = chosen().map((id) => page.values.get(id)).filter(Boolean);
     if (rows.every(({ reason }) => reason)) return work("page", null, () => withdraw(load, blocks.commonRefusal(rows), keys));
     page.answered = load;
-    page.undescribed = blocks.undescribed(rows);
+    // A refused load keeps its reason.
+    if (!page.refused) page.undescribed = blocks.undescribed(rows);
     table();
   }
   await curves(desks.slow, models);
