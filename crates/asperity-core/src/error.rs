@@ -168,7 +168,9 @@ pub enum ContactError {
     },
     /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
     #[error(
-        "load is {load:?} N: at least {smallest:e} N, the force at the largest separation ({at}), was required"
+        "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
+        short(*.smallest),
+        .at.rounded()
     )]
     TooLight {
         /// The load asked for \[N\].
@@ -194,11 +196,13 @@ fn reach(load: f64, largest: f64, at: At) -> String {
     match (load < 0.0, largest < 0.0) {
         (false, _) => {
             format!(
-                "a load above 0 and at most {largest:e} N, the largest force found, at {at}, was required"
+                "a load above 0 and at most {} N, the largest force found, at {}, was required",
+                short(largest),
+                at.rounded()
             )
         }
         (true, true) => {
-            format!("the surfaces pull off at {} N, at {at}", short(largest))
+            format!("the surfaces pull off at {} N, at {}", short(largest), at.rounded())
         }
         // The tension is so large that the search ends where no asperity touches.
         (true, false) => "a smaller tension, or a load above 0, was required".into(),

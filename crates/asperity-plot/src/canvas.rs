@@ -160,13 +160,15 @@ impl Canvas<'_> {
         ));
     }
 
-    /// An image that fills a rectangle, its pixels as squares.
+    /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
+    /// own: a page in the dark gives it another colour.
     pub(crate) fn image(&self, rect: &Rect, address: &str) {
         let Rect { left, top, .. } = rect;
+        let (width, height) = (rect.width(), rect.height());
+        let place =
+            format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
         self.add(&format!(
-            "<image x=\"{left:.2}\" y=\"{top:.2}\" width=\"{:.2}\" height=\"{:.2}\" preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n",
-            rect.width(),
-            rect.height()
+            "<rect class=\"ground\" {place} fill=\"{WHITE}\"/>\n<image {place} preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n"
         ));
     }
 

@@ -18,7 +18,7 @@ pub struct Map {
     /// Paragraphs below; each is wrapped.
     pub caption: Vec<String>,
     /// Row by row from the top; values of 0 and below, or with a `bottom` only those that are
-    /// missing (NaN), are white.
+    /// missing (NaN), are white in a png, and blank in an svg.
     pub values: Vec<f64>,
     /// Values in a row.
     pub columns: usize,
@@ -95,7 +95,7 @@ impl<'a> Placed<'a> {
 
     pub(crate) fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
         let Self { map, frame, scale, below } = self;
-        let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map)?));
+        let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map, 0)?));
         canvas.image(frame, &image);
         canvas.outline(frame, BLACK, 1.0);
         draw_scale_bar(canvas, map, *scale, (frame.left, below + 14.0));
@@ -111,7 +111,7 @@ impl<'a> Placed<'a> {
 /// Those of [`draw_map`].
 pub fn map_png(map: &Map) -> Result<Vec<u8>, PlotError> {
     check(map)?;
-    pixels(map)
+    pixels(map, 255)
 }
 
 pub(crate) fn check(map: &Map) -> Result<(), PlotError> {
@@ -195,8 +195,8 @@ fn hex([red, green, blue]: [u8; 3]) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// The values as a png of one pixel each. Colour 0 is white.
-fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
+/// The values as a png of one pixel each. Colour 0 is white, of this opacity.
+fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     // With a bottom the lowest heights have a colour too, and only missing ones have none.
     let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
     let shade = |value: &f64| if value.is_nan() { 0 } else { index(map.share(*value).max(least)) };
@@ -211,6 +211,9 @@ fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
     let mut encoder = png::Encoder::new(&mut bytes, width, u32::try_from(rows).map_err(too_large)?);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_palette(palette);
+    if opacity < 255 {
+        encoder.set_trns(vec![opacity]);
+    }
     let mut writer = encoder.write_header().map_err(failed)?;
     writer.write_image_data(&indices).map_err(failed)?;
     writer.finish().map_err(failed)?;
@@ -248,6 +251,12 @@ mod tests {
             assert!(svg.contains(word), "{word}");
         }
         assert!(svg.contains("<image ") && svg.contains("image-rendering=\"pixelated\""));
+        // What has no colour shows the ground, and a png alone is white there.
+        assert!(svg.contains("<rect class=\"ground\" "));
+        let png = svg.split("base64,").nth(1).and_then(|text| text.split('"').next()).unwrap();
+        let bytes = [STANDARD.decode(png).unwrap(), map_png(&map()).unwrap()];
+        let trns = |bytes: &Vec<u8>| bytes.windows(4).any(|part| part == b"tRNS");
+        assert_eq!([trns(&bytes[0]), trns(&bytes[1])], [true, false]);
     }
 
     #[test]

@@ -64,7 +64,7 @@ pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
         top: high / height,
         bottom: Some(low / height),
         white: match scan.heights.iter().any(|z| z.is_nan()) {
-            true => "white: missing".into(),
+            true => "blank: missing".into(),
             false => String::new(),
         },
         ..Map::default()
@@ -218,7 +218,7 @@ mod tests {
             "(a) map",
             ">20 µm<",
             "height (nm)",
-            "white: missing",
+            "blank: missing",
             "rad/µm",
             "power law, H = 0.80",
             ">12.3 µm<",

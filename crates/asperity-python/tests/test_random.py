@@ -50,8 +50,9 @@ def test_advice_comes_with_evidence() -> None:
     none, near = both.evidence_at
     assert isinstance(none, str) and none.startswith("no boundary-element solution is close: less")
     assert isinstance(near, dict) and near == both.off and "persson-fudge" in near
-    first, second, *others = both.evidence.splitlines()
+    first, second, third, *others = both.evidence.splitlines()
     assert first.startswith("no boundary") and " nearest to boundary elements in area " in second
+    assert " nearest to boundary elements in stiffness in first loading " in third
     assert others[0].startswith("KE ") and "the area" in others[0] and "; boundary" in others[0]
     light = asperity.recommend(scene, pressure=100.0, quantities=["area"])
     assert light.evidence.startswith("no boundary-element solution is close") and light.off == {}

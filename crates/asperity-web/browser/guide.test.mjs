@@ -92,3 +92,16 @@ test("words of the text are found with their section, and fast typing leaves the
   await browser.later(`const field = document.getElementById("query"); field.value = "zebra"; field.dispatchEvent(new Event("input")); await new Promise((done) => setTimeout(done, 200))`);
   assert.match(await page.text("found"), /no section has these words/);
 });
+
+test("what is called as searched stands first, then its definition", async () => {
+  const { browser } = page;
+  await browser.go(`${guide}index.html`);
+  for (const [text, wanted] of [["separation", "definitions.html#separation"], ["plasticity index", "definitions.html#"], ["unloading-stiffness", "definitions.html#quantities"], ["Definitions", "definitions.html"]]) {
+    const first = await browser.later(`const field = document.getElementById("query");
+      field.value = values[0];
+      field.dispatchEvent(new Event("input"));
+      await new Promise((done) => setTimeout(done, 300));
+      return document.querySelector("#found a").getAttribute("href")`, text);
+    assert.ok(first.startsWith(wanted), `${text}: ${first}`);
+  }
+});

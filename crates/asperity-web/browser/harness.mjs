@@ -50,6 +50,10 @@ export async function explorer({ script, address = (url) => url, ...options } = 
     // [value, bound] of each model and quantity below an element.
     values: (below = "#answers") => run(`return Object.fromEntries([...document.querySelectorAll(arguments[0] + ' [data-value]')]
       .map(({ dataset: { model, quantity, value, bound } }) => [model + ' ' + quantity, [value, bound]]))`, below),
+    // The loads that boundary elements solved, each with its numbers.
+    solved: () => run(`const rows = [...document.querySelectorAll("#solved tr")];
+      return [...document.querySelectorAll("#solved thead [data-pressure]")].map((_, k) => Object.fromEntries(
+        rows.map((row) => row.cells[k + 1].dataset).filter(({ value }) => value !== undefined).map(({ quantity, value }) => [quantity, Number(value)])))`),
     // What was asked of other hosts, and what the console holds as an error.
     async strays() {
       const { origin } = new URL(site.url);

@@ -86,8 +86,7 @@ test("boundary elements are those of the program: area within two pixels, gap wi
   await page.run("document.getElementById('solve').click()");
   await page.browser.until("return document.querySelectorAll('#solved [data-quantity=area-fraction]').length >= 5", "solved loads");
   await page.browser.until("return document.documentElement.dataset.state === 'ready'");
-  const solved = await page.run(`return [...document.querySelectorAll('#solved tbody tr')].map((row) =>
-    Object.fromEntries([...row.querySelectorAll('[data-value]')].map(({ dataset: { quantity, value } }) => [quantity, Number(value)])))`);
+  const solved = await page.solved();
   const path = saved(await page.value("scene"));
   const wanted = rows("bem", path, "--pressure", solved.map(({ pressure }) => pressure).join());
   assert.equal(wanted.length, solved.length);

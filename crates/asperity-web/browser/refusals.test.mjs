@@ -125,7 +125,7 @@ test("the message of a field has its name and the text as typed, and no line", a
   }
   // What the program's check notes is there too.
   await page.change([field("nominal_area"), "1"]);
-  assert.match(await note("nominal_area"), /nominal_area is 1 m2 .*1 looks like mm2/);
+  assert.match(await note("nominal_area"), /nominal area is 1 m2 .*1 looks like mm2/);
   await page.change([field("nominal_area"), "1 cubit"]);
   assert.match(await note("nominal_area"), /units: m2, cm2, mm2/);
 });
@@ -150,7 +150,7 @@ test("a link without its scan keeps load, models and quantity, and asks for the 
 
 test("boundary elements have stiffnesses beside the models', and the values are saved as shown", async () => {
   await page.change(["#example", "made-here"]);
-  await page.browser.until("return document.querySelectorAll('#solved tbody tr').length >= 6", "solved loads");
+  await page.browser.until("return document.querySelectorAll('#solved thead [data-pressure]').length >= 6", "solved loads");
   await page.browser.until(SETTLED);
   // The present load is among them.
   await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the row of boundary elements");
@@ -171,8 +171,7 @@ test("boundary elements have stiffnesses beside the models', and the values are 
 });
 
 test("boundary elements' stiffnesses are those of the program", { skip: !program }, async () => {
-  const [solved] = await page.run(`return [...document.querySelectorAll('#solved tbody tr')].slice(-1).map((row) =>
-    Object.fromEntries([...row.querySelectorAll('[data-value]')].map(({ dataset: { quantity, value } }) => [quantity, Number(value)])))`);
+  const solved = (await page.solved()).at(-1);
   await page.run("document.getElementById('save-scan').click()");
   const scene = await saved("scene.toml", "save-scene");
   assert.match(await page.text("scene-files"), /random-1\.x3p .* save them in one folder/);

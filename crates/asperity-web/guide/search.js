@@ -8,11 +8,16 @@ const query = document.getElementById("query");
 const found = document.getElementById("found");
 let index;
 
-const plain = (text) => text.toLowerCase();
+const plain = (text) => text.toLowerCase().replaceAll("-", " ");
+const DEFINITIONS = "definitions.html";
 
-// Titles first, then headings, then text in which the words stand side by side, then any other.
-function rank({ page, heading, text }, words) {
+// What is called like that, the definitions before others, and where it is defined; then titles,
+// headings, text in which the words stand side by side, and any other.
+function rank({ page, heading, address, text }, words) {
   const [title, below] = [plain(page), plain(heading)];
+  const defines = address.startsWith(DEFINITIONS);
+  if ((below || title).replace(/^(an?|the) /, "") === words.join(" ")) return defines ? 8 : 7;
+  if (defines && ` ${plain(text).replace(/[^\p{L}\p{N}_]+/gu, " ")} `.includes(` ${words.join(" ")} `)) return 6;
   const all = (...texts) => words.every((word) => texts.some((one) => one.includes(word)));
   if (!heading && all(title)) return 5;
   if (heading && all(below)) return 4;
@@ -46,7 +51,7 @@ function item({ score, page, heading, address, text }, words) {
   const link = element("a", heading || page);
   link.href = address;
   if (heading) link.append(element("span", ` in ${page}`));
-  if (score <= 2) link.append(element("small", around(text, words)));
+  if (score <= 2 || score === 6) link.append(element("small", around(text, words)));
   const row = document.createElement("li");
   row.append(link);
   return row;

@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Contact, ContactError, ContactModel, Described, Diagnostic, Evaluation, Quantity, Request,
-    Response, SeparationUnit, shortest_digits,
+    At, Contact, ContactError, ContactModel, Described, Diagnostic, Evaluation, Model, Quantity,
+    Request, Response, SeparationUnit, shortest_digits,
 };
 use asperity_scene::SceneFile;
 
 use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
+use crate::names::readable;
+use crate::possible::impossible;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 
@@ -45,9 +47,12 @@ pub(crate) fn usual_views() -> Vec<View> {
 /// Why a model without adhesion refuses a tension.
 const NO_TENSION: &str = "models without adhesion carry no tension; use dmt, jkr or jkr-separation, which need work_of_adhesion";
 
+/// What the program adds where jkr pulls off.
+const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
+
 /// A model on a scene, ready for many loads.
 pub(crate) struct Compiled {
-    name: String,
+    model: Model,
     contact: Box<dyn Contact>,
     /// Whether it describes adhesion, which carries tension.
     adhesive: bool,
@@ -63,11 +68,11 @@ impl Compiled {
         let compile = |quantities: &[Quantity]| {
             model.compile(scene, &Request::new(quantities.iter().copied()))
         };
-        let (name, all) = (model.name().to_string(), quantities(file));
+        let all = quantities(file);
         let adhesive = model.validity().adhesive;
         let (mut had, mut refused) = (all.clone(), BTreeMap::new());
         let whole = match compile(&all) {
-            Ok(contact) => return Ok(Self { name, contact, adhesive, had, refused }),
+            Ok(contact) => return Ok(Self { model, contact, adhesive, had, refused }),
             Err(whole) => whole,
         };
         had.retain(|quantity| match compile(&[*quantity]) {
@@ -79,7 +84,7 @@ impl Compiled {
         });
         let contact = compile(if had.is_empty() { &[Quantity::Force] } else { &had });
         let contact = contact.map_err(|_: ContactError| whole)?;
-        Ok(Self { name, contact, adhesive, had, refused })
+        Ok(Self { model, contact, adhesive, had, refused })
     }
 
     fn respond(&self, at: &[At]) -> Response {
@@ -121,9 +126,17 @@ impl Compiled {
         let load = at.load(&file.scene).unwrap_or_default();
         let reason = empty.then(|| match load < 0.0 && !self.adhesive {
             true => format!("load is {}: {NO_TENSION}", shown(load, "N")),
+            false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
             false => cells[0].shown.clone(),
         });
-        let row = AnswerRow { model: id.into(), name: self.name.clone(), cells, reason };
+        let number = |wanted: Quantity| {
+            let of = |cell: &&AnswerCell| cell.quantity == wanted.to_string();
+            cells.iter().find(of)?.digits.as_deref()?.parse().ok()
+        };
+        let values = [Quantity::AreaFraction, Quantity::MeanPressure].map(number);
+        let mark = impossible(file, &self.model, at, values).filter(|_| !empty);
+        let (model, name) = (id.into(), self.model.name().into());
+        let row = AnswerRow { model, name, cells, reason, mark };
         (row, response.warnings)
     }
 
@@ -170,7 +183,7 @@ pub(crate) fn cell(
             let digits = Some(shortest_digits(value));
             AnswerCell { quantity, digits, bound, shown: shown(value, unit) }
         }
-        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: reason },
+        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: readable(&reason) },
     }
 }
 
@@ -189,7 +202,13 @@ mod tests {
         let reason = |load: f64| ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
         let tension = reason(-5.0);
         assert!(tension.starts_with("load is -5 N: models without adhesion carry no tension; use"));
-        assert!(reason(1e30).contains("largest force found"), "{}", reason(1e30));
+        let heavy = reason(1e30);
+        assert!(heavy.contains("largest force found"), "{heavy}");
+        let digits = |word: &str| {
+            let mantissa = word.split('e').next().unwrap_or_default();
+            mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
+        };
+        assert!(heavy.split(' ').all(|word| digits(word) <= 5), "{heavy}");
         assert_eq!(ke.row(&file, "ke", At::Load(100.0)).0.reason, None);
     }
 
@@ -202,6 +221,7 @@ mod tests {
             let row = Compiled::new(&file, id).unwrap().row(&file, id, At::Load(-1.0)).0;
             let reason = row.reason.unwrap();
             assert!(reason.starts_with("load is -1.0 N: the surfaces pull off at -0."), "{reason}");
+            assert_eq!(reason.contains("; jkr-separation, which describes opening"), id == "jkr");
         }
     }
 

@@ -13,7 +13,7 @@ use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
-    advice, code, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
+    advice, code, fields, law, link, names, picture, read_scene, scan_report, span, surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -95,6 +95,7 @@ impl Desk {
                 };
                 json(text)
             }
+            Message::Changed { text } => json(fields::changed(&text)),
             Message::Materials => {
                 let all = asperity_scene::materials().iter();
                 json(all.map(read_scene::material).collect::<Vec<_>>())
@@ -139,11 +140,13 @@ impl Desk {
             Message::Scan => json(scan_report::report(self.scene()?)?),
             Message::Check { models, load } => {
                 let file = self.scene()?;
-                json(advice::check(file, &models, span::load(&load, &file.scene)?.0)?)
+                let found = advice::check(file, &models, span::load(&load, &file.scene)?.0)?;
+                json(names::findings(&found))
             }
-            Message::Advise { load } => {
+            Message::Advise { load, solved } => {
                 let file = self.scene()?;
-                json(advice::advise(file, span::load(&load, &file.scene)?.0)?)
+                let (at, _) = span::load(&load, &file.scene)?;
+                json(advice::advise(file, at, solved.as_ref())?)
             }
             Message::Export { model, form, units } => {
                 json(code::table(self.scene()?, &model, &form, &units)?)
@@ -185,6 +188,7 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
+        let findings = names::findings(&findings);
         let head = answer::head(file).join(",");
         Ok(Answer { load, views: answer::views(file), head, rows, findings })
     }

@@ -1,4 +1,5 @@
-//! Values of a scene's text by their path, and texts with other values. Comments and order stay.
+//! Values of a scene's text by their path, and texts with other values. Order stays, and so do
+//! comments but those about a value or a body that became another.
 
 use std::collections::BTreeMap;
 
@@ -7,6 +8,9 @@ use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, V
 
 use crate::message::Change;
 use crate::refusal::Refusal;
+
+/// How the description of a changed example begins.
+const CHANGED: &str = "Changed from:";
 
 /// The values of all keys as typed: texts without their quotes.
 pub(crate) fn fields(text: &str) -> BTreeMap<String, String> {
@@ -73,11 +77,16 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
             None => _ = table.remove(key),
             Some(value) => {
                 let mut value = as_value(value);
-                // Comments above the key and behind the old value stay.
+                // Comments above the key stay; the one behind it describes the old value.
                 match table.get_mut(key) {
                     Some(item) => {
                         if let Some(old) = item.as_value() {
+                            let plain = |value: &Value| value.clone().decorated("", "").to_string();
+                            let same = plain(old) == plain(&value);
                             *value.decor_mut() = old.decor().clone();
+                            if !same {
+                                value.decor_mut().set_suffix("");
+                            }
                         }
                         *item = Item::Value(value);
                     }
@@ -85,8 +94,33 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
                 }
             }
         }
+        without_remark(&mut document, section);
     }
     Ok(document.to_string())
+}
+
+/// Removes the comment behind the head of a body, which describes it as it was.
+fn without_remark(document: &mut DocumentMut, section: &str) {
+    let number = section.strip_prefix("body[").and_then(|rest| rest.strip_suffix(']'));
+    let index = number.and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
+    let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
+    if let Some(body) = index.zip(bodies).and_then(|(index, bodies)| bodies.get_mut(index)) {
+        body.decor_mut().set_suffix("");
+    }
+}
+
+/// The text of an example that was changed: the comment that begins it, which describes the
+/// example, becomes its first sentence and says so.
+pub(crate) fn changed(text: &str) -> String {
+    let lines = text.lines().take_while(|line| line.starts_with('#'));
+    let words: Vec<&str> = lines.clone().map(|line| line.trim_start_matches('#').trim()).collect();
+    let words = words.join(" ");
+    if words.is_empty() || words.starts_with(CHANGED) {
+        return text.into();
+    }
+    let first = words.split_once(". ").map_or(words.trim_end_matches('.'), |(first, _)| first);
+    let rest: String = text.split_inclusive('\n').skip(lines.count()).collect();
+    format!("# {CHANGED} {first}.\n{rest}")
 }
 
 /// The changes that give a body a material or, without an id, the numbers of its material.
@@ -213,15 +247,28 @@ mod tests {
         ];
         let edited = edit(TEXT, &changes).unwrap();
         let wanted = TEXT.replace("7 GPa", "6 GPa").replace("1e-13", "2e-13");
-        let wanted = wanted.replace("hardness = 2e9\n", "");
+        let wanted = wanted.replace("hardness = 2e9\n", "").replace(" # hard", "");
+        let wanted = wanted.replace(" # steel", "");
         assert_eq!(edited, format!("{wanted}\n[options]\njg_hardness = \"cosine\"\n"));
     }
 
     #[test]
-    fn comments_above_and_behind_a_value_stay() {
+    fn comments_above_a_value_stay_and_one_behind_goes_with_its_value() {
         let text = "# as measured\nnominal_area = 1e-4 # m2\n";
-        let edited = edit(text, &[change("nominal_area", Some("3 cm2"))]).unwrap();
-        assert_eq!(edited, "# as measured\nnominal_area = \"3 cm2\" # m2\n");
+        let edited = |value| edit(text, &[change("nominal_area", Some(value))]).unwrap();
+        assert_eq!(edited("3 cm2"), "# as measured\nnominal_area = \"3 cm2\"\n");
+        assert_eq!(edited("1e-4"), text);
+    }
+
+    #[test]
+    fn a_changed_example_says_so_once_and_is_not_described_any_more() {
+        let text = include_str!("../../asperity-scene/examples/wheel-rail.toml");
+        let found = changed(text);
+        let wanted = "# Changed from: A steel wheel on a steel rail, both run in.\n\n";
+        assert!(found.starts_with(wanted) && !found.contains("asperity curve"), "{found}");
+        assert_eq!(fields(&found), fields(text));
+        assert_eq!(changed(&found), found);
+        assert_eq!(changed(TEXT), TEXT);
     }
 
     #[test]

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Diagnostics, Quantity};
+use asperity::Quantity;
 use serde::{Deserialize, Serialize};
 
+use crate::advice::OnScreen;
 use crate::link::PageState;
+use crate::names::{FindingShown, readable};
 use crate::random::{RandomKeys, RandomTyped};
 use crate::refusal::Refusal;
 
@@ -15,6 +17,8 @@ use crate::refusal::Refusal;
 pub(crate) enum Message {
     /// Reads the text of a scene, which is the scene of later messages.
     Show { text: String },
+    /// The text of an example that was changed.
+    Changed { text: String },
     /// The text with other values.
     Edit { text: String, changes: Vec<Change> },
     /// The materials of the list.
@@ -43,8 +47,8 @@ pub(crate) enum Message {
     Scan,
     /// Findings at a load.
     Check { models: Vec<String>, load: LoadKeys },
-    /// Which model to trust.
-    Advise { load: LoadKeys },
+    /// Which model to trust, and how far the models are from a load that was solved.
+    Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
     /// The same calculation in a shell, in Python and in Rust.
@@ -100,7 +104,7 @@ pub(crate) struct Shown {
     /// Names of the files that the text names.
     pub(crate) files: Vec<String>,
     pub(crate) error: Option<Refusal>,
-    pub(crate) findings: Diagnostics,
+    pub(crate) findings: Vec<FindingShown>,
     /// Derived numbers.
     pub(crate) numbers: Vec<NumberShown>,
     pub(crate) models: Vec<ModelShown>,
@@ -149,8 +153,8 @@ pub(crate) struct ScanShown {
     pub(crate) columns: usize,
     /// Why boundary elements cannot solve it here.
     pub(crate) refused: Option<String>,
-    /// Mean pressures over the range of the slider to solve it at \[Pa\].
-    pub(crate) pressures: Vec<f64>,
+    /// Mean pressures over the range of the slider to solve it at \[Pa\], each with its load in words.
+    pub(crate) pressures: Vec<(f64, String)>,
 }
 
 /// The values of models at a load.
@@ -162,7 +166,7 @@ pub(crate) struct Answer {
     pub(crate) head: String,
     pub(crate) rows: Vec<AnswerRow>,
     /// Warnings of the answers.
-    pub(crate) findings: Diagnostics,
+    pub(crate) findings: Vec<FindingShown>,
 }
 
 /// A load on the scene.
@@ -188,12 +192,20 @@ pub(crate) struct AnswerRow {
     pub(crate) cells: Vec<AnswerCell>,
     /// Why there is no value at all.
     pub(crate) reason: Option<String>,
+    /// Why no contact has these values.
+    pub(crate) mark: Option<String>,
 }
 
 impl AnswerRow {
     /// The row of a model that cannot answer.
     pub(crate) fn without_values(id: &str, reason: &str) -> Self {
-        Self { model: id.into(), name: id.into(), cells: vec![], reason: Some(reason.into()) }
+        Self {
+            model: id.into(),
+            name: id.into(),
+            cells: vec![],
+            reason: Some(readable(reason)),
+            mark: None,
+        }
     }
 }
 

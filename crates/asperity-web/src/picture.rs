@@ -202,7 +202,7 @@ pub(crate) fn contact(
         unit: of_length.into(),
         label: format!("pressure ({unit})"),
         top: top / scale,
-        white: "white: no contact".into(),
+        white: "blank: no contact".into(),
         ..Map::default()
     })?)
 }

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use asperity::bem::{BemError, BoundaryElements, LoadCase, Solution};
-use asperity::{Diagnostic, Quantity, Separation, SeparationUnit};
+use asperity::{Quantity, Separation, SeparationUnit};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::answer::{cell, quantities};
 use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
+use crate::names::FindingShown;
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
@@ -36,7 +37,7 @@ pub(crate) enum Event {
         svg: String,
         /// The pressures of the picture.
         readings: MapReadings,
-        notes: Vec<Diagnostic>,
+        notes: Vec<FindingShown>,
     },
     /// A load has no solution.
     Failed { index: usize, message: String },
@@ -53,7 +54,9 @@ pub(crate) fn scan(file: &SceneFile) -> Option<ScanShown> {
         )
     });
     let refused = refused.or_else(|| file.bem(None, false).err().map(|error| error.to_string()));
-    let pressures = Span::of(&file.scene).solved();
+    let area = file.scene.nominal_area;
+    let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
+    let pressures = Span::of(&file.scene).solved().into_iter().map(of).collect();
     Some(ScanShown { rows, columns, refused, pressures })
 }
 
@@ -156,7 +159,10 @@ impl Event {
         let mut head = vec![
             ("load", String::new()),
             ("pressure", "Mean pressure on the nominal area.".into()),
-            ("area fraction", "Real area of contact over the area of the scan.".into()),
+            (
+                Quantity::AreaFraction.label(),
+                "Real area of contact over the area of the scan.".into(),
+            ),
             ("mean gap", "Distance of the mean planes of the two deformed surfaces.".into()),
             (
                 "separation",
@@ -178,7 +184,7 @@ impl Event {
             points,
             svg,
             readings,
-            notes: solution.notes,
+            notes: solution.notes.iter().map(FindingShown::from).collect(),
         }
     }
 }
@@ -220,7 +226,7 @@ mod tests {
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");
                     assert_eq!(x[0], "500 nm");
-                    assert!(svg.contains("white: no contact") && cells.len() == head.len());
+                    assert!(svg.contains("blank: no contact") && cells.len() == head.len());
                     areas.push((pressure, points["area-fraction"]));
                 }
                 Event::Failed { message, .. } => panic!("{message}"),

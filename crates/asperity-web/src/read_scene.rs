@@ -6,9 +6,10 @@ use asperity::{Described, Model, shortest_digits};
 use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
 
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
+use crate::names::readable;
 use crate::refusal::Refusal;
 use crate::shown::shown;
-use crate::{answer, fields, press, surface_keys};
+use crate::{answer, fields, names, press, surface_keys};
 
 /// The longest text of a scene, in bytes, as for scene files.
 const MOST_TEXT: usize = 1 << 20;
@@ -20,7 +21,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         way: "asperities",
         files: vec![],
         error: None,
-        findings: Default::default(),
+        findings: vec![],
         numbers: vec![],
         models: vec![],
         usual: "",
@@ -46,7 +47,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         found.numbers = check.numbers.iter().map(number).collect();
     }
     let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    found.findings = file.accepted(findings);
+    found.findings = names::findings(&file.accepted(findings));
     (found.models, found.views) = (models(&file), answer::views(&file));
     found.usual = asperity::usual_reference(&file.scene);
     found.scan = press::scan(&file);
@@ -94,10 +95,10 @@ pub(crate) fn material(material: &'static Material) -> MaterialShown {
 
 pub(crate) fn number(number: &asperity::DerivedNumber) -> NumberShown {
     NumberShown {
-        name: number.name.replace('_', " "),
+        name: readable(number.name),
         digits: shortest_digits(number.value),
         shown: shown(number.value, number.unit),
-        meaning: number.meaning.to_string(),
+        meaning: readable(&number.meaning),
     }
 }
 

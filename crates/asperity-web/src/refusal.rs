@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use asperity_scene::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
 use serde::Serialize;
 
+use crate::names::without_commands;
+
 /// An error with its place.
 #[derive(Debug, Serialize)]
 pub(crate) struct Refusal {
@@ -20,7 +22,8 @@ pub(crate) struct Refusal {
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
-        Self { message: message.to_string(), line: None, field: None, field_message: None }
+        let message = without_commands(&message.to_string());
+        Self { message, line: None, field: None, field_message: None }
     }
 
     pub(crate) fn at(field: &str, message: impl ToString) -> Self {
@@ -29,7 +32,7 @@ impl Refusal {
 
     /// An error of a scene whose values were typed like this.
     pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
-        let field_message = field_message(&error, typed);
+        let field_message = field_message(&error, typed).map(|text| without_commands(&text));
         Self { field_message, ..Self::from(error) }
     }
 }

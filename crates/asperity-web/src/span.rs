@@ -10,8 +10,8 @@ use crate::shown::{exactly, shown, typed};
 /// The units of loads.
 const NEWTON: &str = "N";
 const PASCAL: &str = "Pa";
-/// Pressures of a curve.
-const POINTS: u32 = 120;
+/// Steps between the pressures of a curve.
+const POINTS: u32 = 199;
 /// Decades of the slider.
 const DECADES: f64 = 5.0;
 /// The upper end of the slider over E g or over the hardness: 40 % of an elastic surface touches at
@@ -86,8 +86,12 @@ pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Re
             pressure = Some(true);
             (pascals * area, pascals)
         }
-        (Err(reason), Err(_)) => {
-            return Err(wrong(format!("{reason}, or a pressure such as 5MPa")));
+        (Err(newtons), Err(pascals)) => {
+            let (reason, other) = match in_pascals(&keys.unit) {
+                true => (pascals, "a load such as 2kN"),
+                false => (newtons, "a pressure such as 5MPa"),
+            };
+            return Err(wrong(format!("{reason}, or {other}")));
         }
     };
     if !newtons.is_finite() || !pascals.is_finite() {
@@ -143,6 +147,8 @@ mod tests {
         assert_eq!(of(&keys("2e6 Pa", None, "N")).0, At::Pressure(2e6));
         let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
+        let refused = load(&keys("1 kip", None, "Pa"), &scene).unwrap_err();
+        assert!(refused.message.contains("is not a number in Pa"), "{}", refused.message);
         assert!(load(&keys("1e999", None, "N"), &scene).is_err());
         let refused = load(&keys("0", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("neither a load"), "{}", refused.message);
@@ -173,8 +179,8 @@ mod tests {
     fn the_range_spans_decades_below_the_hardness() {
         let span = Span::of(&scene());
         let pressures = span.pressures();
-        assert_eq!(pressures.len(), 121);
-        assert!(pressures[120] <= 1e9 && pressures[120] / pressures[0] > 9e4, "{pressures:?}");
+        assert_eq!(pressures.len(), 200);
+        assert!(pressures[199] <= 1e9 && pressures[199] / pressures[0] > 9e4, "{pressures:?}");
         assert_eq!(span.solved().len(), 6);
     }
 }

@@ -1,5 +1,5 @@
 // The load, the table of values, the curves and what is found about them.
-import { $, cell, element, heading, noPicture, options, picture, put } from "./page.js";
+import { $, cell, element, heading, lowered, noPicture, options, picture, put } from "./page.js";
 
 // Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
 export function table(views, ids, values, solved) {
@@ -10,12 +10,19 @@ export function table(views, ids, values, solved) {
   body.replaceChildren(...ids.map((id) => {
     const row = values.get(id);
     const name = element("th", { scope: "row", title: row?.name ?? id }, id);
-    return element("tr", {}, name, ...(row ? cells(id, row) : waiting()));
-  }));
+    const line = element("tr", {}, name, ...(row ? cells(id, row) : waiting()));
+    return row?.mark ? [line, marked(id, row.mark, views)] : [line];
+  }).flat());
   if (solved) {
     const name = element("th", { scope: "row", title: "boundary elements" }, "bem");
     body.append(element("tr", {}, name, ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
+}
+
+// Why the values above are those of no contact.
+function marked(id, reason, views) {
+  const text = element("td", { className: "reason", colSpan: views.length + 1 }, "⚠ ", element("strong", {}, `${id} is not possible here`), `: ${reason}`);
+  return element("tr", { className: "marked", data: { marked: id } }, text);
 }
 
 // The cells of a solved load that stand in the columns of the models.
@@ -36,8 +43,16 @@ export function load(shown, typed) {
 // Why no model answers: each reason once, with its models where there are several.
 export function commonRefusal(rows) {
   const models = new Map();
-  for (const { model, reason } of rows) models.set(reason, [...(models.get(reason) ?? []), model]);
+  for (const { model, reason, mark } of rows) models.set(reason ?? mark, [...(models.get(reason ?? mark) ?? []), model]);
   return [...models].map(([reason, ids]) => (models.size > 1 ? `${ids.join(", ")}: ${reason}` : reason)).join("; ");
+}
+
+// A load at which every model has a reason or a mark: the values stand with their marks.
+export function undescribed(rows) {
+  const message = rows.length > 0 && rows.every(({ reason, mark }) => reason || mark) ? `no model describes this load: ${commonRefusal(rows)}` : "";
+  $("load-error").textContent = message;
+  if (message) $("load").setAttribute("aria-invalid", "true");
+  return message;
 }
 
 export function refuseLoad(message, typed = $("load").value) {
@@ -78,7 +93,7 @@ export function findings(list) {
   listed = list;
   $("findings").hidden = list.length === 0;
   $("findings").querySelector("ul").replaceChildren(
-    ...list.map(({ severity, message, code }) => element("li", { className: severity, data: { code } }, `${severity}: ${message}`)));
+    ...list.map(({ severity, message, code }) => element("li", { className: severity, data: { code } }, ...lowered(`${severity}: ${message}`))));
 }
 
 // More findings, without those that are there.
@@ -89,7 +104,7 @@ export function addFindings(list) {
 
 export function numbers(list) {
   $("numbers").replaceChildren(...list.map(({ name, digits, shown, meaning }) =>
-    element("tr", {}, element("th", { scope: "row" }, name), element("td", { title: digits }, shown), element("td", {}, meaning))));
+    element("tr", {}, element("th", { scope: "row" }, ...lowered(name)), element("td", { title: digits }, shown), element("td", {}, ...lowered(meaning)))));
 }
 
 // Shows load, models and quantity of the state while the scene has an error.

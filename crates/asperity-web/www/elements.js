@@ -1,5 +1,5 @@
 // Boundary elements in a worker of their own, load by load. Stopping ends the worker.
-import { $, cell, element, heading, noPicture, picture, tell } from "./page.js";
+import { $, cell, element, heading, lowered, noPicture, picture, tell } from "./page.js";
 import { desks, page, work } from "./state.js";
 
 const NO_SCAN = "They need the heights of a surface: drop a scan or make a random surface.";
@@ -9,6 +9,8 @@ class Elements {
   shown = null;
   // The run under way; events of an older one are not shown.
   run = null;
+  // The loads of the run by their pressure, in words.
+  wanted = new Map();
   changed = () => {};
 
   // What the scene allows, after every change of it; null for a scene with an error.
@@ -32,10 +34,12 @@ class Elements {
     const run = {};
     const { text, shown, load } = page;
     if (!load) return null;
-    const pressures = [...new Set([load.pascals, ...(all ? shown.scan.pressures : [])])];
+    const wanted = new Map([...(all ? shown.scan.pressures : []), [load.pascals, load.text]]);
+    const pressures = [...wanted.keys()];
     return work("solver", "press", async () => {
       if (text !== page.text) return;
       this.run = run;
+      this.wanted = wanted;
       this.busy(true);
       try {
         await desks.solver.press(text, pressures, (event) => this.run === run && this.happened(event));
@@ -48,10 +52,17 @@ class Elements {
     });
   }
 
-  stop(why = "stopped") {
+  stop(why = this.stopped()) {
     this.end();
     desks.solver.end("stopped");
     $("iterations").textContent = why;
+  }
+
+  // Which loads of the run are solved, and which are missing.
+  stopped() {
+    const [solved, missing] = [[], []];
+    for (const [pressure, text] of this.wanted) (this.at(pressure) ? solved : missing).push(text);
+    return `stopped: ${solved.length > 0 ? `solved ${solved.join(", ")}` : "no load is solved"}; missing ${missing.join(", ")}`;
   }
 
   end() {
@@ -112,14 +123,21 @@ class Elements {
   table() {
     const [table, notes] = [$("solved"), $("solved-notes")];
     table.hidden = false;
-    table.tHead.replaceChildren(element("tr", {}, ...this.solved[0].head.map(([name, definition]) => heading(name, definition)), heading("map")));
-    table.tBodies[0].replaceChildren(...this.solved.map((one) => {
-      const row = element("tr", { data: { pressure: one.pressure } }, ...one.cells.map((value) => cell(value, "bem")));
+    // A column a load: so many quantities are wider than the page.
+    const { head: [, ...names] } = this.solved[0];
+    const show = (one) => {
       const button = element("button", { type: "button", onclick: () => this.show(one) }, "show");
       button.setAttribute("aria-label", `show the map at ${one.load}`);
-      row.append(element("td", {}, button));
-      return row;
-    }));
+      return element("td", {}, button);
+    };
+    table.tHead.replaceChildren(element("tr", {}, heading("load"), ...this.solved.map(({ load, pressure, cells: [{ digits }] }) => {
+      const head = heading(load, digits);
+      Object.assign(head.dataset, { pressure, model: "bem", quantity: "load", value: digits });
+      return head;
+    })));
+    table.tBodies[0].replaceChildren(
+      ...names.map(([name, definition], k) => element("tr", {}, element("th", { scope: "row", title: definition }, name), ...this.solved.map(({ cells }) => cell(cells[k + 1], "bem")))),
+      element("tr", {}, element("th", { scope: "row" }, "map"), ...this.solved.map(show)));
     // What several loads have in common is shown once, for the lightest.
     const lines = new Map();
     for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
@@ -128,7 +146,7 @@ class Elements {
     }
     notes.hidden = lines.size === 0;
     notes.replaceChildren(...[...lines.values()].map(({ text, also }) =>
-      element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
+      element("li", {}, ...lowered(also.length > 0 ? `${text} (also at ${also.join(", ")})` : text))));
   }
 
   // What was solved at a pressure.

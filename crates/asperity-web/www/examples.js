@@ -1,14 +1,26 @@
 // Scenes to start from, the examples of the scene files among them, and what to try on each.
 import { $, element } from "./page.js";
 import { page, state, work } from "./state.js";
-import { answer, edit, setModels, setScene, setView } from "./scene.js";
+import { answer, edit, setModels, setScene, setView, shownAgain } from "./scene.js";
 import { elements } from "./elements.js";
 import { usualRandom, useScan } from "./scans.js";
 
-const UNLOAD = ["How stiff is it when it is unloaded?", "Show the unloading stiffness", () => setView("unloading-stiffness")];
-const INCLINED = ["Do inclined asperities change the answer? Gao and AT take some seconds.", "Add Gao and AT", () => add("gao", "at")];
-const add = (...ids) => setModels([...state.models, ...ids.filter((id) => !state.models.includes(id))]);
-const typed = (text) => answer({ text });
+// What a button does, and whether that is on the page.
+const view = (id) => ({ act: () => setView(id), done: () => state.view === id });
+const models = (...ids) => ({
+  act: () => setModels([...state.models, ...ids.filter((id) => !state.models.includes(id))]),
+  done: () => ids.every((id) => state.models.includes(id)),
+});
+const load = (text) => ({ act: () => answer({ text }), done: () => state.load === text });
+const value = (path, text, body) => ({
+  act: () => edit([{ path, value: text }], body),
+  done: () => page.shown?.fields[path] === text,
+});
+const solution = { act: () => elements.solve(false), done: () => Boolean(page.load && elements.at(page.load.pascals)) };
+const adhesion = value("work_of_adhesion", "50 mJ/m2");
+
+const UNLOAD = ["How stiff is it when it is unloaded?", "Show the unloading stiffness", view("unloading-stiffness")];
+const INCLINED = ["Do inclined asperities change the answer? Gao and AT take some seconds.", "Add Gao and AT", models("gao", "at")];
 
 // Its surface is made here, for boundary elements.
 const FIRST = "made-here";
@@ -16,34 +28,37 @@ const FIRST = "made-here";
 const TRIES = {
   [FIRST]: [
     UNLOAD,
-    ["What does a body of copper change?", "Second body: copper", () => edit([{ path: "body[2].material", value: "copper-cold-worked" }], 2)],
+    ["What does a body of copper change?", "Second body: copper", value("body[2].material", "copper-cold-worked", 2)],
     INCLINED,
-    ["Is the area that boundary elements find at this load that of the models?", "Solve this load", () => elements.solve(false)],
+    ["Is the area that boundary elements find at this load that of the models?", "Solve this load", solution],
   ],
   "ground-steel": [
     UNLOAD,
-    ["What do asperities of one radius change?", "Equal asperities", () => edit([{ path: "surface.asperities", value: "equal" }])],
+    ["What do asperities of one radius change?", "Equal asperities", value("surface.asperities", "equal")],
   ],
   "wheel-rail": [
-    ["How much touches where the patch carries 500 MPa?", "Load of 500 MPa", () => typed("500 MPa")],
-    ["What does a wheel as hard as a bearing change?", "Second body: 7 GPa", () => edit([{ path: "body[2].hardness", value: "7 GPa" }])],
+    ["How much touches where the patch carries 500 MPa?", "Load of 500 MPa", load("500 MPa")],
+    ["What does a wheel as hard as a bearing change?", "Second body: 7 GPa", value("body[2].hardness", "7 GPa")],
     INCLINED,
   ],
   "bolted-joint": [
-    ["How stiff is the joint under a preload of 20 kN?", "Load of 20 kN", () => typed("20 kN")],
-    ["How stiff is it in shear?", "Show the tangential stiffness", () => setView("tangential-stiffness")],
-    ["What does a plate of steel change?", "First body: steel", () => edit([{ path: "body[1].material", value: "steel-a36" }], 1)],
+    ["How stiff is the joint under a preload of 20 kN?", "Load of 20 kN", load("20 kN")],
+    ["How stiff is it in shear?", "Show the tangential stiffness", view("tangential-stiffness")],
+    ["What does a plate of steel change?", "First body: steel", value("body[1].material", "steel-a36", 1)],
   ],
   "elastomer-on-glass": [
-    ["What does adhesion change?", "Work of adhesion 50 mJ/m²", () => {
-      state.models = ["gw", "dmt", "jkr"];
-      return edit([{ path: "work_of_adhesion", value: "50 mJ/m2" }]);
+    ["What does adhesion change?", "Work of adhesion 50 mJ/m²", {
+      ...adhesion,
+      act: () => {
+        state.models = ["gw", "dmt", "jkr"];
+        return adhesion.act();
+      },
     }],
-    ["How many spots touch?", "Show the number of contacts", () => setView("contacts")],
+    ["How many spots touch?", "Show the number of contacts", view("contacts")],
   ],
   "lapped-seal": [
-    ["How much touches at 2 MPa?", "Load of 2 MPa", () => typed("2 MPa")],
-    ["What does a rougher lapping change?", "Sq of 200 nm", () => edit([{ path: "surface.sq", value: "200 nm" }])],
+    ["How much touches at 2 MPa?", "Load of 2 MPa", load("2 MPa")],
+    ["What does a rougher lapping change?", "Sq of 200 nm", value("surface.sq", "200 nm")],
   ],
 };
 
@@ -60,9 +75,21 @@ export const EXAMPLES = [
 export function tries(name) {
   state.example = Object.hasOwn(TRIES, name ?? "") ? name : null;
   $("try").hidden = !state.example;
-  $("tries").replaceChildren(...(TRIES[state.example] ?? []).map(([question, act, does]) =>
-    element("li", {}, `${question} `, element("button", { type: "button", onclick: does }, act))));
+  $("tries").replaceChildren(...(TRIES[state.example] ?? []).map(([question, act, { act: does }]) =>
+    element("li", {}, `${question} `, element("button", { type: "button", onclick: does }, act), element("span", { className: "source" }))));
+  tick();
 }
+
+// Marks what the page shows already.
+function tick() {
+  const all = TRIES[state.example] ?? [];
+  [...$("tries").children].forEach((item, k) => {
+    const done = Boolean(all[k]?.[2].done());
+    item.querySelector("button").disabled = done;
+    item.querySelector("span").textContent = done ? " ✓ on the page" : "";
+  });
+}
+shownAgain(tick);
 
 export async function exampleText(name) {
   const response = await fetch(name === FIRST ? `${name}.toml` : `examples/${name}.toml`);

@@ -69,6 +69,12 @@ async function start() {
   if (typeof WebAssembly !== "object") {
     return fail("This browser has no WebAssembly: use another browser, or the program asperity.");
   }
+  // The address holds the state of the page: it does not become that of a place.
+  $("to-answers").addEventListener("click", (event) => {
+    event.preventDefault();
+    $("results").scrollIntoView();
+    $("results").focus({ preventScroll: true });
+  });
   editor((text) => {
     ownScene();
     typed(text);

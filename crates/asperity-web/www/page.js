@@ -35,7 +35,7 @@ export function picture(figure, svg, label) {
   }
   figure.tabIndex = 0;
   figure.setAttribute("aria-label", label);
-  figure.replaceChildren(document.importNode(made, true));
+  figure.replaceChildren(document.adoptNode(made));
   figure.dataset.svg = svg;
 }
 
@@ -55,7 +55,7 @@ export function readings(figure, output) {
 }
 
 // A text in parts, with w_c as people read it.
-export const lowered = (text) => text.split(/\b(\p{L}_\w+)/u).map((part, k) =>
+export const lowered = (text) => text.split(/(?<![\p{L}\w])(\p{L}_\w+)/u).map((part, k) =>
   (k % 2 === 1 ? element("span", {}, part[0], element("sub", {}, part.slice(2))) : part));
 
 // A cell with a number as shown, and with all digits.

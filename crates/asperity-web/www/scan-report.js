@@ -1,5 +1,5 @@
 // The report of the scene's scan.
-import { $, element, heading, noPicture, picture } from "./page.js";
+import { $, element, heading, lowered, noPicture, picture } from "./page.js";
 import { desks, page, work } from "./state.js";
 
 // Shows it, if the scene has a scan.
@@ -17,7 +17,7 @@ async function report() {
   picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
   $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
   $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>
-    element("tr", {}, element("th", { scope: "row", title: meaning }, name), element("td", { title: digits }, shown))));
+    element("tr", {}, element("th", { scope: "row", title: meaning }, ...lowered(name)), element("td", { title: digits }, shown))));
   const head = element("tr", {}, ...scales.head.map((name) => heading(name)));
   $("scales").replaceChildren(element("caption", {}, "Slopes and curvatures at several point distances"), head,
     ...scales.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text)))));

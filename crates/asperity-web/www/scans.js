@@ -37,7 +37,8 @@ function use(source, changed) {
       before = state.text;
       used = await useScan(before, source);
     } while (state.text !== before);
-    const { text, scan, random, message } = used;
+    const { scan, random, message } = used;
+    const text = state.example ? await desks.quick.call("changed", { text: used.text }) : used.text;
     Object.assign(state, { scan, random });
     changed();
     const shown = setScene(text, "scan");

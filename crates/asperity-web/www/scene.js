@@ -24,6 +24,10 @@ export function setScene(text, kind = "edit") {
 // Another scene may succeed where the last one did not.
 const forgive = () => Object.values(desks).forEach((desk) => desk.forgive());
 
+// What follows whenever the page shows other values.
+const followers = [];
+export const shownAgain = (follow) => followers.push(follow);
+
 // A change of the text by `make`, after the changes before it: none is lost. What is typed
 // meanwhile is kept, and changed too.
 export function change(make, kind) {
@@ -32,6 +36,7 @@ export function change(make, kind) {
     do {
       text = state.text;
       made = await make(text);
+      if (state.example && made !== text) made = await tools("changed", { text: made });
     } while (state.text !== text);
     setScene(made, kind);
   });
@@ -54,7 +59,7 @@ async function showScene() {
   } finally {
     page.rows.clear();
     page.values.clear();
-    Object.assign(page, { load: null, answered: "" });
+    Object.assign(page, { load: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
   form.fill(shown, edit, page.materials);
@@ -112,6 +117,7 @@ async function values(keys) {
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
   page.values = new Map(rows.map((row) => [row.model, row]));
+  page.undescribed = ids.length > models.length ? "" : blocks.undescribed(rows);
   table();
   await curves(desks.quick, models);
   await draw();
@@ -168,6 +174,8 @@ async function slowValues(shown, keys) {
     const rows = chosen().map((id) => page.values.get(id)).filter(Boolean);
     if (rows.every(({ reason }) => reason)) return work("page", null, () => withdraw(load, blocks.commonRefusal(rows), keys));
     page.answered = load;
+    // A refused load keeps its reason.
+    if (!page.refused) page.undescribed = blocks.undescribed(rows);
     table();
   }
   await curves(desks.slow, models);
@@ -180,6 +188,7 @@ async function slowValues(shown, keys) {
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
   if (page.load) blocks.table(page.views, chosen(), page.values, elements.at(page.load.pascals));
+  followers.forEach((follow) => follow());
 }
 
 // Boundary elements were solved at another load.
@@ -211,6 +220,7 @@ export function setModels(ids) {
 export function setView(view) {
   state.view = $("view").value = view;
   note("view");
+  followers.forEach((follow) => follow());
   work("page", "draw", draw);
   writeLink();
 }

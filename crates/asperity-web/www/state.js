@@ -12,11 +12,11 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
 // Answers of the desks: the scene as read from a text, the load on it, the columns and values of
-// models, and the rows of their curves; why the load was refused, the last load that a model
+// models, and the rows of their curves; why the load was refused or no model describes it, the last load that a model
 // answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
-  load: null, refused: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
+  load: null, refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
 };
 
 // The scan without which the scene of a link cannot be shown.
@@ -31,7 +31,7 @@ export function report() {
   const phase = !page.opened && !broken ? "loading" : turns.busy || page.typing ? "busy" : broken ? "failed" : "ready";
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
-  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: "ready" }[phase];
+  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : "ready" }[phase];
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
 }

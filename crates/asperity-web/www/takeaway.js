@@ -1,5 +1,5 @@
 // Files and lines to take away.
-import { $, download, element, options, picture, noPicture, readings } from "./page.js";
+import { $, download, element, lowered, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
 import { columns } from "./answers.js";
 import { elements } from "./elements.js";
@@ -58,16 +58,28 @@ async function copyLink() {
   }
 }
 
+// What boundary elements and the chosen models give at this load, if it was solved.
+function onScreen() {
+  const solved = page.load && elements.at(page.load.pascals);
+  if (!solved) return null;
+  const values = (id) => (page.values.get(id)?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]);
+  return {
+    bem: solved.points,
+    notes: solved.notes.map(({ code }) => code),
+    models: chosen().map((id) => [id, Object.fromEntries(values(id))]),
+  };
+}
+
 function advise() {
   $("advice").replaceChildren(element("li", {}, "Comparing the models takes some seconds."));
   work("slow", "advice", async () => {
     const { text } = page;
     const { load } = state;
-    const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys() }).catch((error) => {
+    const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
       $("advice").replaceChildren();
       throw error;
     });
-    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
+    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, ...lowered(line))));
   });
 }
 

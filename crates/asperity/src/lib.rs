@@ -37,6 +37,7 @@ pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue
 pub use evidence::{
     Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, Ratio, SurfaceShape,
 };
+pub use ranking::nearest_to_bem;
 pub use recommend::{
     Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
     usual_reference,
@@ -47,4 +48,4 @@ pub use tables::error::TableError;
 pub use tables::format::{Interpolation, TableFormat};
 pub use tables::interaction::ConductanceAgainst;
 pub use tables::units::UnitSystem;
-pub use truth::{ContactState, Truth, beside_table, compare_with_bem, summary};
+pub use truth::{ContactState, Truth, beside_table, compare_with_bem, summary, unranked};

@@ -1,38 +1,54 @@
-//! The models nearest to boundary elements, as a sentence.
+//! The models nearest to boundary elements, a sentence for each quantity.
+
+use crate::Compared;
 
 /// Number of models listed.
 const MOST_LISTED: usize = 3;
 
-/// The models nearest in area and in stiffness, each with its largest deviation. `off` returns the
-/// deviations of a model in area and stiffness at each load; models with a missing deviation are
-/// not listed.
-pub(crate) fn nearest<'m>(
-    models: impl IntoIterator<Item = &'m str>,
-    off: impl Fn(&str) -> Vec<[Option<f64>; 2]>,
-) -> String {
-    let all: Vec<(&str, Vec<[Option<f64>; 2]>)> =
-        models.into_iter().map(|id| (id, off(id))).collect();
-    let of = |k: usize| -> Option<String> {
-        let known = |places: &[[Option<f64>; 2]]| -> Option<Vec<f64>> {
-            places.iter().map(|place| place[k]).collect()
-        };
-        let mut ranked: Vec<(Vec<f64>, &str)> =
-            all.iter().filter_map(|(id, places)| Some((known(places)?, *id))).collect();
-        ranked.sort_by(|a, b| largest(&a.0).total_cmp(&largest(&b.0)));
-        let listed =
-            ranked.iter().take(MOST_LISTED).map(|(off, id)| format!("{id} ({})", words(off)));
-        let listed: Vec<String> = listed.collect();
-        (!listed.is_empty()).then(|| listed.join(", "))
+/// The models nearest to boundary elements in a quantity of this name, each with its largest
+/// deviation, in one sentence with at most `most` of them; `None` if none has the quantity
+/// everywhere. Each model comes with its deviations from boundary elements (0.1: 10 % high), one a
+/// load, or `None` where one is missing.
+///
+/// ```
+/// use asperity::nearest_to_bem;
+///
+/// let deviations = [("gw", vec![Some(-0.4)]), ("ke", vec![Some(-0.13)]), ("gao", vec![None])];
+/// let found = nearest_to_bem("area", deviations, 3).unwrap_or_default();
+/// assert_eq!(found, "nearest to boundary elements in area are ke (13 % low), gw (40 % low)");
+/// ```
+#[must_use]
+pub fn nearest_to_bem<'m>(
+    quantity: &str,
+    models: impl IntoIterator<Item = (&'m str, Vec<Option<f64>>)>,
+    most: usize,
+) -> Option<String> {
+    let known = |(id, off): (&'m str, Vec<Option<f64>>)| {
+        Some((off.into_iter().collect::<Option<Vec<f64>>>()?, id))
     };
-    match [of(0), of(1)] {
-        [Some(area), Some(stiffness)] => {
-            format!("nearest to boundary elements in area are {area}; in stiffness {stiffness}")
-        }
-        [Some(area), None] => format!("nearest to boundary elements in area are {area}"),
-        [None, Some(stiffness)] => {
-            format!("nearest to boundary elements in stiffness are {stiffness}")
-        }
-        [None, None] => "no model has an area or a stiffness at every load".into(),
+    let mut ranked: Vec<(Vec<f64>, &str)> = models.into_iter().filter_map(known).collect();
+    ranked.sort_by(|a, b| largest(&a.0).total_cmp(&largest(&b.0)));
+    let listed = ranked.iter().take(most).map(|(off, id)| format!("{id} ({})", words(off)));
+    let listed = listed.collect::<Vec<_>>().join(", ");
+    (!listed.is_empty()).then(|| format!("nearest to boundary elements in {quantity} are {listed}"))
+}
+
+/// The sentences of area and of stiffness in first loading, which the table and every model have;
+/// `off` returns the deviations of a model in a quantity.
+pub(crate) fn nearest_in_each<'m>(
+    models: impl IntoIterator<Item = &'m str>,
+    off: impl Fn(&str, Compared) -> Vec<Option<f64>>,
+) -> Vec<String> {
+    let ids: Vec<&str> = models.into_iter().collect();
+    let quantities =
+        [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
+    let of = |(quantity, name)| {
+        nearest_to_bem(name, ids.iter().map(|id| (*id, off(id, quantity))), MOST_LISTED)
+    };
+    let found: Vec<String> = quantities.into_iter().filter_map(of).collect();
+    match found.is_empty() {
+        true => vec!["no model has an area or a stiffness at every load".into()],
+        false => found,
     }
 }
 
@@ -61,22 +77,27 @@ mod tests {
 
     #[test]
     fn the_nearest_are_named_with_their_largest_deviation() {
-        let off = |id: &str| match id {
-            "a" => vec![[Some(0.1), Some(-0.3)], [Some(-0.2), Some(0.1)]],
-            "b" => vec![[Some(0.004), None], [Some(0.001), Some(0.1)]],
-            "c" => vec![[None, Some(0.0)], [Some(0.1), Some(0.25)]],
-            _ => vec![[Some(0.5), Some(-0.5)]; 2],
+        let off = |id: &str, quantity: Compared| {
+            let places = match id {
+                "a" => vec![[Some(0.1), Some(-0.3)], [Some(-0.2), Some(0.1)]],
+                "b" => vec![[Some(0.004), None], [Some(0.001), Some(0.1)]],
+                "c" => vec![[None, Some(0.0)], [Some(0.1), Some(0.25)]],
+                _ => vec![[Some(0.5), Some(-0.5)]; 2],
+            };
+            places.iter().map(|place| place[usize::from(quantity != Compared::Area)]).collect()
         };
-        let found = nearest(["d", "a", "b", "c"], off);
         let area = "b (less than 1 % off), a (at most 20 % off), d (at most 50 % high)";
         let stiffness = "c (at most 25 % off), a (at most 30 % off), d (at most 50 % low)";
         assert_eq!(
-            found,
-            format!("nearest to boundary elements in area are {area}; in stiffness {stiffness}")
+            nearest_in_each(["d", "a", "b", "c"], off),
+            [
+                format!("nearest to boundary elements in area are {area}"),
+                format!(
+                    "nearest to boundary elements in stiffness in first loading are {stiffness}"
+                )
+            ]
         );
-        assert!(nearest(["b"], off).ends_with("are b (less than 1 % off)"));
-        assert!(nearest([], off).starts_with("no model has"));
-        let one = nearest(["x"], |_| vec![[Some(-0.13), None]]);
-        assert!(one.ends_with("in area are x (13 % low)"), "{one}");
+        assert_eq!(nearest_in_each(["b"], off).len(), 1);
+        assert!(nearest_in_each([], off)[0].starts_with("no model has"));
     }
 }

@@ -51,7 +51,7 @@ pub fn write(build: Build) -> Result<Vec<PathBuf>> {
     let refused = licences::refused(&licences::packages(None)?)?;
     ensure!(refused.is_empty(), "licences that are not accepted:\n{}", refused.join("\n"));
     let mut files = vec![wheel::write(build, &folder)?, program::write(build, &folder)?];
-    match page::write(&folder)? {
+    match page::write(build, &folder)? {
         Some(zip) => files.push(zip),
         None => eprintln!("note: no target/page: the page is left out; run cargo xtask page"),
     }

@@ -94,6 +94,14 @@ fn plain(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
+/// The documentation of the interfaces that does not stand beside the guide of a page.
+#[must_use]
+pub fn missing_api(page_folder: &Path) -> Vec<&'static str> {
+    let folder = page_folder.join(FOLDER);
+    let missing = API.iter().filter(|(address, _)| !exists(&folder, address));
+    missing.map(|(address, _)| address.trim_start_matches("../")).collect()
+}
+
 fn exists(folder: &Path, address: &str) -> bool {
     links::normal(&folder.join(address)).is_file()
 }
@@ -177,5 +185,6 @@ mod tests {
         assert!(!exists(&folder, API[0].0));
         save(&page.path().join("rust/index.html"), b"").unwrap();
         assert!(exists(&folder, API[0].0) && !exists(&folder, API[1].0));
+        assert_eq!(missing_api(page.path()), ["python/asperity.html"]);
     }
 }

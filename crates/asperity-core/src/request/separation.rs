@@ -242,6 +242,21 @@ impl From<Separation> for At {
     }
 }
 
+impl At {
+    /// The place to four digits, for messages.
+    #[must_use]
+    pub fn rounded(self) -> Self {
+        let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
+        match self {
+            Self::Separation(place) => {
+                Self::Separation(Separation { value: four(place.value), ..place })
+            }
+            Self::Load(load) => Self::Load(four(load)),
+            Self::Pressure(pressure) => Self::Pressure(four(pressure)),
+        }
+    }
+}
+
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::{
-    At, Compared, Comparison, ContactError, Described, EvidenceAt, ExpectedContact, Model, Ratio,
-    Recommendation, Separation, evidence::NONE, ranking,
+    Compared, Comparison, ContactError, Described, EvidenceAt, ExpectedContact, Model, Ratio,
+    Recommendation, evidence::NONE, ranking,
 };
 
 impl Recommendation {
@@ -25,7 +25,8 @@ impl Recommendation {
     }
 
     /// The evidence in lines: the separations or loads without any, and which of these models are
-    /// expected to be nearest to boundary elements in area and in stiffness.
+    /// expected to be nearest to boundary elements, a line for area and one for stiffness in first
+    /// loading.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
@@ -42,22 +43,19 @@ impl Recommendation {
         let known = self.evidence.iter().filter(|place| place.expected.is_ok());
         let known: Vec<&EvidenceAt> = known.collect();
         if let [first, ..] = known[..] {
-            let off = |id: &str| {
-                let of = |place: &&EvidenceAt| {
-                    [Compared::Area, Compared::Stiffness].map(|quantity| {
-                        place.ratio(id, quantity).map(|ratio| ratio.deviation(quantity))
-                    })
-                };
+            let off = |id: &str, quantity| {
+                let of = |place: &&EvidenceAt| Some(place.ratio(id, quantity)?.deviation(quantity));
                 known.iter().map(of).collect()
             };
-            let nearest = ranking::nearest(self.comparisons.iter().map(|c| c.model.id()), off);
+            let ids = self.comparisons.iter().map(|c| c.model.id());
+            let nearest = ranking::nearest_in_each(ids, off);
             let basis = first.expected.as_ref().map_or_else(|_| String::new(), |e| e.basis());
             let here = match (known.len(), self.evidence.len()) {
                 (1, 1) => String::new(),
-                (1, _) => format!("at {}, ", short(first.at)),
+                (1, _) => format!("at {}, ", first.at.rounded()),
                 (some, _) => format!("over these {some} places, "),
             };
-            lines.push(format!("{here}{nearest} ({basis})"));
+            lines.extend(nearest.iter().map(|nearest| format!("{here}{nearest} ({basis})")));
         }
         lines
     }
@@ -108,7 +106,7 @@ impl Recommendation {
 
     /// The line for places without evidence, for the same reason.
     fn without(&self, group: &[&EvidenceAt]) -> String {
-        let [first, last] = [0, group.len() - 1].map(|k| short(group[k].at));
+        let [first, last] = [0, group.len() - 1].map(|k| group[k].at.rounded());
         let reason = group[0].expected.as_ref().err().map_or_else(String::new, |e| e.to_string());
         let places = match (group.len(), self.evidence.len()) {
             (some, all) if some == all => return reason,
@@ -122,17 +120,6 @@ impl Recommendation {
 /// A share in per cent, to three decimals.
 fn percent(share: f64) -> f64 {
     (1e5 * share).round() / 1e3
-}
-
-/// The separation or load to four digits.
-fn short(at: At) -> At {
-    let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
-    match at {
-        At::Separation(place) => Separation { value: four(place.value), ..place }.into(),
-        At::Load(load) => At::Load(four(load)),
-        At::Pressure(pressure) => At::Pressure(four(pressure)),
-        other => other,
-    }
 }
 
 /// The reason for no evidence, up to the numbers, which are each place's own.

@@ -71,11 +71,14 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     let there: Vec<bool> = advice.evidence.iter().map(|place| place.expected.is_ok()).collect();
     assert_eq!(there, [false, false, true, true, true]);
     let summary = advice.summary();
-    assert_eq!(summary.len(), 2, "{summary:?}");
+    assert_eq!(summary.len(), 3, "{summary:?}");
     let apart = "no boundary-element solution is close at 2 places from a pressure of ";
     assert!(summary[0].starts_with(apart), "{summary:?}");
     let nearest = "over these 3 places, nearest to boundary elements in area are ";
     assert!(summary[1].starts_with(nearest), "{summary:?}");
+    let stiffness =
+        "over these 3 places, nearest to boundary elements in stiffness in first loading ";
+    assert!(summary[2].starts_with(stiffness), "{summary:?}");
     let (_, named) = summary[1].split_once("in area are ").unwrap();
     assert!(named.contains("ke (") && named.contains("jg ("), "{named}");
     assert!(!named.contains("random") && !named.contains("persson"), "{named}");

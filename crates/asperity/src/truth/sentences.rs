@@ -30,28 +30,40 @@ impl Truth {
     }
 }
 
-/// Which models are nearest to boundary elements over these loads, in area and in stiffness, in one
-/// sentence. Loads that few pixels or patches carry do not count; on a grid too coarse for the
+/// Why models are not ranked on solutions of a scan whose notes have these codes: a grid too coarse
+/// for the shortest waves, or too few pixels or patches in contact at every load.
+#[must_use]
+pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
+    let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
+    match codes {
+        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
+            "models are not ranked: the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels",
+        ),
+        _ if codes.iter().all(|codes| has(&FEW, codes)) => Some(
+            "models are not ranked: too few pixels or patches are in contact at every load; increase the load",
+        ),
+        _ => None,
+    }
+}
+
+/// Which models are nearest to boundary elements over these loads, in area and in stiffness in
+/// first loading. Loads that few pixels or patches carry do not count; on a grid too coarse for the
 /// shortest waves of the scan no model is ranked.
 #[must_use]
 pub fn summary(found: &[Truth]) -> String {
-    if found.iter().any(|truth| truth.has_note(&COARSE)) {
-        return "models are not ranked: the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels".into();
+    let codes = |truth: &Truth| truth.notes.iter().map(|note| note.code).collect();
+    if let Some(reason) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
+        return reason.into();
     }
     let resolved = || found.iter().filter(|truth| !truth.has_note(&FEW));
     let count = resolved().count();
-    if count == 0 {
-        return "models are not ranked: too few pixels or patches are in contact at every load; increase the load".into();
-    }
     let models = found.first().map_or(&[][..], |first| &first.models);
-    let off = |id: &str| {
-        let of = |truth: &Truth| {
-            [Compared::Area, Compared::Stiffness]
-                .map(|quantity| truth.ratio(id, quantity).map(|ratio| ratio.deviation(quantity)))
-        };
+    let off = |id: &str, quantity| {
+        let of = |truth: &Truth| Some(truth.ratio(id, quantity)?.deviation(quantity));
         resolved().map(of).collect()
     };
-    let nearest = ranking::nearest(models.iter().map(|(model, _)| model.id()), off);
+    let ids = models.iter().map(|(model, _)| model.id());
+    let nearest = ranking::nearest_in_each(ids, off).join("; ");
     match found.len() {
         all if all == count => format!("over these loads, {nearest}"),
         all => format!(

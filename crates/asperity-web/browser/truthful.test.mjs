@@ -1,0 +1,136 @@
+// What the page says follows what is on it: advice, impossible answers, what was done.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { example, explorer, SETTLED } from "./harness.mjs";
+
+let page;
+before(async () => (page = await explorer()));
+after(() => page?.end());
+
+const field = (path) => `[data-path="${path}"]`;
+const choose = (ids) => page.run("for (const box of document.querySelectorAll('#models input')) if (!box.disabled && box.checked !== arguments[0].includes(box.value)) box.click();", ids);
+const click = async (id) => {
+  await page.run("document.getElementById(arguments[0]).click()", id);
+  await page.browser.until(SETTLED, id);
+};
+const lines = (list) => page.run("return [...document.querySelectorAll(arguments[0])].map((line) => line.textContent)", list);
+const pressTry = async (k) => {
+  await page.run("document.querySelectorAll('#tries button')[arguments[0]].click()", k);
+  await page.browser.until(SETTLED, `try ${k}`);
+};
+const ticks = () => page.run("return [...document.querySelectorAll('#tries button')].map((button) => button.disabled)");
+const KEYS = /\w+_fraction|\b[a-z]{2,}_[a-z_]{2,}/;
+
+test("advice begins with how far the models are from the contact that is solved, a sentence a quantity", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the present load");
+  await page.browser.until(SETTLED);
+  const values = await page.values();
+  await click("advise");
+  const advice = await lines("#advice li");
+  const start = "on this scan at this load, nearest to boundary elements in ";
+  for (const [k, [quantity, name]] of [["area-fraction", "real over nominal area"], ["tangent", "tangent stiffness (first loading)"], ["unloading-stiffness", "unloading stiffness"]].entries()) {
+    assert.ok(advice[k].startsWith(`${start}${name} are `), advice[k]);
+    // Every chosen model that has the quantity, at its own distance.
+    for (const id of ["gw", "ke", "jg"]) {
+      const off = Math.round(100 * Math.abs(values[`${id} ${quantity}`][0] / values[`bem ${quantity}`][0] - 1));
+      assert.match(advice[k], new RegExp(off < 1 ? `${id} \\(less than 1 % off\\)` : `${id} \\(${off} % (low|high)\\)`));
+    }
+  }
+  // The load that the example opens with is light.
+  assert.match(advice[3], /^on this scan at this load, these deviations are uncertain: too few pixels or patches are in contact; increase the load$/);
+  assert.ok(advice.length > 4 && advice.every((line) => !KEYS.test(line)), advice.join("\n"));
+  await page.change(["#load", "57 N"]);
+  await click("advise");
+  assert.doesNotMatch((await lines("#advice li")).join(), /on this scan/);
+});
+
+test("findings have the names of the table and no keys", async () => {
+  await page.scene(example("elastomer-on-glass"));
+  await choose(["gw", "persson"]);
+  await page.change(["#load", "0.5 MPa"]);
+  const findings = await lines("#findings li");
+  assert.ok(findings.some((line) => /real over nominal area is/.test(line)), String(findings));
+  assert.ok(findings.every((line) => !KEYS.test(line)), findings.join("\n"));
+});
+
+test("answers that no contact has are marked with their reason", async () => {
+  await page.scene(example("elastomer-on-glass"));
+  await choose(["gw", "persson-fudge"]);
+  await page.change(["#load", "1.5 MPa"]);
+  assert.deepEqual([await page.phase(), await page.text("load-error"), await page.text("status")], ["ready", "", "ready"]);
+  const marks = await lines("#answers tr.marked");
+  assert.equal(marks.length, 1);
+  assert.match(marks[0], /⚠ gw is not possible here: .*real over nominal area is 2\.8\d*, above 1/);
+  await page.change(["#load", "1e30 N"]);
+  assert.match(String(await lines("#answers tr.marked")), /persson-fudge is not possible here: the load is 1e34 Pa on the nominal area/);
+  assert.match(await page.text("load-error"), /^no model describes this load: /);
+  assert.equal(await page.run("return document.getElementById('load').getAttribute('aria-invalid')"), "true");
+  assert.equal(await page.text("status"), "no model describes the load");
+  await page.change(["#load", "1 kPa"]);
+  assert.deepEqual([await page.text("load-error"), await page.text("status"), await lines("#answers tr.marked")], ["", "ready", []]);
+});
+
+test("refusals have at most five digits, the unit of their box and no command of a shell", async () => {
+  await page.scene(example("wheel-rail"));
+  await choose(["gw", "ke"]);
+  await page.change(["#load", "1e30 N"]);
+  const refused = await page.text("load-error");
+  const digits = (number) => number.replaceAll(/e.*|\D/g, "").replaceAll(/^0+|0+$/g, "").length;
+  assert.ok((refused.match(/\d[\d.e+-]*/g) ?? []).every((number) => digits(number) <= 5), refused);
+  await page.change(["#load", "1 MPa"], ["#unit", "Pa"], ["#load", "1 kip"]);
+  assert.match(await page.text("load-error"), /not a number in Pa/);
+  await page.change(["#load", "1 MPa"]);
+  await page.scene(example("wheel-rail").replace(/youngs_modulus = .*/, 'material = "unobtainium"'));
+  const error = await page.text("scene-error");
+  assert.match(error, /material/);
+  assert.doesNotMatch(error, /asperity materials/);
+});
+
+test("where jkr pulls off, the page names the model of opening as the program does", async () => {
+  await page.scene(example("elastomer-on-glass").replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
+  await choose(["jkr"]);
+  await page.change(["#load", "-1 N"]);
+  assert.match(await page.text("load-error"), /pull off at .*; jkr-separation, which describes opening, may carry more/);
+});
+
+test("a stopped solution says which loads are solved and which are missing", async () => {
+  const make = (side, shortest) => page.run(`document.getElementById('random-pixels').value = arguments[0];
+    document.getElementById('random-shortest').value = arguments[1]; document.getElementById('make-random').click()`, side, shortest);
+  await page.change(["#example", "made-here"]);
+  await make("1024", "2 um");
+  await page.browser.until("return document.getElementById('elements-note').textContent.includes('1024')", "a surface of 1024 pixels");
+  await page.browser.until(SETTLED);
+  await page.run("document.getElementById('solve').click()");
+  await page.browser.until("return !document.getElementById('solved').hidden", "a solved load", 60);
+  await click("stop");
+  const [, solved, missing] = (await page.text("iterations")).match(/^stopped: solved (.+); missing (.+)$/);
+  const there = await page.run("return [...document.querySelectorAll('#solved thead [data-pressure]')].length");
+  const all = [...solved.split(", "), ...missing.split(", ")];
+  assert.deepEqual([solved.split(", ").length, new Set(all).size], [there, all.length]);
+  assert.ok(all.length >= 6 && all.every((load) => /^[\d.]+ [mkM]?N$/.test(load)), all.join());
+});
+
+test("what to try is ticked where the page shows it already", async () => {
+  await page.change(["#example", "bolted-joint"]);
+  assert.deepEqual(await ticks(), [false, false, false]);
+  await pressTry(1);
+  assert.deepEqual(await ticks(), [false, true, false]);
+  assert.match(await page.text("tries"), /Show the tangential stiffness ✓ on the page/);
+  await page.change(["#view", "tangent"]);
+  assert.deepEqual(await ticks(), [false, false, false]);
+  await pressTry(0);
+  await pressTry(2);
+  assert.deepEqual(await ticks(), [true, false, true]);
+});
+
+test("a changed example no longer has its description", async () => {
+  await page.change(["#example", "made-here"]);
+  assert.match(await page.value("scene"), /^# Ground steel on a flat [^]*# hardened steel, twice/);
+  await page.change(["#material-2", "copper-cold-worked"]);
+  assert.match(await page.value("scene"), /^# Changed from: Ground steel on a flat/);
+  await page.change([field("body[1].hardness"), "6 GPa"]);
+  const scene = await page.value("scene");
+  assert.doesNotMatch(scene, /hardened steel/);
+  assert.equal(scene.match(/Changed from/g).length, 1);
+});

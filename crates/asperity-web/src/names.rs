@@ -1,0 +1,203 @@
+//! Messages with the names of the tables and fields of the page, in place of the keys of scene
+//! files, the options of the program and Greek letters in Latin.
+
+use asperity::{Diagnostic, Diagnostics, Quantity, Severity};
+use serde::Serialize;
+
+/// Names of keys whose words do not give them.
+const KEYS: [(&str, &str); 4] = [
+    ("youngs_modulus", "Young's modulus"),
+    ("poissons_ratio", "Poisson's ratio"),
+    ("asperity_height_std", "height std σ_z"),
+    ("surface_height_std", "height std of the surface"),
+];
+const GREEK: [(&str, &str); 9] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("pi", "π"),
+    ("psi", "ψ"),
+    ("sigma", "σ"),
+    ("sqrt", "√"),
+    ("nu", "ν"),
+];
+/// What the program advises, and what the page has instead.
+const PROGRAM: [(&str, &str); 5] = [
+    ("use `asperity truth`", "solve the scan by boundary elements"),
+    (" (asperity materials)", ""),
+    ("the numbers that `asperity materials` lists", "its numbers (own values)"),
+    ("with `asperity surface --scales`", "in the table of slopes and curvatures"),
+    (" (--despike)", ""),
+];
+/// Sentences about the compared quantities, which the tables name as `Quantity` does.
+const COMPARED: [(&str, Quantity); 2] = [
+    ("elements in area are", Quantity::AreaFraction),
+    ("elements in stiffness in first loading are", Quantity::Tangent),
+];
+
+/// A finding as the page shows it.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct FindingShown {
+    pub(crate) code: &'static str,
+    pub(crate) severity: Severity,
+    /// The path of the field of the form, or the name of another number.
+    pub(crate) field: String,
+    pub(crate) message: String,
+}
+
+impl From<&Diagnostic> for FindingShown {
+    fn from(found: &Diagnostic) -> Self {
+        let (code, severity, field) = (found.code, found.severity, found.field.to_string());
+        Self { code, severity, field, message: readable(&found.message()) }
+    }
+}
+
+/// All findings as shown.
+pub(crate) fn findings(all: &Diagnostics) -> Vec<FindingShown> {
+    all.into_iter().map(FindingShown::from).collect()
+}
+
+/// The name of a quantity in tables and sentences; which stiffness is said.
+pub(crate) fn quantity_name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::Tangent => format!("{} (first loading)", quantity.label()),
+        _ => quantity.label().into(),
+    }
+}
+
+/// A message without commands of the program; keys stay.
+pub(crate) fn without_commands(message: &str) -> String {
+    let text = PROGRAM.iter().fold(message.to_string(), |text, (from, to)| text.replace(from, to));
+    // A scan in place of a scene; the command names its file.
+    match text.split_once("create a scene with `asperity surface ") {
+        Some((before, command)) => {
+            let after = command.split_once('`').map_or("", |(_, after)| after);
+            format!("{before}drop the scan on the page{after}")
+        }
+        None => text,
+    }
+}
+
+/// A message with names in place of keys and Greek letters; a key that is assigned stays.
+pub(crate) fn readable(message: &str) -> String {
+    let mut text = without_commands(message);
+    for (words, quantity) in COMPARED {
+        let named = format!("elements in {} are", quantity_name(quantity));
+        text = text.replace(words, &named);
+    }
+    let part = |c: char| c.is_ascii_alphanumeric() || "_-[].".contains(c);
+    let (mut made, mut rest) = (String::new(), &text[..]);
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c| !part(c)).unwrap_or(rest.len());
+        let (word, after) = rest.split_at(if end == 0 { first.len_utf8() } else { end });
+        let bare = word.trim_end_matches(['.', '-', ']']);
+        let kept = after.starts_with(" = ") || after.starts_with('`');
+        // Behind a number it is the unit of a separation.
+        let is_unit = bare == "asperity_height_std"
+            && made.ends_with(' ')
+            && made.trim_end().ends_with(|c: char| c.is_ascii_digit());
+        made += &match (kept, is_unit) {
+            (_, true) => "σ_z".into(),
+            (true, _) => greek(bare),
+            _ => name(bare),
+        };
+        made += &word[bare.len()..];
+        rest = after;
+    }
+    squared(&made)
+}
+
+/// The name of a key, or the word itself.
+fn name(word: &str) -> String {
+    // body[1].hardness
+    if let Some((section, key)) = word.split_once("].").filter(|(start, _)| start.contains('[')) {
+        let (section, number) = section.split_once('[').unwrap_or((section, ""));
+        return format!("{} of {section} {number}", name(key));
+    }
+    let key = word.rsplit_once('.').filter(|(section, _)| *section == "surface");
+    let key = key.map_or(word, |(_, key)| key);
+    let known = KEYS.iter().find(|(known, _)| *known == key);
+    let quantity = key.replace('_', "-").parse::<Quantity>().ok();
+    match (known, quantity.filter(|_| key.contains(['_', '-']))) {
+        (Some((_, name)), _) => (*name).into(),
+        (None, Some(quantity)) => quantity_name(quantity),
+        // Symbols have a letter before their index: w_c.
+        _ if key.split('_').all(|part| part.len() > 1) && greek(key) == key => {
+            key.replace('_', " ")
+        }
+        _ => greek(key),
+    }
+}
+
+/// A symbol in Greek: `sigma_z` as σ_z.
+fn greek(word: &str) -> String {
+    let (letter, index) = word.split_once('_').map_or((word, None), |(a, b)| (a, Some(b)));
+    let known = GREEK.iter().find(|(latin, _)| *latin == letter);
+    match (known, index) {
+        (Some((_, greek)), None) => (*greek).into(),
+        (Some((_, greek)), Some(index)) if index.len() == 1 => format!("{greek}_{index}"),
+        _ => word.into(),
+    }
+}
+
+/// Squares and cubes as raised digits.
+fn squared(text: &str) -> String {
+    let mut made = String::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('^') {
+        made += before;
+        let digits = after.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(after.len());
+        let raised = match after.get(..digits) {
+            Some("2") => Some("²"),
+            Some("3") => Some("³"),
+            _ => None,
+        };
+        made += raised.unwrap_or("^");
+        rest = if raised.is_some() { &after[1..] } else { after };
+    }
+    made + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_have_names_of_tables_and_no_keys() {
+        for (message, wanted) in [
+            (
+                "area_fraction is 0.2 at a load of 1 N",
+                "real over nominal area is 0.2 at a load of 1 N",
+            ),
+            ("gao has no law for unloading-stiffness", "gao has no law for unloading stiffness"),
+            ("interference_over_critical is 9.", "interference over critical is 9."),
+            ("asperity_height_std is 2", "height std σ_z is 2"),
+            ("a separation of -3 asperity_height_std", "a separation of -3 σ_z"),
+            ("body[1].youngs_modulus is 210 Pa", "Young's modulus of body 1 is 210 Pa"),
+            ("psi = sqrt(sigma_z/w_c), by Chang", "ψ = √(σ_z/w_c), by Chang"),
+            ("w_c = (pi S H/(2 E))^2 R", "w_c = (π S H/(2 E))² R"),
+            ("theta = E sigma_z^1.5/(w_a sqrt(R))", "θ = E σ_z^1.5/(w_a √(R))"),
+            ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),
+            ("use jkr-separation or ke-random", "use jkr-separation or ke-random"),
+            ("surface.file is µm long – é", "file is µm long – é"),
+            (
+                "nearest to boundary elements in area are ke",
+                "nearest to boundary elements in real over nominal area are ke",
+            ),
+            ("(alpha 8, psi 2)", "(α 8, ψ 2)"),
+        ] {
+            assert_eq!(readable(message), wanted);
+        }
+    }
+
+    #[test]
+    fn no_advice_names_a_command() {
+        let text =
+            asperity_scene::template().replacen("hardness = 2e9", "material = \"unobtainium\"", 1);
+        let error =
+            asperity_scene::parse(&text, std::path::Path::new(".")).unwrap_err().to_string();
+        assert!(error.contains("asperity materials"), "{error}");
+        assert!(!without_commands(&error).contains("asperity materials"));
+    }
+}
