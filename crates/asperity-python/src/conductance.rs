@@ -35,7 +35,9 @@ pub(crate) fn correlated<'py>(
         let found = view.file_of(row).and_then(|file| {
             let pressure = view.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
             let roughness = given.unwrap_or_else(|| file.gap_roughness());
-            reason = reason.or_else(|| correlation.reason_against(&file.scene));
+            if reason.is_none() {
+                reason = correlation.reason_against(&file.scene);
+            }
             correlation.at(&file.scene, &roughness, pressure)
         });
         let found = found.map_err(value_error)?;
