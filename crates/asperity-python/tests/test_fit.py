@@ -74,14 +74,16 @@ def test_a_model_written_in_python_is_fitted() -> None:
 
         def force(self, w: np.ndarray) -> np.ndarray:
             e, r = self.asperity.equivalent_modulus, self.asperity.radius
-            return np.asarray(4 / 3 * e * r**0.5 * w**1.5)
+            # Laws are asked up to the largest numbers, whose powers overflow.
+            with np.errstate(over="ignore"):
+                return np.asarray(4 / 3 * e * r**0.5 * w**1.5)
 
         def area(self, w: np.ndarray) -> np.ndarray:
             return np.asarray(np.pi * self.asperity.radius * w)
 
     data = {name: values for name, values in made("gw", asperity_height_std=2e-6).items()}
     del data["unloading_stiffness_N_per_m"]
-    with pytest.warns(asperity.ContactWarning, match="Hertz: .* the contacts would yield"):
+    with pytest.warns(asperity.ContactWarning, match="Hertz: (.* would yield|contacts is)"):
         found = asperity.fit(SCENE, data, "asperity_height_std", asperity.model(Hertz)).best
     assert abs(found["asperity_height_std"] / 2e-6 - 1) < 1e-8
 
