@@ -12,9 +12,9 @@ mod output;
 mod pressed;
 mod scene;
 
-use std::ffi::OsString;
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
@@ -39,8 +39,13 @@ struct Cli {
 fn main() -> ExitCode {
     input::set_program(Cli::command());
     let program = Cli::command();
-    let arguments = with_negative_numbers(std::env::args_os());
-    let arguments = program.clone().get_matches_from(arguments);
+    let arguments = input::blanks::with_negative_numbers(std::env::args_os());
+    let arguments = program.clone().try_get_matches_from(&arguments).unwrap_or_else(|error| {
+        if let Some((subcommand, text)) = input::blanks::unit_apart(&arguments) {
+            input::usage_error(&subcommand, ErrorKind::UnknownArgument, &text);
+        }
+        error.exit()
+    });
     let Cli { command, quiet } =
         Cli::from_arg_matches(&arguments).unwrap_or_else(|error| error.exit());
     output::set_quiet(quiet);
@@ -60,31 +65,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// `--separation -1:4:11` as `--separation=-1:4:11`: clap takes an argument that begins with a dash
-/// for a flag.
-fn with_negative_numbers(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut joined: Vec<OsString> = vec![];
-    let mut flags_end = false;
-    for argument in arguments {
-        let bytes = argument.as_encoded_bytes();
-        let is_negative = matches!(bytes, [b'-', b'0'..=b'9' | b'.', ..]);
-        flags_end |= bytes == b"--";
-        match joined.last_mut() {
-            Some(flag) if is_negative && !flags_end && is_bare_flag(flag) => {
-                flag.push("=");
-                flag.push(argument);
-            }
-            _ => joined.push(argument),
-        }
-    }
-    joined
-}
-
-fn is_bare_flag(argument: &OsString) -> bool {
-    let bytes = argument.as_encoded_bytes();
-    bytes.len() > 2 && bytes.starts_with(b"--") && !bytes.contains(&b'=')
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,18 +72,5 @@ mod tests {
     #[test]
     fn clap_accepts_the_definitions() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn negative_numbers_belong_to_the_flag_before_them_and_nothing_else_does() {
-        let joined = |text: &str| {
-            let arguments = with_negative_numbers(text.split(' ').map(OsString::from));
-            arguments.iter().map(|a| a.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
-        };
-        assert_eq!(joined("a --separation -1:4:11 b"), "a --separation=-1:4:11 b");
-        assert_eq!(joined("a --separation -.5 -- --x -1"), "a --separation=-.5 -- --x -1");
-        for same in ["a --separation --model ke", "a --x=1 -1", "a b -1", "a --x 1 -1", "a -- -1"] {
-            assert_eq!(joined(same), same);
-        }
     }
 }

@@ -2,9 +2,9 @@
 
 use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
 
-use crate::observation::{LOAD, PRESSURE, SEPARATION};
-use crate::units::{OtherUnit, in_other_unit};
-use crate::{DataColumn, FitError, Measured, Observation};
+use crate::observation::{LOAD, PRESSURE, SEPARATION, position};
+use crate::units::{OtherUnit, in_other_unit, per_area};
+use crate::{DataColumn, FitError, Measured, MeasuredTable, Observation};
 
 /// The largest number of rows.
 const MOST: usize = 100_000;
@@ -26,7 +26,9 @@ fn kind(name: &str) -> Result<Kind, FitError> {
     let plain = name.trim();
     let places = [LOAD, PRESSURE, SEPARATION];
     let columns = Quantity::ALL.map(Quantity::column);
-    let known: Vec<&str> = places.into_iter().chain(columns.iter().map(String::as_str)).collect();
+    // Pressure is a place and a quantity.
+    let quantities = columns.iter().map(String::as_str).filter(|name| !places.contains(name));
+    let known: Vec<&str> = places.into_iter().chain(quantities).collect();
     let found = |name: &str| match name {
         LOAD => Some(Kind::Load),
         PRESSURE => Some(Kind::Pressure),
@@ -43,24 +45,29 @@ fn kind(name: &str) -> Result<Kind, FitError> {
         name.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect()
     };
     let same = known.iter().copied().find(|known| letters(known) == letters(plain));
+    let per_area = || {
+        let (name, column) = (plain.into(), per_area(plain, &known)?.into());
+        Some(FitError::PerArea { name, column, nominal_area: None })
+    };
     found(plain).ok_or_else(|| match in_other_unit(plain, &known) {
         Some(OtherUnit { column, unit, si, factor }) => {
             FitError::ColumnUnit { name: plain.into(), column: column.into(), unit, si, factor }
         }
-        None => FitError::UnknownColumn {
+        None => per_area().unwrap_or_else(|| FitError::UnknownColumn {
             name: name.into(),
             near: same
                 .or_else(|| nearest_name(plain, known.iter().copied()))
                 .or_else(begun)
                 .map(Into::into),
             known: known.join(", "),
-        },
+        }),
     })
 }
 
 /// The columns of a table by their meaning.
 pub(crate) struct Columns<'c> {
     pub(crate) rows: usize,
+    lines: &'c [usize],
     places: Vec<(Kind, &'c DataColumn)>,
     quantities: Vec<(Quantity, &'c DataColumn)>,
     deviations: Vec<(Kind, &'c DataColumn)>,
@@ -69,10 +76,12 @@ pub(crate) struct Columns<'c> {
 }
 
 impl<'c> Columns<'c> {
-    pub(crate) fn read(columns: &'c [DataColumn]) -> Result<Self, FitError> {
+    pub(crate) fn read(table: &'c MeasuredTable) -> Result<Self, FitError> {
+        let MeasuredTable { columns, lines } = table;
         let rows = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
         let mut found = Self {
             rows,
+            lines,
             places: vec![],
             quantities: vec![],
             deviations: vec![],
@@ -132,8 +141,10 @@ impl<'c> Columns<'c> {
         let Some((_, column)) = self.deviations.iter().find(|(known, _)| *known == kind) else {
             return Ok(None);
         };
-        match finite(column, row)? {
-            Some(value) if value <= 0.0 => Err(refused(column, row, value, "a number above 0")),
+        match self.finite(column, row)? {
+            Some(value) if value <= 0.0 => {
+                Err(self.refused(column, row, value, "a number above 0"))
+            }
             other => Ok(other),
         }
     }
@@ -142,7 +153,7 @@ impl<'c> Columns<'c> {
     pub(crate) fn both_loads(&self, row: usize) -> Result<Option<[f64; 2]>, FitError> {
         let load = self.places.iter().find(|(kind, _)| *kind == Kind::Load);
         let Some(((_, load), pressure)) = load.zip(self.beside_load) else { return Ok(None) };
-        Ok(finite(load, row)?.zip(finite(pressure, row)?).map(<[f64; 2]>::from))
+        Ok(self.finite(load, row)?.zip(self.finite(pressure, row)?).map(<[f64; 2]>::from))
     }
 
     /// Appends the measured values of a row.
@@ -154,11 +165,11 @@ impl<'c> Columns<'c> {
     ) -> Result<(), FitError> {
         let (mut load, mut separation) = (None, None);
         for (kind, column) in &self.places {
-            match (kind, finite(column, row)?) {
+            match (kind, self.finite(column, row)?) {
                 (_, None) => {}
                 (Kind::Separation, Some(value)) => separation = Some(value),
                 (_, Some(value)) if value <= 0.0 => {
-                    return Err(refused(column, row, value, "a load above 0"));
+                    return Err(self.refused(column, row, value, "a load above 0"));
                 }
                 (Kind::Load, Some(value)) => load = Some((At::Load(value), Quantity::Force, value)),
                 (_, Some(value)) => load = Some((At::Pressure(value), Quantity::Pressure, value)),
@@ -168,24 +179,24 @@ impl<'c> Columns<'c> {
         let at = load.map(|(at, ..)| at).or(separation.map(reading));
         let new = |at, measured, value, std| Observation { row: row + 1, at, measured, value, std };
         for (quantity, column) in &self.quantities {
-            let Some(value) = finite(column, row)? else { continue };
+            let Some(value) = self.finite(column, row)? else { continue };
             let std = self.std(Kind::Quantity(*quantity), row)?;
             if std.is_none() && !quantity.is_absolute() && value <= 0.0 {
                 let required = "a number above 0, or its standard deviation,";
-                return Err(refused(column, row, value, required));
+                return Err(self.refused(column, row, value, required));
             }
             if *quantity == Quantity::AreaFraction && value > 1.0 {
                 let required = "at most 1 (a number in per cent over 100)";
-                return Err(refused(column, row, value, required));
+                return Err(self.refused(column, row, value, required));
             }
             let Some(at) = at else {
                 let required = "a load or a separation beside it";
-                return Err(refused(column, row, value, required));
+                return Err(self.refused(column, row, value, required));
             };
             let is_load = matches!(quantity, Quantity::Force | Quantity::Pressure);
             if is_load && load.is_some() {
                 let required = "either the load or this quantity";
-                return Err(refused(column, row, value, required));
+                return Err(self.refused(column, row, value, required));
             }
             found.push(new(at, Measured::Quantity(*quantity), value, std));
         }
@@ -202,17 +213,19 @@ impl<'c> Columns<'c> {
         }
         Ok(())
     }
-}
 
-/// The number of a row, if it is given.
-fn finite(column: &DataColumn, row: usize) -> Result<Option<f64>, FitError> {
-    match column.1.get(row).copied().flatten() {
-        Some(value) if !value.is_finite() => Err(refused(column, row, value, "a finite number")),
-        other => Ok(other),
+    /// The number of a row, if it is given.
+    fn finite(&self, column: &DataColumn, row: usize) -> Result<Option<f64>, FitError> {
+        match column.1.get(row).copied().flatten() {
+            Some(value) if !value.is_finite() => {
+                Err(self.refused(column, row, value, "a finite number"))
+            }
+            other => Ok(other),
+        }
     }
-}
 
-fn refused(column: &DataColumn, row: usize, value: f64, required: &str) -> FitError {
-    let (row, column, required) = (row + 1, column.0.trim().into(), required.into());
-    FitError::Value { row, column, value, required }
+    fn refused(&self, column: &DataColumn, row: usize, value: f64, required: &str) -> FitError {
+        let (column, required) = (column.0.trim().into(), required.into());
+        FitError::Value { position: position(self.lines, row), column, value, required }
+    }
 }

@@ -5,9 +5,9 @@ use std::ops::Deref;
 
 use asperity_core::{At, Datum, Separation};
 
-use crate::FitError;
 use crate::columns::{Columns, STD};
-use crate::observation::{DataColumn, Observation, number};
+use crate::observation::{MeasuredTable, Observation, number, position};
+use crate::{DataColumn, FitError};
 
 /// Measured values, all with a standard deviation or all without.
 ///
@@ -25,6 +25,8 @@ use crate::observation::{DataColumn, Observation, number};
 pub struct Data {
     observations: Vec<Observation>,
     from: Datum,
+    /// The lines of the rows in their file.
+    lines: Vec<usize>,
     /// Rows with a load and a pressure.
     both_loads: Vec<(usize, [f64; 2])>,
 }
@@ -55,10 +57,19 @@ impl Data {
     /// # Errors
     /// [`FitError`] naming the column or the row, its value and what is required.
     pub fn from_columns(columns: &[DataColumn], from: Datum) -> Result<Self, FitError> {
-        let table = Columns::read(columns)?;
+        Self::from_table(&MeasuredTable { columns: columns.to_vec(), lines: vec![] }, from)
+    }
+
+    /// The measured values of a table, whose messages name the lines of its file.
+    ///
+    /// # Errors
+    /// Those of [`from_columns`](Self::from_columns).
+    pub fn from_table(table: &MeasuredTable, from: Datum) -> Result<Self, FitError> {
+        let lines = table.lines.clone();
+        let table = Columns::read(table)?;
         let (mut observations, mut both_loads) = (vec![], vec![]);
         for row in 0..table.rows {
-            both_loads.extend(table.both_loads(row)?.map(|both| (row + 1, both)));
+            both_loads.extend(table.both_loads(row)?.map(|both| (row, both)));
             table.observations(row, from, &mut observations)?;
         }
         if observations.is_empty() {
@@ -70,13 +81,13 @@ impl Data {
         {
             let column = unknown.measured.column();
             let reason = format!(
-                "row {} has no standard deviation, but {} has one: give {column}{STD}, or none at all",
-                unknown.row,
+                "{} has no standard deviation, but {} has one: give {column}{STD}, or none at all",
+                position(&lines, unknown.row - 1),
                 known.measured.column()
             );
             return Err(FitError::Column { column, reason });
         }
-        Ok(Self { observations, from, both_loads })
+        Ok(Self { observations, from, lines, both_loads })
     }
 
     /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
@@ -89,7 +100,8 @@ impl Data {
             |[load, pressure]: [f64; 2]| (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD;
         match self.both_loads.iter().find(|(_, both)| !agree(*both)) {
             Some((row, [load, pressure])) => {
-                Err(FitError::Loads { row: *row, load: *load, pressure: *pressure, nominal_area })
+                let position = position(&self.lines, *row);
+                Err(FitError::Loads { position, load: *load, pressure: *pressure, nominal_area })
             }
             None => Ok(()),
         }
@@ -133,20 +145,18 @@ impl Data {
             };
             (0..count).map(place).collect()
         };
-        Self {
-            observations: curves.iter().flat_map(curve).collect(),
-            from: self.from,
-            both_loads: vec![],
-        }
+        self.with(curves.iter().flat_map(curve).collect())
     }
 
-    /// The same data with other numbers.
-    pub(crate) fn scaled(&self, each: impl Fn(&Observation) -> Observation) -> Self {
-        Self {
-            observations: self.observations.iter().map(each).collect(),
-            from: self.from,
-            both_loads: vec![],
-        }
+    /// Other observations of the same table.
+    pub(crate) fn with(&self, observations: Vec<Observation>) -> Self {
+        let lines = self.lines.clone();
+        Self { observations, from: self.from, lines, both_loads: vec![] }
+    }
+
+    /// The line of an observation, or its row: `line 5`.
+    pub(crate) fn position(&self, one: &Observation) -> String {
+        position(&self.lines, one.row.saturating_sub(1))
     }
 
     /// The plane of the separations.

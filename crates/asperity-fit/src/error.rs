@@ -30,6 +30,19 @@ pub enum FitError {
         /// The unit in SI units.
         factor: f64,
     },
+    /// A stiffness per nominal area.
+    #[error(
+        "column {name:?} is per nominal area: name it {column} and multiply its values, in N/m per m2, by the nominal area{}",
+        .nominal_area.map_or(String::new(), |area| format!(" of {} m2", short(area)))
+    )]
+    PerArea {
+        /// The name of the column.
+        name: String,
+        /// The column of the stiffness.
+        column: String,
+        /// The nominal area \[m²\], if it is known.
+        nominal_area: Option<f64>,
+    },
     /// Columns that do not make a table of measurements.
     #[error("{column}: {reason}")]
     Column {
@@ -39,10 +52,10 @@ pub enum FitError {
         reason: String,
     },
     /// A number of the data that is out of its range.
-    #[error("row {row}: {column} is {value:?}: {required} was required")]
+    #[error("{position}: {column} is {}: {required} was required", short(*.value))]
     Value {
-        /// The row, counted from 1.
-        row: usize,
+        /// The line in its file, or the row, both counted from 1: `line 5`.
+        position: String,
         /// The column.
         column: String,
         /// The number given.
@@ -52,12 +65,12 @@ pub enum FitError {
     },
     /// A load and a pressure of one row that contradict each other.
     #[error(
-        "row {row}: load_N = {} and pressure_Pa = {} contradict each other: on the nominal area of {} m2 this pressure is a load of {} N; leave one of the two columns out, or correct the area",
+        "{position}: load_N = {} and pressure_Pa = {} contradict each other: on the nominal area of {} m2 this pressure is a load of {} N; leave one of the two columns out, or correct the area",
         short(*.load), short(*.pressure), short(*.nominal_area), short(.pressure * .nominal_area)
     )]
     Loads {
-        /// The row, counted from 1.
-        row: usize,
+        /// The line in its file, or the row, both counted from 1: `line 5`.
+        position: String,
         /// The load \[N\].
         load: f64,
         /// The pressure \[Pa\].

@@ -11,6 +11,7 @@ use crate::deviations::Deviations;
 use crate::forward::Forward;
 use crate::limits::limits;
 use crate::misfit::{likely_unit, misfit, rms};
+use crate::outlier::outlier;
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
 use crate::remark::{Remark, concerns, sentences};
@@ -173,13 +174,18 @@ impl<'f> Fit<'f> {
         let rms = rms(self.data, &values);
         // As many parameters as values: each value is reached, or named as unreachable.
         let is_exact = self.data.len() == self.parameters.len();
-        let misfit = if is_exact { None } else { misfit(problem, &values, &limits)? };
+        let outlier = outlier(problem, best, &residuals)?;
+        let misfit = match is_exact {
+            true => None,
+            false => misfit(problem, &values, outlier.as_deref(), &limits)?,
+        };
         let deviations = Deviations::new(self.data, &values, freedom);
         notes.extend(deviations.as_ref().and_then(Deviations::note));
         Ok(Fitted {
             model: problem.model.id().into(),
             converged: best.converged,
             rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
+            outlier,
             misfit: misfit.or_else(|| deviations.as_ref().and_then(Deviations::misfit)),
             reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
             bic: self.bic(squares(&residuals), rank),

@@ -33,8 +33,11 @@ pub struct Fitted {
     pub unreachable: Vec<String>,
     /// Bounds, and ends of the range with values of scene and model, at which parameters stop.
     pub limits: Vec<String>,
-    /// If no values within the bounds describe the data (an rms above 1): by how much, and the unit
-    /// that explains it.
+    /// The line (of arrays the row) without which the misfit is less than a fifth, and how far it is
+    /// from a fit to the others. The values here are fitted to all.
+    pub outlier: Option<String>,
+    /// If no values within the bounds describe the data (an rms above 1): by how much, and the line
+    /// or the unit that explains it.
     pub misfit: Option<String>,
     /// Remarks on intervals and other values of the parameters that fit as well.
     pub notes: Vec<String>,

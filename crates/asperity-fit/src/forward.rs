@@ -48,6 +48,14 @@ pub fn predict(
     }
 }
 
+/// The separations and loads at which a model on a scene is asked for the data.
+#[must_use]
+pub fn places(model: &dyn ContactModel, scene: &Scene, rig: Rig, data: &Data) -> Vec<At> {
+    let Ok(forward) = Forward::new(model, data) else { return vec![] };
+    let places = forward.groups.iter().flat_map(|group| &group.places);
+    places.filter_map(|place| forward.place(scene, rig, place.at).ok()).collect()
+}
+
 /// A predicted value, or the reason why there is none.
 pub(crate) type Predicted = Result<f64, ContactError>;
 

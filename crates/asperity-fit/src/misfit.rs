@@ -2,6 +2,8 @@
 
 use asperity_core::{Quantity, short};
 
+use crate::forward::Forward;
+use crate::observation::{LOAD, PRESSURE};
 use crate::problem::{Problem, squares};
 use crate::remark::Remark;
 use crate::search::search;
@@ -14,8 +16,11 @@ const HOPELESS: f64 = 1.0;
 const HOPELESS_DEVIATIONS: f64 = 30.0;
 /// Another unit explains the misfit if it leaves less than this share of it, and less than this
 /// share of the hopeless one.
-const SHARE: f64 = 0.25;
-const EXPLAINED: f64 = 0.5;
+const SHARE: f64 = 0.2;
+const EXPLAINED: f64 = 0.3;
+/// Units explain the data alike whose misfits differ by less than this factor, or are this small.
+const ALIKE: f64 = 1.5;
+const ACCURACY: f64 = 1e-6;
 
 /// Root mean square of the logarithms of fitted over measured values.
 pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
@@ -25,7 +30,7 @@ pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
     (!finite.is_empty()).then(|| mean_square(&finite))
 }
 
-fn mean_square(values: &[f64]) -> f64 {
+pub(crate) fn mean_square(values: &[f64]) -> f64 {
     (squares(values) / values.len() as f64).sqrt()
 }
 
@@ -49,19 +54,21 @@ fn distance(data: &Data, values: &[f64]) -> f64 {
     of(false, &logarithm).max(of(true, &deviations))
 }
 
-/// A sentence about data that are not described by the fitted values, with the unit that explains
-/// them.
+/// A sentence about data that are not described by the fitted values, with the line or the unit
+/// that explains them.
 pub(crate) fn misfit(
     problem: &Problem<'_>,
     values: &[f64],
+    outlier: Option<&str>,
     limits: &[Remark],
 ) -> Result<Option<String>, FitError> {
     let far = distance(problem.data, values);
     if far <= 1.0 {
         return Ok(None);
     }
-    let advice = match likely_unit(problem, far)? {
-        Some(unit) => unit,
+    let unit = || likely_unit(problem, far);
+    let advice = match outlier.map_or_else(unit, |outlier| Ok(Some(outlier.into())))? {
+        Some(advice) => advice,
         None => {
             let check = "check the columns and their units, and the other numbers of the scene";
             let limits = limits.iter().map(|limit| limit.sentence.as_str());
@@ -92,7 +99,8 @@ fn data_without_contact(data: &Data, values: &[f64]) -> Option<String> {
     Some(format!("{column} = {}", short(value)))
 }
 
-/// The column and the unit that explain the data best.
+/// The column and the unit that explain the data best; of several that explain them alike, the one
+/// with which the parameters stay nearest to their start.
 pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<String>, FitError> {
     let mut columns: Vec<Column> = vec![];
     for one in problem.data.iter() {
@@ -103,37 +111,71 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
             }
         }
     }
+    let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
+    let nominal_area = problem.at(&given).ok().map(|(scene, _)| scene.nominal_area);
     // Without contact in the unit given, the start says little, and any contact says much.
     let has_separations = problem.data.iter().any(|one| one.measured.is_difference());
     let more_starts = usize::from(here.is_infinite() || has_separations);
-    let least = if here.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * here) };
-    let (mut least, mut likely) = (least, None);
+    let most = if here.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * here) };
+    let mut found: Vec<Explained> = vec![];
     for column in columns {
-        for (unit, factor) in column.units() {
-            let data = problem.data.scaled(|one| column.scaled(one, *factor));
-            let Ok(forward) = crate::forward::Forward::new(problem.model, &data) else { continue };
+        for (unit, factor) in column.units(nominal_area) {
+            let data = problem.data.iter().map(|one| column.scaled(one, factor)).collect();
+            let data = problem.data.with(data);
+            let Ok(forward) = Forward::new(problem.model, &data) else { continue };
             let other = Problem { data: &data, forward: &forward, ..*problem };
-            let values = match search(&other, more_starts) {
-                Ok(found) => other.predicted(&found.best.coordinates),
+            let best = match search(&other, more_starts) {
+                Ok(found) => found.best.coordinates,
                 Err(error @ FitError::Interrupted) => return Err(error),
                 Err(_) => continue,
             };
-            if let Ok(values) = values
-                && distance(&data, &values) < least
-            {
-                least = distance(&data, &values);
-                likely = Some((column, *unit, *factor));
+            let Ok(values) = other.predicted(&best) else { continue };
+            let change = best.iter().zip(&given).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let distance = distance(&data, &values);
+            if distance < most {
+                found.push(Explained { distance, change, column, unit, factor });
             }
         }
     }
-    Ok(likely.map(|(column, unit, factor)| {
-        let values = problem.data.iter().filter_map(|one| column.value(one));
-        let largest = values.fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let least = found.iter().map(|one| one.distance).fold(f64::INFINITY, f64::min);
+    found.retain(|one| one.distance <= ALIKE * least + ACCURACY);
+    found.sort_by(|a, b| a.change.total_cmp(&b.change));
+    Ok(found.first().map(|one| one.sentence(problem.data, nominal_area)))
+}
+
+/// A unit that explains the data.
+struct Explained {
+    /// What it leaves of the misfit.
+    distance: f64,
+    /// The largest change of a parameter, as a coordinate.
+    change: f64,
+    column: Column,
+    unit: &'static str,
+    factor: f64,
+}
+
+impl Explained {
+    /// The largest value of the column with its line, in this unit and in that of the column.
+    fn sentence(&self, data: &Data, nominal_area: Option<f64>) -> String {
+        let (column, unit) = (self.column, self.unit);
+        let values = data.iter().filter_map(|one| Some((one, column.value(one)?)));
+        let largest = values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let (line, largest) = largest.map_or((String::new(), 0.0), |(one, value)| {
+            (format!(" ({})", data.position(one)), value)
+        });
         let (name, si) = (column.name(), column.si());
         let gap = if si.is_empty() { "" } else { " " };
-        let [given, meant] = [largest, largest * factor].map(short);
-        format!("{name} = {given} looks like {unit}; {given} {unit} is {meant}{gap}{si}")
-    }))
+        let [given, meant] = [largest, largest * self.factor].map(short);
+        let on_area = match (column.other_load(), nominal_area) {
+            (Some((other, _)), Some(area)) if unit == other => {
+                format!(" on the nominal area of {} m2", short(area))
+            }
+            _ => String::new(),
+        };
+        format!(
+            "{name} = {given}{line} looks like {unit}; {given} {unit}{on_area} is {meant}{gap}{si}"
+        )
+    }
 }
 
 /// A column of the data: a place, or measured values.
@@ -160,11 +202,31 @@ impl Column {
     }
 
     /// The other units of the column; of pure numbers, only fractions are recorded in per cent.
-    fn units(self) -> &'static [(&'static str, f64)] {
+    fn units(self, nominal_area: Option<f64>) -> Vec<(&'static str, f64)> {
         let is_fraction = self == Self::Measured(Measured::Quantity(Quantity::AreaFraction));
         let si = self.si();
         let known = UNITS.iter().find(|(known, _)| *known == si && (is_fraction || !si.is_empty()));
-        known.map_or(&[], |(_, units)| units)
+        let mut units = known.map_or(vec![], |(_, units)| units.to_vec());
+        units.extend(
+            self.other_load()
+                .zip(nominal_area)
+                .map(|((unit, per_area), area)| (unit, if per_area { area } else { 1.0 / area })),
+        );
+        units
+    }
+
+    /// The unit of a load in a column of pressures, and the other way round; and whether that unit
+    /// is per area.
+    fn other_load(self) -> Option<(&'static str, bool)> {
+        match self {
+            Self::Place(PRESSURE) | Self::Measured(Measured::Quantity(Quantity::Pressure)) => {
+                Some(("N", false))
+            }
+            Self::Place(LOAD) | Self::Measured(Measured::Quantity(Quantity::Force)) => {
+                Some(("Pa", true))
+            }
+            _ => None,
+        }
     }
 
     fn value(self, one: &Observation) -> Option<f64> {

@@ -9,6 +9,23 @@ pub(crate) const SEPARATION: &str = "separation_m";
 /// A column of a table of measurements; a missing number is none.
 pub type DataColumn = (String, Vec<Option<f64>>);
 
+/// Columns of measurements, as read from a file or given as arrays.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MeasuredTable {
+    /// The columns, all of one length.
+    pub columns: Vec<DataColumn>,
+    /// The line of each row in its file, counted from 1; empty for arrays.
+    pub lines: Vec<usize>,
+}
+
+/// The position of a row, counted from 0, for messages: its line if that is known.
+pub(crate) fn position(lines: &[usize], row: usize) -> String {
+    match lines.get(row) {
+        Some(line) => format!("line {line}"),
+        None => format!("row {}", row + 1),
+    }
+}
+
 /// What a measured value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

@@ -1,6 +1,7 @@
 //! The residuals of a fit, their derivatives, and the least squares from one start.
 
 use std::cell::RefCell;
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use asperity_core::{ContactError, ContactModel, Scene};
@@ -16,6 +17,12 @@ use crate::{Data, FitError, Parameter, Progress, Role};
 const STEP: f64 = 2e-5;
 /// The residual of a value that the model does not have, larger than that of any start.
 pub(crate) const NO_VALUE: f64 = 1e10;
+
+/// The angle in the middle of the bounds: the solver's first step is a share of the angles, so that
+/// a search from angles of 0 would not move.
+const MIDDLE: f64 = PI;
+/// The largest first step as a share of the angles.
+const FIRST_STEP: f64 = 0.3;
 
 /// A function from the values of the parameters with [`Role::Scene`] to the scene.
 pub type MakeScene<'f> = dyn Fn(&[f64]) -> Result<Scene, ContactError> + 'f;
@@ -158,7 +165,7 @@ impl Problem<'_> {
         let angles = free.iter().map(|place| self.angle(*place, start[*place]));
         let angles = DVector::from_iterator(free.len(), angles);
         let inner = Inner { problem: self, start, free, angles, ended: RefCell::new(None) };
-        let search = LevenbergMarquardt::new().with_patience(patience).with_stepbound(1.0);
+        let search = LevenbergMarquardt::new().with_patience(patience).with_stepbound(FIRST_STEP);
         let (inner, report) = search.minimize(inner);
         if let Some(error) = inner.ended.take() {
             return Err(error);
@@ -174,12 +181,13 @@ impl Problem<'_> {
         Ok(Minimum { coordinates: inner.coordinates(), squares, converged })
     }
 
-    /// The angle of a coordinate: bounds are at ±π/2, and a search passes through them.
+    /// The angle of a coordinate: bounds are at ±π/2 around [`MIDDLE`], and a search passes through
+    /// them.
     fn angle(&self, place: usize, coordinate: f64) -> f64 {
         let [low, high] = self.parameters[place].range();
         // At a bound itself the derivative is 0.
         let share = ((coordinate - low) / (high - low)).clamp(1e-4, 1.0 - 1e-4);
-        (2.0 * share - 1.0).asin()
+        MIDDLE + (2.0 * share - 1.0).asin()
     }
 }
 
@@ -202,7 +210,7 @@ impl Inner<'_, '_> {
         let mut found = self.start.to_vec();
         for (place, angle) in self.free.iter().zip(&self.angles) {
             let [low, high] = self.problem.parameters[*place].range();
-            found[*place] = low + (high - low) * 0.5 * (1.0 + angle.sin());
+            found[*place] = low + (high - low) * 0.5 * (1.0 + (angle - MIDDLE).sin());
         }
         found
     }
@@ -233,7 +241,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, '_> {
         let mut found = self.or_end(self.problem.jacobian(&self.coordinates(), self.free))?;
         for (column, (place, angle)) in self.free.iter().zip(&self.angles).enumerate() {
             let [low, high] = self.problem.parameters[*place].range();
-            found.column_mut(column).scale_mut(0.5 * (high - low) * angle.cos());
+            found.column_mut(column).scale_mut(0.5 * (high - low) * (angle - MIDDLE).cos());
         }
         Some(found)
     }

@@ -1,9 +1,17 @@
 //! Units in which measurements are usually recorded.
 
+/// A pound-force \[N\], exact: 0.45359237 kg times 9.80665 m/s².
+const LBF: f64 = 4.448_221_615_260_5;
+/// A pound-force on a square inch \[Pa\].
+const PSI: f64 = LBF / (0.0254 * 0.0254);
+
 /// Units with their size in the SI unit of a column.
 pub(crate) const UNITS: [(&str, &[(&str, f64)]); 9] = [
-    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6)]),
-    ("Pa", &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9)]),
+    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6), ("lbf", LBF)]),
+    (
+        "Pa",
+        &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9), ("psi", PSI), ("ksi", 1e3 * PSI)],
+    ),
     ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
     ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
     ("N/m", &[("N/um", 1e6), ("N/mm", 1e3), ("N/nm", 1e9)]),
@@ -38,6 +46,19 @@ pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUn
     })
 }
 
+/// The known stiffness that `name` is over the nominal area: `unloading_stiffness_N_per_m` for
+/// `unloading_stiffness_per_area_N_per_m3` and `unloading_stiffness_Pa_per_m`.
+pub(crate) fn per_area<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+    let quantity = |column: &'k str| Some((column, column.strip_suffix("_N_per_m")?));
+    let begins = |(_, quantity): &(&str, &str)| name.starts_with(quantity);
+    let stiffnesses = known.iter().filter_map(|column| quantity(column)).filter(begins);
+    let (column, quantity) = stiffnesses.max_by_key(|(_, quantity)| quantity.len())?;
+    let unit = name.strip_prefix(quantity)?;
+    let is_pressure_per_length = unit.contains("Pa_per_") || unit.contains("Pa/");
+    let areas = ["per_area", "per_m2", "per_mm2", "per_um2", "per_m3", "per_mm3", "/m2", "/m3"];
+    (is_pressure_per_length || areas.iter().any(|area| unit.contains(area))).then_some(column)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,11 +73,26 @@ mod tests {
             ("separation_um", Some(("separation_m", "um", 1e-6))),
             ("load_N", None),
             ("load", None),
-            ("load_lbf", None),
+            ("load_lbf", Some(("load_N", "lbf", LBF))),
+            ("load_stone", None),
         ] {
             let found = in_other_unit(name, &known);
             let found = found.map(|other| (other.column, other.unit, other.factor));
             assert_eq!(found, wanted, "{name}");
+        }
+    }
+
+    #[test]
+    fn stiffnesses_per_area_are_recognised() {
+        let known = ["stiffness_N_per_m", "unloading_stiffness_N_per_m", "area_m2"];
+        for (name, wanted) in [
+            ("stiffness_per_area_N_per_m3", Some("stiffness_N_per_m")),
+            ("unloading_stiffness_GPa_per_m", Some("unloading_stiffness_N_per_m")),
+            ("unloading_stiffness_N_per_um_per_mm2", Some("unloading_stiffness_N_per_m")),
+            ("unloading_stiffness_N_per_mm", None),
+            ("area_per_area", None),
+        ] {
+            assert_eq!(per_area(name, &known), wanted, "{name}");
         }
     }
 }

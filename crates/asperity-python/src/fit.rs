@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use asperity::fit::{Data, DataColumn, FitError, Fitted, rank};
+use asperity::Severity;
+use asperity::fit::{DataColumn, FitError, Fitted, MeasuredTable, rank};
 use asperity_scene::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
@@ -36,17 +37,17 @@ pub(crate) fn fit<'py>(
     engines: Vec<Py<Engine>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let file = &*scene.0;
-    let columns = match data {
-        Measurements::Columns(columns) => columns,
+    let table = match data {
+        Measurements::Columns(columns) => MeasuredTable { columns, lines: vec![] },
         Measurements::File(path) => read_measurements(path).map_err(value_error)?,
     };
-    let data = Data::from_columns(&columns, file.separation_from).map_err(value_error)?;
+    let data = file.data(&table).map_err(value_error)?;
     let free = free.into_iter().map(|free| match free {
         FreeBounds::Text(text) => text.parse().map_err(value_error),
         FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds }),
     });
     let free: Vec<Free> = free.collect::<PyResult<_>>()?;
-    let mut fitted: Vec<Fitted> = vec![];
+    let (mut fitted, mut findings): (Vec<Fitted>, Vec<_>) = (vec![], vec![]);
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
@@ -54,7 +55,13 @@ pub(crate) fn fit<'py>(
             file.fit(&model, &data, &free, &mut |_| continue_unless(stop))
         })?;
         match found {
-            Ok(found) => fitted.push(found),
+            Ok(found) => {
+                if found.misfit.is_none() {
+                    let unusual = file.findings_of_fit(&model, &found, &data);
+                    findings.extend(unusual.map_err(value_error)?);
+                }
+                fitted.push(found);
+            }
             Err(SceneError::Fit(FitError::NoStart { reason, .. })) if engine.is_written() => {
                 return Err(engine.raise(py, reason));
             }
@@ -64,5 +71,7 @@ pub(crate) fn fit<'py>(
             Err(error) => return Err(value_error(error)),
         }
     }
+    let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
+    findings.iter().try_for_each(|found| warn(py, found, 1))?;
     object(py, &rank(fitted))
 }

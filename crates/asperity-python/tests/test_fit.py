@@ -91,7 +91,7 @@ def test_a_model_written_in_python_is_fitted() -> None:
         ({"load": [1.0]}, "hardness", 'column "load" is not known .the nearest is "load_N".'),
         ({"load_N": [1.0]}, "hardness", "the data have no measured quantity"),
         ({"area_m2": [1.0]}, "hardness", "the data have no load or separation"),
-        ({"load_N": [-1.0], "area_m2": [1e-9]}, "hardness", "row 1: load_N is -1.0: a load above 0"),
+        ({"load_N": [-1.0], "area_m2": [1e-9]}, "hardness", "row 1: load_N is -1: a load above 0"),
         ({"load_N": [1.0], "area_m2": [1e-9, 2e-9]}, "hardness", "load_N: 1 values: 2, as in other"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, "hardnes", "hardnes is not an input .* .the nearest"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, [], "free parameters: at least one was required"),
@@ -118,3 +118,14 @@ def test_data_in_another_unit_and_a_bound_are_a_warning() -> None:
     with pytest.warns(asperity.ContactWarning, match="pressure_Pa = .* looks like MPa") as recorded:
         found = asperity.fit(SCENE, data, "asperity_height_std").best
     assert found.misfit and [str(one.message) for one in recorded] == [f"ke: {found.misfit}"]
+
+
+def test_an_outlier_and_yielding_are_warnings() -> None:
+    data = made("ke")
+    data = {name: data[name] for name in ("pressure_Pa", "unloading_stiffness_N_per_m")}
+    with pytest.warns(asperity.ContactWarning, match="GW ignores yielding"):
+        asperity.fit(SCENE, data, "asperity_height_std", "gw")
+    data["unloading_stiffness_N_per_m"][3] *= 2
+    with pytest.warns(asperity.ContactWarning, match="row 4 is off by a factor of 2"):
+        found = asperity.fit(SCENE, data, "asperity_height_std").best
+    assert found.outlier is not None and len(found.residuals) == 8

@@ -3,12 +3,16 @@
 use std::ops::ControlFlow;
 
 use asperity::fit::{
-    Data, Fit, FitError, Fitted, Measured, Observation, Parameter, Progress, Rig, Role,
-    USUAL_FACTOR, predict,
+    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
+    Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Interface, Model, Quantity, Separation, short};
+use asperity::{At, Diagnostics, Interface, Model, Quantity, Separation, short};
 
-use crate::{Place, SceneError, SceneFile, key_of_input, quantity, unit_of};
+use crate::units::UNITS;
+use crate::{Place, SceneError, SceneFile, key_of_input, quantity, quantity_of, unit_of};
+
+/// Bounds that are farther from the scene's value than this factor may be in another unit.
+const FAR: f64 = 100.0;
 
 /// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
 /// with its bounds in SI units if they are given.
@@ -40,10 +44,14 @@ impl std::str::FromStr for Free {
             let example = "write name or name=low:high, for example hardness=1GPa:4GPa";
             return Err(format!("a free parameter has no name: {example}"));
         }
-        let unit = unit_of_free(name);
-        let number = |text: &str| match unit {
-            Some(unit) => quantity(text, unit),
-            None => text.trim().parse().map_err(|_| format!("{text:?} is not a number")),
+        let number = |text: &str| match Role::of(name) {
+            Role::SeparationOffset => quantity(text, "m"),
+            Role::SeriesCompliance => quantity(text, "m/N"),
+            _ => quantity_of(key_of_input(name), text),
+        };
+        let number = |text: &str| match number(text)? {
+            value if value.is_finite() => Ok(value),
+            _ => Err(format!("{text} is not finite")),
         };
         let bounds = bounds.map(|bounds| match bounds.split_once(':') {
             Some((low, high)) => {
@@ -81,13 +89,30 @@ pub fn unit_of_free(name: &str) -> Option<&'static str> {
 }
 
 impl SceneFile {
+    /// The measured values of a table; its separations are from this scene's plane.
+    ///
+    /// # Errors
+    /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
+    pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
+        Data::from_table(table, self.separation_from).map_err(|error| {
+            SceneError::Fit(match error {
+                FitError::PerArea { name, column, .. } => {
+                    let nominal_area = Some(self.scene.nominal_area);
+                    FitError::PerArea { name, column, nominal_area }
+                }
+                error => error,
+            })
+        })
+    }
+
     /// The free parameters, which start from the values of this scene. By default their bounds are
     /// a factor 30 either way, those of `separation_offset` 30 asperity_height_std beyond the
     /// readings.
     ///
     /// # Errors
-    /// Those of [`inputs`](Self::inputs), and [`SceneError::Fit`] for bounds that are out of order,
-    /// a number without a value or bounds, and a parameter of the rig that the data do not contain.
+    /// Those of [`inputs`](Self::inputs), and [`SceneError::Fit`] for bounds that are out of order
+    /// or those of another unit, a number without a value or bounds, and a parameter of the rig that
+    /// the data do not contain.
     pub fn free_parameters(
         &self,
         free: &[Free],
@@ -137,6 +162,12 @@ impl SceneFile {
                 ),
             }));
         };
+        if let Some(reason) = start.and_then(|start| other_unit(&free.name, start, [low, high])) {
+            return Err(SceneError::Fit(FitError::Parameter {
+                parameter: free.name.clone(),
+                reason,
+            }));
+        }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
@@ -200,6 +231,28 @@ impl SceneFile {
         fitted: &Fitted,
         data: &Data,
     ) -> Result<Vec<Option<f64>>, SceneError> {
+        let (file, rig) = self.fitted(fitted)?;
+        let found = predict(&**model, &file.scene, rig, data);
+        Ok(found.into_iter().map(Result::ok).collect())
+    }
+
+    /// Unusual results of a fitted model where data were measured, yielding that it ignores for
+    /// example.
+    ///
+    /// # Errors
+    /// Those of [`fitted_values`](Self::fitted_values).
+    pub fn findings_of_fit(
+        &self,
+        model: &Model,
+        fitted: &Fitted,
+        data: &Data,
+    ) -> Result<Diagnostics, SceneError> {
+        let (file, rig) = self.fitted(fitted)?;
+        Ok(file.findings_at(&**model, &places(&**model, &file.scene, rig, data)))
+    }
+
+    /// The scene with the fitted numbers, and the rig.
+    fn fitted(&self, fitted: &Fitted) -> Result<(Self, Rig), SceneError> {
         let (mut names, mut values, mut rig) = (vec![], vec![], Rig::default());
         for one in &fitted.parameters {
             match Role::of(&one.name) {
@@ -215,8 +268,7 @@ impl SceneFile {
         let made = made.map_err(|error| {
             SceneError::from_contact(error, |field| Box::new(Place::field(field)))
         })?;
-        let found = predict(&**model, &made.scene, rig, data);
-        Ok(found.into_iter().map(Result::ok).collect())
+        Ok((made, rig))
     }
 
     /// Notes on bounds that are not given.
@@ -237,6 +289,25 @@ impl SceneFile {
         };
         usual.filter_map(note).collect()
     }
+}
+
+/// The reason against bounds far from the scene's value that are near it in another unit.
+fn other_unit(name: &str, start: f64, [low, high]: [f64; 2]) -> Option<String> {
+    let is_far = start > 0.0 && low > 0.0 && (low > FAR * start || FAR * high < start);
+    let (si, _, units) = UNITS.into_iter().find(|(si, ..)| Some(*si) == unit_of_free(name))?;
+    let holds = |power: i32| {
+        let factor = 10f64.powi(power);
+        (low * factor..=high * factor).contains(&start)
+    };
+    let (unit, power) = units.iter().filter(|_| is_far).find(|(_, power)| holds(*power))?;
+    let [bottom, top] = [low, high].map(short);
+    // 1/mm2 behind a number is /mm2.
+    let behind = unit.trim_start_matches('1');
+    Some(format!(
+        "the bounds {bottom} and {top} look like {unit}; {bottom} {unit} is {} {si}, and the scene has {} {si}: write {name}={bottom}{behind}:{top}{behind}",
+        short(low * 10f64.powi(*power)),
+        short(start)
+    ))
 }
 
 fn without_effect(name: &str, needed: &str) -> SceneError {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use crate::hardness::hardness;
+use crate::hardness::{Stress, hardness};
 use crate::notation::notation_hint;
 use crate::quantity::units_of;
 use crate::template::joined;
@@ -99,17 +99,20 @@ fn number(section: &str, name: &str, given: &str) -> Result<Option<(String, f64)
     let path = joined(section, name);
     match read(given, units) {
         Some(number) => Ok(Some((path, number))),
-        None => Err(QuantityError { path, found: given.into(), reason: reason(given, units) }),
+        None => {
+            let reason = reason(given, units, Stress::of(name));
+            Err(QuantityError { path, found: given.into(), reason })
+        }
     }
 }
 
-fn reason(given: &str, units: Units) -> Reason {
+fn reason(given: &str, units: Units, stress: Stress) -> Reason {
     let (si, example, known) = units;
     if let Some(same) = converted(given, si) {
         let needed = format!("a known unit, as in \"{same}\", which is the same,");
         return Reason::Unit { near: None, needed };
     }
-    let hint = hardness(given).filter(|_| si == "Pa").map(|hint| format!("is not in Pa: {hint}"));
+    let hint = hardness(given, stress).filter(|_| si == "Pa");
     match hint.or_else(|| notation_hint(given)) {
         Some(hint) => Reason::Notation(hint),
         None => Reason::Unit {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::fit::DataColumn;
+use asperity::fit::{DataColumn, MeasuredTable};
 
 use crate::document::{read_text, shorten};
 use crate::notation::{notation_hint, with_decimal_point};
@@ -14,7 +14,7 @@ use crate::{Place, SceneError};
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the column, the value found and the value needed.
-pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, SceneError> {
+pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneError> {
     let path = path.as_ref();
     let place = |line: Option<usize>, field: &str| {
         Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
@@ -42,10 +42,13 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         return Err(SceneError::value(place(Some(1), "the header"), shorten(&found), needed));
     }
     let mut columns: Vec<DataColumn> = head.iter().map(|name| (name.into(), vec![])).collect();
-    let mut models: Vec<String> = vec![];
+    let (mut models, mut lines): (Vec<String>, Vec<usize>) = (vec![], vec![]);
+    // The reader's own positions are those of comments and empty lines before a record.
+    let is_record = |line: &(usize, &str)| !line.1.is_empty() && !line.1.starts_with('#');
+    let mut numbered = (1..).zip(text.lines()).filter(is_record).map(|(line, _)| line).skip(1);
     for record in reader.records() {
         let record = record.map_err(|error| syntax(None, error.to_string()))?;
-        let line = record.position().map(|position| position.line() as usize);
+        let line = numbered.next();
         if record.len() != columns.len() {
             if record.len() == columns.len() + 1 && record.iter().next_back() == Some("") {
                 return Err(syntax(line, "the row ends in a separator; remove it".into()));
@@ -58,6 +61,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
             );
             return Err(syntax(line, reason));
         }
+        lines.extend(line);
         for ((name, values), text) in columns.iter_mut().zip(&record) {
             values.push(match text {
                 "" => None,
@@ -71,16 +75,25 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                     let (at, found) = (place(line, name), format!("{:?}", shorten(given)));
                     return Err(SceneError::Notation { at, found, hint: beside_commas(given) });
                 }
-                given => Some(number(given).ok_or_else(|| {
-                    let at = place(line, name);
-                    match notation_hint(given).or_else(|| share_hint(name, given)) {
-                        Some(hint) => {
-                            let found = format!("{:?}", shorten(given));
-                            SceneError::Notation { at, found, hint }
+                given => {
+                    Some(number(given).filter(|value| value.is_finite()).ok_or_else(|| {
+                        let at = place(line, name);
+                        if number(given).is_some() {
+                            return SceneError::value(
+                                at,
+                                shorten(given),
+                                "a finite number, or nothing",
+                            );
                         }
-                        None => SceneError::value(at, shorten(given), "a number, or nothing"),
-                    }
-                })?),
+                        match notation_hint(given).or_else(|| share_hint(name, given)) {
+                            Some(hint) => {
+                                let found = format!("{:?}", shorten(given));
+                                SceneError::Notation { at, found, hint }
+                            }
+                            None => SceneError::value(at, shorten(given), "a number, or nothing"),
+                        }
+                    })?)
+                }
             });
         }
     }
@@ -90,7 +103,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         return Err(SceneError::value(place(None, "model"), found, needed));
     }
     columns.retain(|(name, _)| name != "model" && name != "separation_over_sigma");
-    Ok(columns)
+    Ok(MeasuredTable { columns, lines })
 }
 
 /// How to write a number with a point where other cells have decimal commas.
@@ -151,7 +164,7 @@ mod tests {
         let path = folder.path().join("data.csv");
         fs::write(&path, text).unwrap();
         let cut = |error: SceneError| error.to_string().split("data.csv").last().unwrap().into();
-        read_measurements(&path).map_err(cut)
+        read_measurements(&path).map(|table| table.columns).map_err(cut)
     }
 
     #[test]
@@ -160,6 +173,14 @@ mod tests {
         let columns = read(text).unwrap();
         let wanted = [("load_N", [Some(1.0), Some(3.0)]), ("area_m2", [Some(2e-9), None])];
         assert_eq!(columns, wanted.map(|(name, values)| (name.to_string(), values.to_vec())));
+    }
+
+    #[test]
+    fn rows_have_the_lines_of_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("data.csv");
+        fs::write(&path, "# by hand\n\nload_N,area_m2\n1,2\n# again\n3,4\n").unwrap();
+        assert_eq!(read_measurements(&path).unwrap().lines, [4, 6]);
     }
 
     #[test]
@@ -220,6 +241,7 @@ mod tests {
             ("1,2\n3,4\n", ":1: the header is \"1,2\": a header, for example load_N"),
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
             ("load_N,area_m2\n1,2,\n", ":2: CSV: the row ends in a separator; remove it"),
+            ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number, or nothing"),
             ("load_N\n1,5\n", ":2: CSV: 2 cells under a header of 1 columns"),
         ] {
             let refused = read(text).unwrap_err();

@@ -8,7 +8,7 @@ pub(crate) type Units = (&'static str, &'static str, &'static [(&'static str, i3
 
 /// The SI unit as in the template, an example, and the units with their powers of ten. In units,
 /// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-pub(crate) const UNITS: [Units; 10] = [
+pub(crate) const UNITS: [Units; 11] = [
     (
         "Pa",
         "210 GPa",
@@ -22,6 +22,20 @@ pub(crate) const UNITS: [Units; 10] = [
         "m/N",
         "2 nm/N",
         &[("mm/kN", -6), ("um/kN", -9), ("mm/N", -3), ("um/N", -6), ("nm/N", -9), ("m/N", 0)],
+    ),
+    (
+        "N/m",
+        "20 N/um",
+        &[
+            ("N/m", 0),
+            ("N/mm", 3),
+            ("N/um", 6),
+            ("N/nm", 9),
+            ("kN/mm", 6),
+            ("kN/um", 9),
+            ("MN/m", 6),
+            ("GN/m", 9),
+        ],
     ),
     ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
     (
@@ -66,6 +80,15 @@ const OTHERS: [(&str, &str, f64, &str); 13] = [
     ("m", "\u{212b}", 0.1, "nm"),
     ("m^2", "in2", 645.16, "mm2"),
 ];
+
+/// Whether a text is a unit of one of the quantities, or the name of a scale: kN, W/(m K), psi, HV.
+#[must_use]
+pub fn is_unit(text: &str) -> bool {
+    let unit = plain(text);
+    let decimal = UNITS.iter().flat_map(|(.., units)| units.iter().map(|(name, _)| *name));
+    let others = OTHERS.iter().map(|(_, name, ..)| *name).chain(["%", "HV"]);
+    decimal.chain(others).any(|known| known == unit)
+}
 
 /// A number in a unit that is not decimal, in one that is: 248.2 MPa for 36 ksi.
 pub(crate) fn converted(given: &str, si: &str) -> Option<String> {

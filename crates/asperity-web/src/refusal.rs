@@ -45,10 +45,11 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
             if let Some(hint) = notation_hint(text) {
                 return Some(format!("{text} {hint}"));
             }
-            let unit = unit_of(at.field.rsplit('.').next()?);
-            if let Some(hint) = unit.and_then(|unit| quantity_hint(text, unit)) {
+            let key = at.field.rsplit('.').next()?;
+            if let Some(hint) = quantity_hint(key, text) {
                 return Some(format!("{text} {hint}"));
             }
+            let unit = unit_of(key);
             // Plain numbers are in the SI unit.
             let unit = unit.filter(|_| text.parse::<f64>().is_ok());
             let unit = unit.map(|unit| format!(" {unit}"));

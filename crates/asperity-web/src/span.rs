@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::{At, Scene};
-use asperity_scene::quantity;
+use asperity_scene::{NO_LOAD, quantity};
 
 use crate::message::{LoadKeys, LoadShown};
 use crate::refusal::Refusal;
@@ -98,7 +98,7 @@ pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Re
         return Err(wrong(format!("{text:?}: a finite number was required")));
     }
     if newtons == 0.0 {
-        return Err(wrong("0 is neither a load (above 0) nor a tension (below 0)".into()));
+        return Err(wrong(NO_LOAD.into()));
     }
     let mut pressure = pressure.unwrap_or(false);
     if let Some(unit) = keys.show.as_deref().filter(|unit| in_pascals(unit) != pressure) {

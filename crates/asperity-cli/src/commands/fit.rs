@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use asperity::Quantity;
 use asperity::bem::Bem;
-use asperity::fit::{Data, DataColumn, FitError, Fitted, Progress, Ranking, Role, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Ranking, Role, rank};
 use asperity_scene::{Free, SceneError, read_measurements};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -25,6 +25,8 @@ use crate::scene::{LoadedScene, NamedModel};
 #[command(
     group(ArgGroup::new("source").required(true)),
     group(ArgGroup::new("place")),
+    override_usage = "asperity fit [OPTIONS] --free <KEY[=A:B]> <SCENE> <DATA>
+       asperity fit [OPTIONS] --free <KEY[=A:B]> --target <Q=V> --load <P> <SCENE>",
     after_help = "DATA is a csv with the columns of `asperity curve`: load_N, pressure_Pa or
 separation_m, and any of area_m2, area_fraction, tangent_N_per_m,
 unloading_stiffness_N_per_m (ultrasound, modal tests), thermal_conductance_W_per_K and so
@@ -41,10 +43,11 @@ the scene; default bounds are a factor 30 either way.
 
 Columns: model, parameter, value, lower and upper (the 95 % interval; blank where the data
 do not fix that end within the bounds), unit, rms (relative) and bic. Models are ordered by
-BIC, lowest first, or by rms where one of them has no BIC. json also has correlation, condition, undetermined combinations,
-limits at which parameters stop, residuals and unreachable data. If no model describes the
-data, or none reaches the target, the exit code is 1; the unit that explains the data, if
-there is one, is named.
+BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
+condition, undetermined combinations, limits at which parameters stop, residuals,
+unreachable data and an outlier. If no model describes the data, or none reaches the
+target, the exit code is 1; the line or the unit that explains the data is named. No line
+is left out.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 
@@ -125,7 +128,8 @@ impl FitCommand {
         match &ranking.models[..] {
             [first, ..] if ranking.models.iter().all(|one| one.misfit.is_some()) => {
                 let reason = first.misfit.as_deref().unwrap_or_default();
-                bail!("{}: {}: {reason}", scene.name, first.model)
+                let place = self.data_name().unwrap_or_else(|| scene.name.clone());
+                bail!("{place}: {}: {reason}", first.model)
             }
             all if !self.target.is_empty() && all.iter().all(|one| !one.unreachable.is_empty()) => {
                 bail!("{}: no model reaches the target; the values are the nearest", scene.name)
@@ -164,11 +168,15 @@ impl FitCommand {
                     print_message("warning", &format!("left out: {error}"));
                 }
                 Err(error) => {
-                    // Errors of columns and rows are those of the data.
-                    let data = self.data.as_ref().map(|path| path.display().to_string());
-                    let of_data = matches!(error, SceneError::Fit(FitError::Loads { .. }));
-                    let place = data.filter(|_| of_data).unwrap_or(scene.name.clone());
-                    return Err(error).context(place);
+                    // Errors of columns and lines are those of the data.
+                    let place = match &error {
+                        SceneError::Fit(FitError::Loads { .. } | FitError::Unit { .. }) => {
+                            self.data_name()
+                        }
+                        SceneError::Fit(FitError::Parameter { .. }) => Some("--free".into()),
+                        _ => None,
+                    };
+                    return Err(error).context(place.unwrap_or_else(|| scene.name.clone()));
                 }
             }
         }
@@ -186,6 +194,7 @@ impl FitCommand {
         ranking: &Ranking,
     ) -> Result<()> {
         self.print_notes(scene, ranking);
+        self.report_answers(scene, data, models, ranking)?;
         if let Some(file) = &self.plot {
             let svg = fit_plot::svg(&scene.file, data, models, ranking)?;
             output::write_text(Some(file), &svg)?;
@@ -218,6 +227,7 @@ impl FitCommand {
                 say("warning", if hopeless { &[] } else { std::slice::from_ref(misfit) });
                 continue;
             }
+            say("warning", one.outlier.as_slice());
             say("warning", &one.undetermined);
             // The nearest value to an unreachable one is given with its place.
             say("warning", if one.unreachable.is_empty() { &one.limits } else { &[] });
@@ -229,12 +239,34 @@ impl FitCommand {
         }
     }
 
+    /// Reports what is unusual about the answers of models that describe the data.
+    fn report_answers(
+        &self,
+        scene: &LoadedScene,
+        data: &Data,
+        models: &[NamedModel],
+        ranking: &Ranking,
+    ) -> Result<()> {
+        let mut found = vec![];
+        for fitted in ranking.models.iter().filter(|one| one.misfit.is_none()) {
+            let model = models.iter().find(|(id, _)| *id == fitted.model);
+            if let Some((_, model)) = model {
+                found.extend(scene.file.findings_of_fit(model, fitted, data)?);
+            }
+        }
+        scene.report(found.into_iter().collect());
+        Ok(())
+    }
+
+    fn data_name(&self) -> Option<String> {
+        self.data.as_ref().map(|path| path.display().to_string())
+    }
+
     fn data(&self, scene: &LoadedScene) -> Result<Data> {
-        let from = scene.file.separation_from;
         if let Some(path) = &self.data {
             output::keep(path);
-            let columns = read_measurements(path)?;
-            return Data::from_columns(&columns, from).with_context(|| path.display().to_string());
+            let table = read_measurements(path)?;
+            return scene.file.data(&table).with_context(|| path.display().to_string());
         }
         let places = [
             ("load_N", self.load),
@@ -244,9 +276,8 @@ impl FitCommand {
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
         let columns = places.chain(self.target.iter().cloned());
-        let columns: Vec<DataColumn> =
-            columns.map(|(name, value)| (name, vec![Some(value)])).collect();
-        Data::from_columns(&columns, from).context("--target")
+        let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
+        scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
     }
 
     /// Ends the program where plot and data have the same destination.
@@ -322,6 +353,7 @@ mod tests {
             ("area=1 mm2", "area_m2", 1e-6),
             ("unloading-stiffness=2e9", "unloading_stiffness_N_per_m", 2e9),
             ("mean_pressure_Pa=1GPa", "mean_pressure_Pa", 1e9),
+            ("tangent=1 N/nm", "tangent_N_per_m", 1e9),
         ];
         for (text, name, value) in found {
             assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");

@@ -8,7 +8,7 @@ use asperity_topography::Topography;
 use clap::Args;
 
 use crate::input::lists::all;
-use crate::input::numbers::{length, number, positive_number};
+use crate::input::numbers::{length, number, positive_number, whole};
 use crate::output::number::rounded;
 use crate::output::{self, contact_map, print_message};
 
@@ -60,7 +60,7 @@ pub struct Generate {
     #[arg(long, value_name = "DEGREES", value_parser = number, default_value = "0")]
     direction: f64,
     /// Another surface of the same spectrum
-    #[arg(long, value_name = "N", default_value = "0")]
+    #[arg(long, value_name = "N", value_parser = whole, default_value = "0")]
     seed: u64,
     /// File of the heights: .npy (heights in m, without pixel size) or .x3p
     #[arg(long, value_name = "FILE", value_parser = scan_file)]
@@ -118,7 +118,7 @@ fn size(text: &str) -> Result<[usize; 2], String> {
     let most = asperity_topography::MAX_POINTS;
     let required = || format!("NXxNY was required, for example 512x512, of at most {most} points");
     let (columns, rows) = text.split_once('x').ok_or_else(required)?;
-    let [columns, rows] = [columns, rows].map(|n| n.trim().parse::<usize>().ok());
+    let [columns, rows] = [columns, rows].map(|n| usize::try_from(whole(n).ok()?).ok());
     let both = columns.zip(rows).filter(|(nx, ny)| {
         *nx > 0 && *ny > 0 && nx.checked_mul(*ny).is_some_and(|points| points <= most)
     });

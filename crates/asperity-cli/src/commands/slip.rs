@@ -5,11 +5,10 @@ use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Model, Tolerance, linspace, shortest_digits};
 use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
-use clap::builder::RangedU64ValueParser;
 
 use crate::input::args::{Closed, DrawnArgs, tolerance};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{friction, length, load};
+use crate::input::numbers::{count_up_to, friction, length, load};
 use crate::joints::{amplitude_at, given_preload, preload};
 use crate::output::number::{rounded, within};
 use crate::output::plot;
@@ -64,7 +63,7 @@ pub struct Slip {
     cycle: Cycle,
     /// Number of shifts from -amplitude to +amplitude
     #[arg(long, value_name = "N", default_value = "101")]
-    #[arg(value_parser = RangedU64ValueParser::<usize>::new().range(2..=100_000))]
+    #[arg(value_parser = count_up_to(100_000))]
     points: usize,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]

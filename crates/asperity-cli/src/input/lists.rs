@@ -6,7 +6,7 @@ use asperity::{linspace, shortest_digits};
 use asperity_scene::with_decimal_point;
 
 use crate::input::ambiguous::refuse_one_number;
-use crate::input::numbers::{number, of_unit, positive};
+use crate::input::numbers::{count_up_to, number, of_unit, positive};
 
 /// The largest number of values in one range.
 const MOST: usize = 1_000_000;
@@ -80,10 +80,8 @@ impl Span {
             let [first, last] = [first, last].map(shortest_digits);
             return Err(format!("the range from {first} to {last} exceeds f64"));
         }
-        let count = others.first().map(|text| match text.trim().parse() {
-            Ok(count) if (2..=MOST).contains(&count) => Ok(count),
-            _ => Err(format!("N is {text}; N must be a whole number from 2 to {MOST}")),
-        });
+        let required = |error| format!("N is wrong: {error}");
+        let count = others.first().map(|text| count_up_to(MOST)(text).map_err(required));
         let log = match others {
             [] | [_] => false,
             [_, kind] if kind.trim() == "log" && first > 0.0 => true,
@@ -164,6 +162,7 @@ mod tests {
         assert_eq!(numbers("-1:4:11").unwrap()[..2], [-1.0, -0.5]);
         assert_eq!(numbers("0:4:401").unwrap()[400..], [4.0]);
         assert_eq!(numbers("-1e-6,2, 3").unwrap(), [-1e-6, 2.0, 3.0]);
+        assert_eq!(numbers("0:9:1e1").unwrap().len(), 10);
         let log = numbers("0.1:7:3:log").unwrap();
         assert_eq!((log[0], log[2]), (0.1, 7.0));
         assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);

@@ -2,6 +2,7 @@
 
 pub mod ambiguous;
 pub mod args;
+pub mod blanks;
 pub mod distances;
 pub mod list_notes;
 pub mod lists;

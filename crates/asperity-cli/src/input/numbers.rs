@@ -2,11 +2,9 @@
 
 use asperity::joints::coefficient_of_friction;
 use asperity::shortest_digits;
+use asperity_scene::NO_LOAD;
 
 use crate::input::ambiguous::one_value_only;
-
-/// The reason against a load of 0.
-const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)";
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
@@ -51,6 +49,28 @@ fn not_0(value: f64) -> Result<f64, String> {
     match value {
         0.0 => Err(NO_LOAD.into()),
         value => Ok(value),
+    }
+}
+
+/// A whole number, which may be written 1e3.
+pub fn whole(text: &str) -> Result<u64, String> {
+    let text = text.trim();
+    // Above 2^53, not every whole number is an f64.
+    let from_f64 = |value: f64| {
+        let is_whole = value.fract() == 0.0 && (0.0..=(1u64 << 53) as f64).contains(&value);
+        is_whole.then_some(value as u64)
+    };
+    let exact = text.parse().ok();
+    exact
+        .or_else(|| text.parse().ok().and_then(from_f64))
+        .ok_or_else(|| format!("{text:?} is not a whole number such as 1000 or 1e3"))
+}
+
+/// A number of values: a whole number from 2 to `most`.
+pub fn count_up_to(most: usize) -> impl Fn(&str) -> Result<usize, String> + Clone {
+    move |text| match usize::try_from(whole(text)?) {
+        Ok(count) if (2..=most).contains(&count) => Ok(count),
+        _ => Err(format!("{} is not a whole number from 2 to {most}", text.trim())),
     }
 }
 
@@ -146,6 +166,14 @@ mod tests {
     #[test]
     fn everything_else_is_refused() {
         assert!(pressure_or_tension("0").is_err() && pressure("inf").is_err());
+        assert_eq!([whole("1e3"), whole("17"), whole("1.5e1")], [Ok(1000), Ok(17), Ok(15)]);
+        assert_eq!(whole("18446744073709551615"), Ok(u64::MAX), "exactly");
+        assert_eq!(
+            whole("1e-3").unwrap_err(),
+            "\"1e-3\" is not a whole number such as 1000 or 1e3"
+        );
+        assert!(whole("-1").is_err() && whole("1e30").is_err() && whole("nan").is_err());
+        assert_eq!(count_up_to(9)("10").unwrap_err(), "10 is not a whole number from 2 to 9");
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);

@@ -74,12 +74,15 @@ pub fn svg(
         };
         let axis = |column: &str, label: &str, in_um: bool, values: &[f64]| {
             let mut axis = Axis::new(column, label);
+            let [low, high] = ends(values);
+            let room = 0.03 * (high - low);
+            // The first and the last symbol stay inside the frame.
+            axis.range = (room > 0.0).then_some((low - room, high + room));
             if in_um {
                 return axis.times(1e6);
             }
             axis.scale = Scale::fitting(values);
             if axis.scale == Scale::Log {
-                let [low, high] = ends(values);
                 axis.range = Some((low / 1.1, high * 1.1));
             }
             axis

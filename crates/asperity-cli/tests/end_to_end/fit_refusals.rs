@@ -27,18 +27,18 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ),
         ("load_N\n1\n", "the data have no measured quantity: a column of a quantity"),
         ("load_N,area_m2\n1,\n", "the data have no measured quantity"),
-        ("load_N,area_m2\n-1,1e-9\n", "row 1: load_N is -1.0: a load above 0 was required"),
+        ("load_N,area_m2\n-1,1e-9\n", "line 2: load_N is -1: a load above 0 was required"),
         (
             "load_N,area_m2\n1,1e-9\n2,0\n",
-            "row 2: area_m2 is 0.0: a number above 0, or its standard deviation, was required",
+            "line 3: area_m2 is 0: a number above 0, or its standard deviation, was required",
         ),
         (
             "load_N,area_m2,area_m2_std\n1,1e-9,0\n",
-            "row 1: area_m2_std is 0.0: a number above 0 was required",
+            "line 2: area_m2_std is 0: a number above 0 was required",
         ),
         (
             "load_N,area_m2,area_m2_std\n1,1e-9,1e-10\n2,2e-9,\n",
-            "area_m2: row 2 has no standard deviation, but area_m2 has one",
+            "area_m2: line 3 has no standard deviation, but area_m2 has one",
         ),
         (
             "load_N,area_m2,tangent_N_per_m_std\n1,1e-9,1\n",
@@ -51,19 +51,33 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ),
         ("1,1e-9\n2,2e-9\n", "data.csv:1: the header is \"1,1e-9\": a header, for example"),
         ("load_N,area_m2\n1\n", "data.csv:2: CSV: 1 cells under a header of 2 columns"),
-        ("load_N,area_m2\n1,nan\n", "row 1: area_m2 is NaN: a finite number was required"),
-        ("load_N,area_m2\ninf,1\n", "row 1: load_N is inf: a finite number was required"),
+        (
+            "load_N,area_m2\n1,nan\n",
+            "data.csv:2: area_m2 is \"nan\": a finite number, or nothing was required",
+        ),
+        (
+            "load_N,area_m2\ninf,1\n",
+            "data.csv:2: load_N is \"inf\": a finite number, or nothing was required",
+        ),
         (
             "load_N,area_fraction\n1,2.5\n",
-            "row 1: area_fraction is 2.5: at most 1 (a number in per cent over 100) was required",
+            "line 2: area_fraction is 2.5: at most 1 (a number in per cent over 100) was required",
+        ),
+        (
+            "load_N,stiffness_per_area_N_per_m3\n1,1e12\n",
+            "is per nominal area: name it stiffness_N_per_m and multiply its values, in N/m per m2, by the nominal area of 1e-4 m2",
+        ),
+        (
+            "load_N,area_m2\n1,1e400\n",
+            "data.csv:2: area_m2 is \"1e400\": a finite number, or nothing was required",
         ),
         (
             "load_N,area_m2\n,1\n",
-            "row 1: area_m2 is 1.0: a load or a separation beside it was required",
+            "line 2: area_m2 is 1: a load or a separation beside it was required",
         ),
         (
             "load_N,force_N\n1,1\n",
-            "row 1: force_N is 1.0: either the load or this quantity was required",
+            "line 2: force_N is 1: either the load or this quantity was required",
         ),
         (
             "model,load_N,area_m2\nke,1,1e-9\ngw,1,1e-9\n",
@@ -86,6 +100,14 @@ fn bad_parameters_are_refused_by_name() {
     for (free, wanted) in [
         ("hardnes", "hardnes is not an input of this scene (the nearest is \"hardness\"): one of "),
         ("hardness,hardness", "hardness: it is given twice"),
+        (
+            "hardness=1:4",
+            "error: --free: hardness: the bounds 1 and 4 look like GPa; 1 GPa is 1e9 Pa, and the scene has 2e9 Pa: write hardness=1GPa:4GPa",
+        ),
+        (
+            "asperity_density=100:300",
+            "look like 1/mm2; 100 1/mm2 is 1e8 1/m^2, and the scene has 2e8 1/m^2: write asperity_density=100/mm2:300/mm2",
+        ),
         (
             "hardness=4GPa:1GPa",
             "hardness: the bounds are 4e9 and 1e9: two finite numbers, the smaller first,",
@@ -134,6 +156,7 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free hardness=1GPa",
         "data.csv --free hardness=0.1:5GPa",
         "data.csv --free hardness=1GPa:5e9",
+        "data.csv --free hardness=1e400:1e401",
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
@@ -167,7 +190,7 @@ fn loads_and_pressures_of_one_row_must_agree() {
     let bench = Bench::new();
     bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e5,5e-8\n");
     let run = bench.run("fit scene.toml data.csv --free asperity_height_std");
-    let wanted = "error: data.csv: row 2: load_N = 100 and pressure_Pa = 1e5 contradict each other: on the nominal area of 1e-4 m2 this pressure is a load of 10 N;";
+    let wanted = "error: data.csv: line 3: load_N = 100 and pressure_Pa = 1e5 contradict each other: on the nominal area of 1e-4 m2 this pressure is a load of 10 N;";
     assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }
 
@@ -177,17 +200,56 @@ fn data_in_another_unit_are_an_error_with_the_unit() {
     let rows = stiffness_rows(&bench);
     let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
     for (factors, wanted) in [
-        ([1e-6, 1.0], "pressure_Pa = 10 looks like MPa; 10 MPa is 1e7 Pa"),
-        ([1.0, 1e-6], " = 3716 looks like N/um; 3716 N/um is 3.716e9 N/m"),
-        ([1e-5, 1e-7], "check the columns and their units, and the other numbers of the scene"),
+        ([1e-6, 1.0], "pressure_Pa = 10 (line 7) looks like MPa; 10 MPa is 1e7 Pa"),
+        ([1.0, 1e-6], " = 3716 (line 7) looks like N/um; 3716 N/um is 3.716e9 N/m"),
+        // A stiffness that falls with the pressure, which no unit explains.
+        ([0.0, 0.0], "check the columns and their units, and the other numbers of the scene"),
     ] {
-        write_rows(&bench, rows.iter().map(|[p, k]| [p * factors[0], k * factors[1]]));
+        write_rows(
+            &bench,
+            rows.iter().map(|[p, k]| match factors {
+                [0.0, 0.0] => [*p, 1e21 / (p * p)],
+                [place, value] => [p * place, k * value],
+            }),
+        );
         let run = bench.run(&format!("{fit},hardness --model ke"));
         assert_eq!(run.code, Some(1), "{}", run.messages);
-        let why = "error: scene.toml: ke: no values within the bounds describe the data, which are off by a factor of ";
+        let why = "error: data.csv: ke: no values within the bounds describe the data, which are off by a factor of ";
         assert!(run.messages.contains(why) && run.messages.contains(wanted), "{}", run.messages);
         // The values mean nothing, so that no other message speaks of them.
         assert!(!run.messages.contains("warning"), "{}", run.messages);
         assert_eq!(column(&run.out, "value").len(), 2);
     }
+}
+
+#[test]
+fn one_line_that_the_others_contradict_is_named() {
+    let bench = Bench::new();
+    let rows = stiffness_rows(&bench);
+    let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
+    for (factor, code, kind) in
+        [(100.0, 1, "error: data.csv: ke: no values"), (2.0, 0, "warning: ke: line 4")]
+    {
+        let rows = rows.iter().enumerate();
+        write_rows(
+            &bench,
+            rows.map(|(k, [p, stiffness])| {
+                [*p, stiffness * if k == 2 { factor } else { 1.0 + 0.01 * (-1f64).powi(k as i32) }]
+            }),
+        );
+        let run = bench.run(fit);
+        assert_eq!(run.code, Some(code), "{}", run.messages);
+        let line = format!("line 4 is off by a factor of {factor} (unloading_stiffness_N_per_m = ");
+        assert!(run.messages.contains(kind) && run.messages.contains(&line), "{}", run.messages);
+        assert_eq!(column(&run.out, "value").len(), 1, "no line is left out silently");
+    }
+}
+
+#[test]
+fn elastic_models_warn_of_yielding_as_in_curves() {
+    let bench = Bench::new();
+    write_rows(&bench, stiffness_rows(&bench));
+    let run = bench.run("fit scene.toml data.csv --free asperity_height_std --model gw");
+    let yielding = "GW ignores yielding and underestimates the area at this load; use ke or jg";
+    assert!(run.code == Some(0) && run.messages.contains(yielding), "{}", run.messages);
 }

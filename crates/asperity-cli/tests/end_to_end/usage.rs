@@ -58,6 +58,27 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         ("unload scene.toml --model ke --load 1 --law herz", "the nearest is \"hertz\""),
         ("unload scene.toml --model ke --load=-1e300", "-1e300 is not above 0"),
         ("curve scene.toml --load 10mm", "\"10mm\" is not a number in N"),
+        (
+            "curve scene.toml --load -1 kN",
+            "--load -1 kN is two arguments, as a blank separates -1 from kN; write --load -1kN, or --load \"-1 kN\"",
+        ),
+        ("curve --separation 2 um scene.toml", "--separation 2 um is two arguments"),
+        (
+            "curve scene.toml --pressure 120HV",
+            "\"120HV\" is a hardness, not a pressure on the nominal",
+        ),
+        (
+            "fit scene.toml data.csv --free yield_strength=120HV:200HV",
+            "\"120HV\" is a hardness, not a yield strength: give hardness = \"1.269GPa\"",
+        ),
+        (
+            "slip scene.toml --closest 2 --amplitude 1um --friction 0.2 --points 1.5",
+            "invalid value '1.5' for '--points <N>': \"1.5\" is not a whole number",
+        ),
+        (
+            "fit scene.toml --free hardness --load 1 --target tangent=1N/pm",
+            "\"1N/pm\" is not a number in N/m: write 20N/um, for example (units: N/m, N/mm,",
+        ),
         ("curve scene.toml --load 1:20kN:5", "1 has no unit; give every value a unit"),
         ("curve scene.toml --pressure 1MPa:20:5", "20 has no unit; give every value a unit"),
         (

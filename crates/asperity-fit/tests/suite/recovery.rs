@@ -123,3 +123,15 @@ fn a_fit_is_the_same_in_every_run() {
         || Fit::new(&data, parameters(&[0, 2], 2.0), &scene).unwrap().run(&GreenwoodWilliamson);
     assert_eq!(run().unwrap(), run().unwrap());
 }
+
+#[test]
+fn a_start_in_the_middle_of_the_bounds_is_left() {
+    let data = data(&columns(&KogutEtsion, &[1.0, 10.0, 100.0], &[Quantity::Tangent]));
+    let scene = varied(&[2]);
+    for off in [1.5, 3.0, 0.4] {
+        let mut fit = Fit::new(&data, parameters(&[2], off), &scene).unwrap();
+        fit.more_starts = 0;
+        let found = fit.run(&KogutEtsion).unwrap().parameters[0].value;
+        assert!((found / TRUTH[2] - 1.0).abs() < 1e-8, "from {off}: {found}");
+    }
+}

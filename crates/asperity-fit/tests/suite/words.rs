@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::{At, ContactModel, Quantity, Request};
-use asperity_fit::{Fit, FitError, Parameter, rank};
+use asperity_core::{At, ContactModel, Datum, Quantity, Request};
+use asperity_fit::{Data, Fit, FitError, MeasuredTable, Parameter, rank};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
 use asperity_ke::KogutEtsion;
@@ -97,9 +97,77 @@ fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
     assert_eq!((good.misfit, good.limits), (None, vec![]));
     columns[0].1.iter_mut().flatten().for_each(|load| *load *= 1e-3);
     let found = fitted(&columns);
-    let unit = "load_N = 1 looks like kN; 1 kN is 1000 N";
+    let unit = "load_N = 1 (row 5) looks like kN; 1 kN is 1000 N";
     assert!(found.misfit.as_ref().is_some_and(|text| text.ends_with(unit)), "{found:?}");
     assert_eq!(found.limits, ["asperity_height_std is at its lower bound of 5e-8"]);
+}
+
+#[test]
+fn one_line_that_the_others_contradict_is_named_and_kept() {
+    let columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let scene = varied(&[2]);
+    let fitted = |factors: [f64; 5], lines: Vec<usize>| {
+        let mut columns = columns.clone();
+        for (value, factor) in columns[1].1.iter_mut().flatten().zip(factors) {
+            *value *= factor;
+        }
+        let table = MeasuredTable { columns, lines };
+        let data = Data::from_table(&table, Datum::AsperityMean).unwrap();
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    let off = [1.03, 0.97, 1.03, 100.0, 0.97];
+    let found = fitted(off, vec![2, 3, 5, 6, 7]);
+    let outlier = found.outlier.unwrap();
+    assert!(
+        outlier.starts_with("line 6 is off by a factor of 100 (tangent_N_per_m = "),
+        "{outlier}"
+    );
+    let others =
+        "; the other lines agree within 3 % (root mean square); check this line, or remove it";
+    assert!(outlier.ends_with(others), "{outlier}");
+    assert!(found.misfit.unwrap().ends_with(others));
+    assert_eq!(found.residuals.len(), 5);
+    // Of arrays the row; a smaller error leaves data that are described.
+    let found = fitted([1.01, 0.99, 2.0, 1.01, 0.99], vec![]);
+    let outlier = found.outlier.unwrap();
+    assert!(outlier.starts_with("row 3 is off by a factor of 2 ("), "{outlier}");
+    assert_eq!(found.misfit, None);
+    // Scatter is no outlier.
+    assert_eq!(fitted([1.3, 0.8, 1.1, 0.7, 1.2], vec![]).outlier, None);
+}
+
+#[test]
+fn a_line_many_standard_deviations_off_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let std = columns[1].1.iter().map(|value| value.map(|value| 0.02 * value)).collect();
+    columns.push((format!("{}_std", columns[1].0), std));
+    columns[1].1[0] = columns[1].1[0].map(|value| 2.0 * value);
+    let data = data(&columns);
+    let scene = varied(&[2]);
+    let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+    let outlier = fit.run(&KogutEtsion).unwrap().outlier.unwrap();
+    assert!(outlier.starts_with("row 1 is off by 50 standard deviations ("), "{outlier}");
+}
+
+#[test]
+fn forces_and_pounds_in_a_column_of_pressures_are_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let scene = varied(&[2]);
+    columns[0].0 = "pressure_Pa".into();
+    for (factor, unit) in [
+        (
+            1e-4,
+            "pressure_Pa = 1000 (row 5) looks like N; 1000 N on the nominal area of 1e-4 m2 is 1e7 Pa",
+        ),
+        (1.0 / 6_894.757_293, "pressure_Pa = 1450 (row 5) looks like psi; 1450 psi is 1e7 Pa"),
+    ] {
+        let pressures = LOADS.map(|load| Some(factor * load / 1e-4));
+        columns[0].1 = pressures.to_vec();
+        let data = data(&columns);
+        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+        let misfit = fit.run(&KogutEtsion).unwrap().misfit.unwrap();
+        assert!(misfit.ends_with(unit), "{misfit}");
+    }
 }
 
 #[test]
@@ -138,7 +206,7 @@ fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
                 Ok(fitted) => fitted.misfit.unwrap_or_default(),
                 Err(error) => error.to_string(),
             };
-            assert!(message.contains(&format!(" looks like {unit}; ")), "{unit}: {message}");
+            assert!(message.contains(&format!(") looks like {unit}; ")), "{unit}: {message}");
             assert!(message.contains("separation_m = "), "{unit}: {message}");
         }
     }

@@ -60,7 +60,10 @@ class Fit:
     unreachable: tuple[str, ...]
     #: Bounds, and ends of the range of scene and model, at which parameters stop.
     limits: tuple[str, ...]
-    #: If no values within the bounds describe the data: by how much, and the unit that explains it.
+    #: The line of the file, or the row, without which the misfit is less than a fifth.
+    outlier: str | None
+    #: If no values within the bounds describe the data: by how much, and the line or the unit that
+    #: explains it.
     misfit: str | None
     #: Remarks on intervals, and other values that fit as well.
     notes: tuple[str, ...]
@@ -137,9 +140,9 @@ def fit(
     model : str, Model or a sequence of these, optional
         By default ke, or gw without a hardness.
 
-    A ``ContactWarning`` names data that cannot be reached or described, with the unit that explains
-    them, parameters at a bound, combinations of parameters that the data do not determine, and
-    searches that did not converge.
+    A ``ContactWarning`` names data that cannot be reached or described, with the line or the unit
+    that explains them, an outlier, parameters at a bound, combinations of parameters that the data do
+    not determine, searches that did not converge, and results outside the range of a model.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -170,7 +173,8 @@ def fit(
         else:
             # The nearest value to an unreachable one is given with its place.
             limits = () if one.unreachable else one.limits
-            messages = [*one.unreachable, *one.undetermined, *limits]
+            outlier = () if one.outlier is None else (one.outlier,)
+            messages = [*one.unreachable, *outlier, *one.undetermined, *limits]
         if not one.converged:
             messages.append("the search did not converge: the values are the best that it found")
         for text in messages:
@@ -235,6 +239,7 @@ def _fit(found: dict[str, Any], scene: Scene) -> Fit:
         undetermined=tuple(found["undetermined"]),
         unreachable=tuple(found["unreachable"]),
         limits=tuple(found["limits"]),
+        outlier=found["outlier"],
         misfit=found["misfit"],
         notes=tuple(found["notes"]),
         residuals=tuple(found["residuals"]),

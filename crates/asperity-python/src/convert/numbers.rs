@@ -22,10 +22,10 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
-    let unit = asperity_scene::unit_of(name);
-    let text = given.cast::<PyString>().ok().zip(unit);
-    if let Some((text, unit)) = text {
-        return with_unit(text.to_str()?, unit).map_err(|error| {
+    let has_unit = asperity_scene::unit_of(name).is_some();
+    if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
+        let read = |text: &str| asperity_scene::quantity_of(name, text);
+        return with_unit(text.to_str()?, read).map_err(|error| {
             PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
         });
     }
@@ -54,13 +54,13 @@ pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
     PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
 }
 
-/// A text with a unit, as "2 kN", as a number in an SI unit.
-fn with_unit(text: &str, si: &str) -> PyResult<f64> {
+/// A text with a unit, as "2 kN", as `read` reads it.
+fn with_unit(text: &str, read: impl Fn(&str) -> Result<f64, String>) -> PyResult<f64> {
     if text.trim().parse::<f64>().is_ok() {
         let advice = "give a number, or a text with its unit";
         return Err(PyTypeError::new_err(format!("{text:?} has no unit: {advice}")));
     }
-    asperity_scene::quantity(text, si).map_err(PyTypeError::new_err)
+    read(text).map_err(PyTypeError::new_err)
 }
 
 /// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit; none for numbers.
@@ -70,7 +70,10 @@ pub(crate) fn texts_in_si<'py>(
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
     let py = numbers.py();
     if let Ok(text) = numbers.cast::<PyString>() {
-        return Ok(Some(PyFloat::new(py, with_unit(text.to_str()?, si)?).into_any()));
+        return Ok(Some(
+            PyFloat::new(py, with_unit(text.to_str()?, |text| asperity_scene::quantity(text, si))?)
+                .into_any(),
+        ));
     }
     let is_tuple = numbers.is_instance_of::<PyTuple>();
     if !is_tuple && !numbers.is_instance_of::<PyList>() {
@@ -81,7 +84,7 @@ pub(crate) fn texts_in_si<'py>(
         return Ok(None);
     }
     let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
-        Ok(text) => with_unit(text.to_str()?, si),
+        Ok(text) => with_unit(text.to_str()?, |text| asperity_scene::quantity(text, si)),
         Err(_) => {
             let shown = item.repr()?;
             let advice = "give every value a unit, or no value";
