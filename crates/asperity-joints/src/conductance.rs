@@ -20,8 +20,10 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use asperity_core::{ContactError, ProfileMoments, Scene, positive};
+use asperity_core::{ContactError, ProfileMoments, positive};
 use serde::Serialize;
+
+pub use crate::correlation::Correlation;
 
 /// The combined roughness of a gap, input of the correlations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,12 +73,8 @@ pub struct CorrelationValue {
 }
 
 /// Relative pressures at which the power laws are valid: plastic and elastic.
-const PLASTIC: RangeInclusive<f64> = 1e-6..=0.023;
-const ELASTIC: RangeInclusive<f64> = 1e-5..=0.012;
-
-/// Plasticity index from which contacts count as plastic; Greenwood & Williamson 1966 give a
-/// transition between 0.6 and 1.
-const PLASTIC_FROM: f64 = 1.0;
+pub(crate) const PLASTIC: RangeInclusive<f64> = 1e-6..=0.023;
+pub(crate) const ELASTIC: RangeInclusive<f64> = 1e-5..=0.012;
 
 fn correlated(
     factor: f64,
@@ -120,93 +118,6 @@ pub fn mikic_elastic(
     let stiffness = positive("equivalent_modulus", modulus)? * slope;
     let relative = 2f64.sqrt() * positive("pressure", pressure)? / stiffness;
     correlated(1.55, conductivity, roughness, (relative, 0.94, ELASTIC))
-}
-
-/// A correlation between nominally flat rough surfaces in vacuum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Correlation {
-    /// [`cooper_mikic_yovanovich`]: plastic contacts.
-    CooperMikicYovanovich,
-    /// [`mikic_elastic`]: elastic contacts.
-    MikicElastic,
-}
-
-impl Correlation {
-    /// All correlations.
-    pub const ALL: [Self; 2] = [Self::CooperMikicYovanovich, Self::MikicElastic];
-
-    /// Short name in lower case.
-    #[must_use]
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "cmy",
-            Self::MikicElastic => "mikic",
-        }
-    }
-
-    /// Authors, year and kind of contacts.
-    #[must_use]
-    pub fn citation(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "Cooper, Mikic & Yovanovich 1969, plastic contacts",
-            Self::MikicElastic => "Mikic 1974, elastic contacts",
-        }
-    }
-
-    /// The base of the power law, [`CorrelationValue::relative_pressure`].
-    #[must_use]
-    pub fn relative_pressure(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "p/H",
-            Self::MikicElastic => "sqrt(2) p/(E m)",
-        }
-    }
-
-    /// Range of [`relative_pressure`](Self::relative_pressure) in which the power law is
-    /// [valid](CorrelationValue::holds).
-    #[must_use]
-    pub fn range(self) -> [f64; 2] {
-        let range = if self == Self::MikicElastic { ELASTIC } else { PLASTIC };
-        [*range.start(), *range.end()]
-    }
-
-    /// The plasticity index of a scene outside the correlation's range: below 1 for the plastic
-    /// correlation, at least 1 for the elastic one. `None` inside the range or without a hardness.
-    #[must_use]
-    pub fn foreign(self, scene: &Scene) -> Option<f64> {
-        let index = scene.plasticity_index().ok()?;
-        let plastic = self == Self::CooperMikicYovanovich;
-        ((index >= PLASTIC_FROM) != plastic).then_some(index)
-    }
-
-    /// The conductance of a scene under a mean `pressure` \[Pa\] on the nominal area, with the
-    /// roughness of its gap; not [valid](CorrelationValue::holds) where the scene's contacts are
-    /// [of the other kind](Self::foreign).
-    ///
-    /// # Errors
-    /// [`ContactError::Missing`] without a thermal conductivity or, for plastic contacts, a
-    /// hardness; [`ContactError::OutOfRange`] for an input that is not above 0.
-    pub fn at(
-        self,
-        scene: &Scene,
-        roughness: &GapRoughness,
-        pressure: f64,
-    ) -> Result<CorrelationValue, ContactError> {
-        let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.citation()));
-        let conductivity = scene.interface.thermal_conductivity;
-        let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
-        let asperity = scene.asperity()?;
-        let found = match self {
-            Self::CooperMikicYovanovich => {
-                cooper_mikic_yovanovich(conductivity, roughness, pressure, asperity.hardness()?)
-            }
-            Self::MikicElastic => {
-                mikic_elastic(conductivity, roughness, pressure, asperity.equivalent_modulus)
-            }
-        }?;
-        Ok(CorrelationValue { holds: found.holds && self.foreign(scene).is_none(), ..found })
-    }
 }
 
 /// The conductance h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean
@@ -302,30 +213,6 @@ mod tests {
         // Air between: k_g 0.026 W/(m K), Y 3 µm, M 0.37 µm.
         let gap = gap_conductance(0.026, 3e-6, 0.37e-6).unwrap();
         assert!((gap / 7_715.133_531_157_27 - 1.0).abs() < 1e-12, "{gap}");
-    }
-
-    #[test]
-    fn correlations_are_invalid_for_contacts_of_the_other_kind() {
-        use asperity_core::{Interface, Surface};
-        let mut interface = Interface::new(1.1e11, 0.3, 2e9);
-        interface.thermal_conductivity = Some(50.0);
-        let holds = |index: f64| {
-            let surface = Surface::from_plasticity_index(index, 0.04, 1e-6, &interface).unwrap();
-            let scene = Scene::new(interface, surface, 1e-4);
-            let roughness = GapRoughness::of(&surface.moments());
-            Correlation::ALL.map(|of| {
-                let found = of.at(&scene, &roughness, 1e4).unwrap();
-                assert_eq!(found.holds, of.foreign(&scene).is_none(), "{found:?}");
-                found.holds
-            })
-        };
-        assert_eq!(holds(0.13), [false, true]);
-        assert_eq!(holds(6.7), [true, false]);
-        // Without a hardness there is no plasticity index.
-        let surface = Surface::from_plasticity_index(6.7, 0.04, 1e-6, &interface).unwrap();
-        interface.hardness = None;
-        let scene = Scene::new(interface, surface, 1e-4);
-        assert!(Correlation::ALL.iter().all(|of| of.foreign(&scene).is_none()));
     }
 
     #[test]

@@ -72,6 +72,7 @@
 mod asperity_laws;
 pub mod conductance;
 mod contact_range;
+mod correlation;
 mod energy_gain;
 mod joint;
 mod path;

@@ -21,7 +21,7 @@ pub(crate) fn correlated<'py>(
     name: &str,
     rows: Rows<'py>,
     given: Option<(f64, f64)>,
-) -> PyResult<(Correlated<'py>, [f64; 2], Option<f64>)> {
+) -> PyResult<(Correlated<'py>, [f64; 2], Option<String>)> {
     let all = conductance::Correlation::ALL;
     let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
         let needed = "\"cmy\" or \"mikic\" was required";
@@ -30,12 +30,14 @@ pub(crate) fn correlated<'py>(
     let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
     let view = rows.view()?;
     let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
-    let mut foreign = None;
+    let mut reason = None;
     for row in 0..view.len() {
         let found = view.file_of(row).and_then(|file| {
             let pressure = view.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
             let roughness = given.unwrap_or_else(|| file.gap_roughness());
-            foreign = foreign.or_else(|| correlation.foreign(&file.scene));
+            if reason.is_none() {
+                reason = correlation.reason_against(&file.scene);
+            }
             correlation.at(&file.scene, &roughness, pressure)
         });
         let found = found.map_err(value_error)?;
@@ -44,7 +46,7 @@ pub(crate) fn correlated<'py>(
         holds.push(found.holds);
     }
     let [conductances, relative] = [conductances, relative].map(|column| column.to_pyarray(py));
-    Ok(((conductances, relative, holds.to_pyarray(py)), correlation.range(), foreign))
+    Ok(((conductances, relative, holds.to_pyarray(py)), correlation.range(), reason))
 }
 
 /// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.

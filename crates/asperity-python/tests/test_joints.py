@@ -355,7 +355,7 @@ def test_correlations_of_conductance_are_those_of_their_formulas() -> None:
     assert load == pytest.approx(by("cmy", scene, pressure=1e7).conductance, rel=1e-14)
     with pytest.warns(asperity.ContactWarning, match=r"cmy: relative pressure is 0\.05"):
         assert not by("cmy", scene, pressure=1e8).holds
-    with pytest.warns(asperity.ContactWarning, match=r"mikic: plasticity_index is 4.5: the correlation"):
+    with pytest.warns(asperity.ContactWarning, match="mikic: .* the contacts are plastic"):
         found = by("mikic", scene, pressure=1e6)
     assert not found.holds
     elastic = found.conductance

@@ -75,12 +75,11 @@ impl Check {
             let (_, model) = scene.reference(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)
         });
-        let (checked, refused) = match answered {
+        let (mut checked, refused) = match answered {
             Some(Ok(checked)) => (checked, None),
             Some(Err(refused)) => (scene.file.check(None)?, Some(refused)),
             None => (scene.file.check(None)?, None),
         };
-        let mut checked = checked;
         checked.extend(scene.file.warnings.clone());
         if self.output.format == Format::Json {
             self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;

@@ -202,26 +202,24 @@ impl Conductance {
                 );
                 print_message("warning", &text);
             }
-            if let Some(index) = correlation.foreign(contact) {
-                let side =
-                    if index < 1.0 { "the contacts are elastic" } else { "the contacts yield" };
-                let (source, index) = (correlation.citation(), rounded(index));
-                let text = format!(
-                    "{id}: plasticity_index is {index}, so that {side} and this correlation does not hold ({source})"
-                );
-                print_message("warning", &text);
+            if let Some(reason) = correlation.reason_against(contact) {
+                print_message("warning", &format!("{id}: {reason}"));
             }
         }
         if table.rows.is_empty() {
             bail!("{}: no model of the list has a conductance", scene.name);
         }
-        if !Correlation::ALL.iter().any(wanted) {
+        let used = Correlation::ALL.into_iter().filter(wanted).map(Correlation::id);
+        let used: Vec<&str> =
+            used.filter(|id| table.rows.iter().any(|r| r[0] == (*id).into())).collect();
+        if used.is_empty() {
             return self.output.write(&table, || picture(&table, contact));
         }
+        let used = used.join(", ");
         if self.gas.is_some() {
             let text =
-                "cmy, mikic: correlations have no separation, so that gas and total are blank";
-            print_message("note", text);
+                format!("{used}: correlations have no separation, so that gas and total are blank");
+            print_message("note", &text);
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
         let of = match (given, &scene.file.measured) {
@@ -231,7 +229,7 @@ impl Conductance {
         };
         print_message(
             "note",
-            &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"),
+            &format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}"),
         );
         self.output.write(&table, || picture(&table, contact))
     }

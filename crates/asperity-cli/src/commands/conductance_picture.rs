@@ -52,14 +52,13 @@ pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
     // Lines run from left to right for any order of the rows.
     let pressure = |row: &Vec<Cell>| row[2].number().unwrap_or(f64::NAN);
     long.rows.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
-    plot::against(&long, &x, &columns, &curves)
+    plot::against_alike(&long, &x, &columns, &curves)
 }
 
 /// The name of a correlation where it does not hold, with the reason.
 fn invalid_name(correlation: Correlation, scene: &Scene) -> String {
     let reason = match correlation.foreign(scene) {
-        Some(index) if index < 1.0 => "elastic contacts".into(),
-        Some(_) => "plastic contacts".into(),
+        Some(_) => format!("{} contacts", correlation.other_contacts()),
         None => format!("{} out of range", correlation.relative_pressure()),
     };
     format!("{} (invalid: {reason})", correlation.id())

@@ -1,6 +1,6 @@
 //! `asperity slip`: tangential force against shift.
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Model, Tolerance, linspace, shortest_digits};
 use asperity_plot::{Axis, Curve, Scale};
@@ -21,6 +21,9 @@ const SLIDING: f64 = 0.99;
 
 /// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
 const FAR: f64 = 1000.0;
+/// Amplitudes above this multiple of asperity_height_std are refused: other asperities would meet
+/// in every cycle.
+const FARTHEST: f64 = 1e6;
 
 /// Tangential force against shift: first loading, and a steady cycle
 #[derive(Debug, Args)]
@@ -89,6 +92,7 @@ impl Slip {
     pub fn run(self) -> Result<()> {
         self.output.check("slip");
         let (scene, named) = self.closed.open()?;
+        self.check_limit(&scene)?;
         let context = || format!("{}: {}", scene.name, named.0);
         let places = self.closed.places(&scene, &named);
         let forces = self.cycle.tangential_force.as_ref().map_or(&[][..], |list| &list.0);
@@ -112,6 +116,19 @@ impl Slip {
                 self.forces(&scene, &named, places, forces).with_context(context)
             }
         }
+    }
+
+    /// Refuses an amplitude that is no partial slip.
+    fn check_limit(&self, scene: &LoadedScene) -> Result<()> {
+        let most = FARTHEST * scene.file.scene.surface.asperity_height_std;
+        if let Some(amplitude) = self.cycle.amplitude.filter(|amplitude| *amplitude > most) {
+            bail!(
+                "--amplitude is {} m: at most {} m, 1e6 asperity_height_std, were required, as partial slip is far smaller; write it with its unit, for example 100nm",
+                shortest_digits(amplitude),
+                rounded(most)
+            )
+        }
+        Ok(())
     }
 
     /// A result with the digits of the tolerance.
@@ -138,7 +155,7 @@ impl Slip {
         (joint, slip): &(Unloading, PartialSlip),
         amplitude: f64,
     ) -> Result<()> {
-        // First, so that the error for a huge amplitude names the amplitude.
+        // First, so that the error for a tiny amplitude names the amplitude.
         let loss = rounded(slip.loss(amplitude)?.value());
         let factor = rounded(slip.loss_factor(amplitude)?);
         let mut table = Table::new(&[

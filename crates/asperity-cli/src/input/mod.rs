@@ -7,6 +7,7 @@ pub mod distances;
 pub mod list_notes;
 pub mod lists;
 pub mod numbers;
+pub mod target;
 
 use std::sync::OnceLock;
 

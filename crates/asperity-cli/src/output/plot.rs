@@ -77,11 +77,35 @@ pub fn against(
     columns: &[(&str, &str)],
     curves: &[Curve],
 ) -> Result<String> {
+    let scale = |column: &str| Ok(Scale::fitting(&numbers(table, column)?));
+    panels_against(table, x, columns, curves, &scale)
+}
+
+/// [`against`] for columns of one quantity: if one spans decades, all have a logarithmic axis.
+pub fn against_alike(
+    table: &Table,
+    x: &Axis,
+    columns: &[(&str, &str)],
+    curves: &[Curve],
+) -> Result<String> {
+    let known = columns.iter().filter_map(|(column, _)| numbers(table, column).ok());
+    let is_log = known.map(|values| Scale::fitting(&values)).any(|scale| scale == Scale::Log);
+    let scale = if is_log { Scale::Log } else { Scale::Linear };
+    panels_against(table, x, columns, curves, &|_| Ok(scale))
+}
+
+fn panels_against(
+    table: &Table,
+    x: &Axis,
+    columns: &[(&str, &str)],
+    curves: &[Curve],
+    scale: &dyn Fn(&str) -> Result<Scale>,
+) -> Result<String> {
     let mut panels = vec![];
     for (column, label) in columns.iter().filter(|(c, _)| table.head.iter().any(|h| h == c)) {
         let mut y = Axis::new(column, label);
         if x.scale == Scale::Log {
-            y.scale = Scale::fitting(&numbers(table, column)?);
+            y.scale = scale(column)?;
         }
         let mut panel = Panel::new(x.clone(), y);
         panel.curve_column.clone_from(&table.head[0]);

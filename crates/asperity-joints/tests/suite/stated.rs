@@ -13,6 +13,28 @@ use asperity_ke::KogutEtsion;
 
 use crate::scenes::{SIGMA, named, tight, with_index};
 
+/// Law, argument and value of the rows of a quantity in `tests/reference/joints_stated.csv`, whose
+/// last column is their origin.
+fn stated(quantity: &str) -> Vec<(&'static str, f64, f64)> {
+    let rows = include_str!("../../../../tests/reference/joints_stated.csv").lines().skip(1);
+    let row = |line: &'static str| {
+        let [name, law, argument, value] = line.splitn(5, ',').take(4).collect::<Vec<_>>()[..]
+        else {
+            panic!("{line}")
+        };
+        let argument = argument.parse().unwrap_or(f64::NAN);
+        (name == quantity).then(|| (law, argument, value.parse().unwrap()))
+    };
+    let found: Vec<_> = rows.filter_map(row).collect();
+    assert!(!found.is_empty(), "{quantity}");
+    found
+}
+
+/// The one value of a quantity.
+fn one(quantity: &str) -> f64 {
+    stated(quantity)[0].2
+}
+
 fn value(model: &dyn ContactModel, scene: &Scene, quantity: Quantity, separation: f64) -> f64 {
     let request = Request::new([quantity]).within(tight());
     let contact = model.compile(scene, &request).unwrap();
@@ -26,18 +48,13 @@ fn forces_of_kogut_and_etsion_on_the_way_back_equal_the_stated_shares() {
     interface.pressure_factor = Some(0.577);
     let surface = Surface::from_plasticity_index(6.0, 0.04, SIGMA, &interface).unwrap();
     let scene = Scene::new(interface, surface, 3e-5);
-    for (law, shares) in [
-        (UnloadingLaw::Hertz, [0.85001595, 0.47692706, 0.08743708]),
-        (UnloadingLaw::Brake, [0.87891843, 0.56875789, 0.18481706]),
-        (UnloadingLaw::Etsion, [0.84765223, 0.46278180, 0.06803685]),
-    ] {
+    for (law, retreat, share) in stated("ke-share-on-the-way-back") {
+        let law: UnloadingLaw = law.parse().unwrap();
         let joint = Unloading::new(&KogutEtsion, &scene, At::from(0.0), law, tight()).unwrap();
         let largest = joint.force(0.0).unwrap().value();
-        for (retreat, share) in [0.05, 0.2, 0.5].into_iter().zip(shares) {
-            let found = joint.force(retreat * SIGMA).unwrap().value() / largest;
-            // Eight printed digits.
-            assert!((found - share).abs() < 6e-9, "{law} at {retreat}: {found}");
-        }
+        let found = joint.force(retreat * SIGMA).unwrap().value() / largest;
+        // Eight printed digits.
+        assert!((found - share).abs() < 6e-9, "{law} at {retreat}: {found}");
     }
 }
 
@@ -49,7 +66,9 @@ fn the_published_sphere_slips_as_stated() {
     // 1/G = 2 (2 - nu)/G of a body.
     let shear = 0.5 * modulus / (1.0 + nu);
     interface.equivalent_shear_modulus = Some(0.5 * shear / (2.0 - nu));
-    let (interference, width) = (1e-5, 1e-10);
+    let (_, interference, force) = stated("sphere-force")[0];
+    let (_, shift, friction) = stated("sphere-friction")[0];
+    let width = 1e-10;
     let mut scene = Scene::new(interface, Surface::new(radius, 1e4, 1e-6), 1e-4);
     assert!((scene.asperities() - 1.0).abs() < 1e-15);
     // Heights that differ by 1e-5 of the interference: of the second order in the sum.
@@ -59,10 +78,13 @@ fn the_published_sphere_slips_as_stated() {
     let joint = Unloading::new(&GreenwoodWilliamson, &scene, at, law, tight()).unwrap();
     let slip = PartialSlip::new(&joint, 0.2).unwrap();
     let found = [
-        (joint.force(0.0).unwrap().value(), 286.7999270429),
-        (slip.force(1.901408450704e-7).unwrap().value(), 6.656746388573),
+        (joint.force(0.0).unwrap().value(), force),
+        (slip.force(shift).unwrap().value(), friction),
         // Q = mu F (1 - (1 - u/u_s)^1.5), at half of mu F.
-        (slip.shift_at(0.5).unwrap() / (1.0 - 0.5f64.powf(2.0 / 3.0)), 2.408450704e-6),
+        (
+            slip.shift_at(0.5).unwrap() / (1.0 - 0.5f64.powf(2.0 / 3.0)),
+            one("sphere-gross-slip-shift"),
+        ),
     ];
     for (found, wanted) in found {
         assert!((found / wanted - 1.0).abs() < 1e-8, "{found} {wanted}");
@@ -109,24 +131,15 @@ fn one_sum_of_contact_radii_answers_four_questions() {
 
 #[test]
 fn small_vibrations_are_stiffer_than_first_loading_by_the_stated_factors() {
-    for (index, factor, printed) in [(2.0, 1.12, 5e-3), (6.0, 2.0, 5e-2), (10.0, 2.8, 5e-2)] {
+    for (_, index, factor) in stated("ke-unloading-over-loading-stiffness") {
+        // Half of the last digit.
+        let printed = if factor < 2.0 { 5e-3 } else { 5e-2 };
         let scene = with_index(index);
         let of = |quantity| value(&KogutEtsion, &scene, quantity, 1.0);
         let found = of(Quantity::UnloadingStiffness) / of(Quantity::Tangent);
         assert!((found - factor).abs() <= printed, "{index}: {found}");
     }
 }
-
-/// x, F/F_c of finite elements without hardening, nu = 0.3.
-const ELEMENTS: [[f64; 2]; 7] = [
-    [2.0, 2.783],
-    [3.0, 4.950],
-    [6.0, 12.84],
-    [10.0, 25.35],
-    [20.0, 62.14],
-    [50.0, 194.0],
-    [110.0, 500.8],
-];
 
 #[test]
 fn kogut_etsion_and_jackson_green_are_near_finite_elements() {
@@ -139,7 +152,8 @@ fn kogut_etsion_and_jackson_green_are_near_finite_elements() {
         let law = model.law(&asperity, Quantity::Force, Tolerance::default()).unwrap();
         law.value(x * law.interference_unit).unwrap() / law.value_unit / element - 1.0
     };
-    for [x, element] in ELEMENTS {
+    let elements = stated("finite-element-force");
+    for &(_, x, element) in &elements {
         // Below the kinks of KE at 6 and 110; above that at 6 it has 4.8 % too much.
         let ke = deviation(&KogutEtsion, x * (1.0 - 1e-9), element);
         assert!(ke.abs() < if x > 50.0 { 0.06 } else { 0.031 }, "ke at {x}: {ke}");
@@ -147,6 +161,7 @@ fn kogut_etsion_and_jackson_green_are_near_finite_elements() {
         // 4.6 % at 50, and 1 to 4 % elsewhere.
         assert!(jg.abs() < 0.047, "jg at {x}: {jg}");
     }
-    let above = deviation(&KogutEtsion, 6.0 * (1.0 + 1e-9), 12.84);
+    let (_, kink, element) = elements[2];
+    let above = deviation(&KogutEtsion, kink * (1.0 + 1e-9), element);
     assert!((above - 0.048).abs() < 5e-4, "{above}");
 }

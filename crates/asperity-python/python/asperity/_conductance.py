@@ -62,16 +62,11 @@ def correlated_conductance(
     if surface_height_std is not None and mean_slope is not None:
         std = one_number("surface_height_std", in_si(surface_height_std, "m"))
         roughness = std, one_number("mean_slope", mean_slope)
-    columns, (first, last), foreign = _asperity.correlated(correlation, rows, roughness)
+    columns, (first, last), reason = _asperity.correlated(correlation, rows, roughness)
     missing = np.zeros(len(columns[0]), dtype=bool)
     conductance, relative, holds = (rows.shaped(column, missing) for column in columns)
-    if foreign is not None and holds.size:
-        side = "at least 1" if correlation == "cmy" else "below 1"
-        message = (
-            f"{correlation}: plasticity_index is {foreign:.3g}: the correlation is for contacts with an "
-            f"index {side}"
-        )
-        warn(message, 1)
+    if reason is not None and holds.size:
+        warn(f"{correlation}: {reason}", 1)
     elif not holds.all():
         worst = relative[~holds].ravel()[0]
         message = (

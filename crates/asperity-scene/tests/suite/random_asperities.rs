@@ -121,3 +121,15 @@ fn models_without_random_asperities_give_the_reason() {
     let (allowed, left_out) = read(&heights).models();
     assert!(allowed.is_empty() && left_out[0].reason.to_string().contains("Gaussian"));
 }
+
+#[test]
+fn the_readme_names_the_models_of_random_asperities() {
+    let readme = include_str!("../../README.md");
+    let (_, list) = readme.split_once("With `asperities = \"random\"` in `[surface]`, ").unwrap();
+    let (list, _) = list.split_once(" mean `gw-random`").unwrap();
+    let named = list.split('`').skip(1).step_by(2).map(|id| format!("{id}-random"));
+    let hardening: Vec<Model> = Model::hardening().iter().map(Model::random).collect();
+    let known = Model::all_random().into_iter().chain(hardening);
+    let known: Vec<String> = known.map(|model| model.id().to_string()).collect();
+    assert_eq!(named.collect::<Vec<_>>(), known);
+}

@@ -1,0 +1,60 @@
+//! A wanted value of a quantity, and its place.
+
+use asperity::Quantity;
+
+use crate::input::numbers::of_unit;
+
+/// A wanted value: the column of the quantity, and the value in its unit.
+pub fn target(text: &str) -> Result<(String, f64), String> {
+    let example = "write <quantity>=<value> with a decimal point, for example area_fraction=0.4%";
+    let (name, value) = text.split_once('=').ok_or(example)?;
+    let names = Quantity::ALL.into_iter().find(|quantity| quantity.column() == name.trim());
+    let quantity = names.map_or_else(|| name.parse::<Quantity>(), Ok);
+    let quantity = quantity.map_err(|error| error.to_string())?;
+    let number = match (value.trim().strip_suffix('%'), quantity.unit()) {
+        (Some(percent), "") => of_unit(percent, "").map(|percent| percent / 100.0),
+        (_, "m2") => of_unit(value, "m^2"),
+        (_, unit) => of_unit(value, unit),
+    };
+    let number = number?;
+    if quantity == Quantity::AreaFraction && number > 1.0 {
+        let percent = number <= 100.0 && !value.contains('%');
+        let how = if percent { format!("; {value} % is written {value}%") } else { String::new() };
+        return Err(format!("{value} is above 1, and an area fraction is at most 1{how}"));
+    }
+    Ok((quantity.column(), number))
+}
+
+/// A separation with its unit: a plain number would mean multiples of sigma elsewhere.
+pub fn metres(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(_) => Err(format!("{text} has no unit; give the separation in metres, for example 2um")),
+        Err(_) => of_unit(text, "m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn targets_have_names_and_units_of_quantities() {
+        let found = [
+            ("area_fraction=2%", "area_fraction", 0.02),
+            ("area=1 mm2", "area_m2", 1e-6),
+            ("unloading-stiffness=2e9", "unloading_stiffness_N_per_m", 2e9),
+            ("mean_pressure_Pa=1GPa", "mean_pressure_Pa", 1e9),
+            ("tangent=1 N/nm", "tangent_N_per_m", 1e9),
+        ];
+        for (text, name, value) in found {
+            assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");
+        }
+        let above = target("area_fraction=2").unwrap_err();
+        assert_eq!(above, "2 is above 1, and an area fraction is at most 1; 2 % is written 2%");
+        assert!(target("area_fraction=120%").is_err());
+        for bad in ["area", "aera=1e-6", "area=big", "area=1 N", "area_fraction=%", "area=nan"] {
+            assert!(target(bad).is_err(), "{bad}");
+        }
+        assert!(metres("2").is_err() && metres("2um").is_ok());
+    }
+}
