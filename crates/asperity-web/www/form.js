@@ -1,5 +1,5 @@
 // The form: a view of the text of the scene. An edited field is a change of the text.
-import { $, element, put, typing } from "./page.js";
+import { $, element, lowered, put, typing } from "./page.js";
 
 const BODY = [
   ["youngs_modulus", "Young's modulus E", "210 GPa"],
@@ -64,7 +64,7 @@ export function field(path, label, hint, edit) {
   input.setAttribute("aria-describedby", `${id}-note`);
   input.addEventListener("change", () => edit([{ path, value: input.value.trim() || null }]));
   const note = element("p", { id: `${id}-note`, className: "note", hidden: true });
-  return element("div", { className: "row" }, element("label", { htmlFor: id }, label), input, note);
+  return element("div", { className: "row" }, element("label", { htmlFor: id }, ...lowered(label)), input, note);
 }
 
 function body(k, edit, materials) {

@@ -46,7 +46,8 @@ pub(super) fn write(folder: &Path) -> Result<()> {
         let title = (figure.style)(&csv(figure)?)?.title;
         let (title, mut links) = (escape(&title), String::new());
         for one in scenes {
-            let (link, label) = (link(&one)?, escape(&one.label));
+            let label = escape(&one.label).replace("_z", "<sub>z</sub>");
+            let link = link(&one)?;
             write!(links, "<a href=\"index.html#s={link}\">{label}</a> ")?;
         }
         let links = links.trim_end();
@@ -90,7 +91,7 @@ fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
         _ => paper::ROUGHNESSES
             .iter()
             .map(|std| {
-                let label = format!("σz = {:.1} µm", std * 1e6);
+                let label = format!("σ_z = {:.1} µm", std * 1e6);
                 Ok(of(label, models::scene(*std)?, &["at"], view))
             })
             .collect::<Result<_>>()?,
