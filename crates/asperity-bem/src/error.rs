@@ -83,6 +83,14 @@ pub enum BemError {
         "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load, or a free boundary if the map is periodic"
     )]
     FullContact,
+    /// The gap does not fall between pressures to either side of this one.
+    #[error(
+        "mean pressure is {pressure:e} Pa: the mean gap does not fall between pressures 5 % to either side, and the slope of loading is unknown; use another load"
+    )]
+    Slope {
+        /// Mean pressure \[Pa\].
+        pressure: f64,
+    },
     /// Too many pixels are in contact, or the boundary is free, for
     /// [`solve_light`](crate::BoundaryElements::solve_light).
     #[error(

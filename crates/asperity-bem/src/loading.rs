@@ -26,32 +26,42 @@ impl BoundaryElements {
         if fits { Ok(found) } else { Err(BemError::Count { found, rows, columns }) }
     }
 
-    /// -dp/d(mean gap) of first loading \[Pa/m\], between pressures 5 % to either side of that of
-    /// `solution`, or nearer where the hardness carries less. Of a gap that falls with the
-    /// logarithm of the pressure the difference is 0.1 % off; where few pixels touch it is a mean
-    /// over that range.
+    /// -dp/d(mean gap) of first loading \[Pa/m\].
     ///
-    /// Elastic periodic contacts have the stiffness at
-    /// [fixed contact](BoundaryElements::fixed_contact), which exceeds this slope where the contact
-    /// yields; with a free boundary it counts from another distance.
+    /// Where nothing yields it is the slope of the [fixed contact](BoundaryElements::fixed_contact)
+    /// over the mean gap, which with a free boundary exceeds that over the approach. Otherwise it is
+    /// between pressures 5 % to either side of that of `solution`, or nearer where the hardness
+    /// carries less: of a gap that falls with the logarithm of the pressure that difference is 0.1 %
+    /// off; where few pixels touch it is a mean over that range.
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
-    /// where every pixel touches, and those of [`solve`](Self::solve).
+    /// where every pixel touches, [`BemError::Slope`] where the gap does not fall, and those of
+    /// [`solve`](Self::solve).
     pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
         let found = self.pixels_of(solution)?;
         if solution.pressures.iter().all(|pressure| *pressure > 0.0) {
             return Err(BemError::FullContact);
         }
+        if solution.pressures.iter().all(|pressure| *pressure < self.cap()) {
+            // Differences of light loads vanish in the rounding of the gaps.
+            let fixed = self.fixed_contact(solution)?;
+            return Ok(fixed.stiffness / (1.0 - fixed.mean_deflection));
+        }
         let [lighter, heavier] = self.pressures_around(solution.mean_pressure);
         let mut run = Run::after(self, solution);
         let mut gap = |pressure: f64| -> Result<f64, BemError> {
             let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;
-            Ok(fields.gaps.iter().sum::<f64>() / found as f64)
+            match fields.pressures.iter().all(|pressure| *pressure > 0.0) {
+                true => Err(BemError::FullContact),
+                false => Ok(fields.gaps.iter().sum::<f64>() / found as f64),
+            }
         };
         let (less, more) = (gap(heavier)?, gap(lighter)?);
         let slope = (heavier - lighter) / (more - less);
-        // The heavier load may close the last gap.
-        if slope.is_finite() && slope > 0.0 { Ok(slope) } else { Err(BemError::FullContact) }
+        match slope.is_finite() && slope > 0.0 {
+            true => Ok(slope),
+            false => Err(BemError::Slope { pressure: solution.mean_pressure }),
+        }
     }
 }

@@ -27,7 +27,7 @@ pub struct Contact {
     pub area: f64,
     /// Share of the surface at the hardness.
     pub plastic_area: f64,
-    /// Mean gap with plastic pixels counted as 0.
+    /// Distance of the mean planes: the mean gap, negative in plastic pixels.
     pub gap: f64,
     /// Of first loading.
     pub stiffness: f64,

@@ -82,7 +82,7 @@ pub fn table(text: &str) -> Result<String> {
             "area, % off",
             "stiffness, % off",
             "unloading stiffness and conductance, % off",
-            "mean gap less that of boundary elements, open pixels only, % of Sq",
+            "distance of the mean planes less that of boundary elements, % of Sq",
         ]) {
             write_table(&mut out, &evidence, (quantity, what), &columns, &where_)?;
         }

@@ -109,12 +109,6 @@ pub fn solve_family(
     Ok(())
 }
 
-/// What is kept of a solution: mean gap, then the numbers of a [`Contact`].
-struct Solved {
-    mean_gap: f64,
-    contact: Contact,
-}
-
 /// The pressures to solve for each load: for stiffnesses of first loading also to either side;
 /// elastic contacts unload as they load.
 fn around(elements: &BoundaryElements) -> &'static [f64] {
@@ -140,17 +134,14 @@ fn light_contacts(elements: &BoundaryElements, loads: &[f64], sq: f64) -> Result
         Err(BemError::NotLight { .. }) => return heavy_contacts(elements.clone(), loads, sq),
         solved => solved?,
     };
-    let solved = solved.iter().map(|found| Solved {
-        mean_gap: found.mean_gap,
-        contact: Contact {
-            area: found.area,
-            plastic_area: found.plastic_area,
-            gap: found.mean_open_gap,
-            unloading_stiffness: found.unloading_stiffness,
-            patches: count_patches(&found.patches),
-            pixels: found.pressures.len() as f64,
-            ..Contact::default()
-        },
+    let solved = solved.iter().map(|found| Contact {
+        area: found.area,
+        plastic_area: found.plastic_area,
+        gap: found.mean_gap,
+        unloading_stiffness: found.unloading_stiffness,
+        patches: count_patches(&found.patches),
+        pixels: found.pressures.len() as f64,
+        ..Contact::default()
     });
     dimensionless(loads, &solved.collect::<Vec<_>>(), sq)
 }
@@ -161,20 +152,19 @@ fn heavy_contacts(elements: BoundaryElements, loads: &[f64], sq: f64) -> Result<
     let elements = elements.tolerance(HEAVY_TOLERANCE)?;
     let pressures = pressures(loads, around);
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
-    let of = |found: &Solution, middle: bool| -> Result<Solved> {
+    let of = |found: &Solution, middle: bool| -> Result<Contact> {
         let fixed = if middle { elements.fixed_contact(found)?.stiffness } else { 0.0 };
-        let contact = Contact {
+        Ok(Contact {
             area: found.area,
             plastic_area: found.plastic_area,
-            gap: found.mean_open_gap,
+            gap: found.mean_gap,
             unloading_stiffness: fixed,
             patches: count_patches(&found.patches),
             pixels: found.patches.iter().sum::<usize>() as f64,
             ..Contact::default()
-        };
-        Ok(Solved { mean_gap: found.mean_gap, contact })
+        })
     };
-    let mut solved: Vec<Result<Solved>> =
+    let mut solved: Vec<Result<Contact>> =
         given.iter().map(|_| Err(anyhow!("a load was not solved"))).collect();
     elements.solve_each(
         &given,
@@ -184,20 +174,20 @@ fn heavy_contacts(elements: BoundaryElements, loads: &[f64], sq: f64) -> Result<
             solved[at] = found.map_err(Into::into).and_then(|found| of(&found, middle));
         },
     );
-    let solved: Vec<Solved> = solved.into_iter().collect::<Result<_>>()?;
+    let solved: Vec<Contact> = solved.into_iter().collect::<Result<_>>()?;
     dimensionless(loads, &solved, sq)
 }
 
 /// The contacts of the loads from the solutions around each.
-fn dimensionless(loads: &[f64], solved: &[Solved], sq: f64) -> Result<Vec<Contact>> {
+fn dimensionless(loads: &[f64], solved: &[Contact], sq: f64) -> Result<Vec<Contact>> {
     let unit = MODULUS / sq;
     let around = solved.len() / loads.len().max(1);
-    let of = |(load, solved): (&f64, &[Solved])| {
+    let of = |(load, solved): (&f64, &[Contact])| {
         let (stiffness, mut contact) = match solved {
-            [here] => (here.contact.unloading_stiffness, here.contact),
+            [here] => (here.unloading_stiffness, *here),
             [less, here, more] => {
                 let force = 2.0 * STEP * load * MODULUS * GRADIENT;
-                (force / (less.mean_gap - more.mean_gap), here.contact)
+                (force / (less.gap - more.gap), *here)
             }
             _ => bail!("a load was not solved"),
         };

@@ -4,11 +4,13 @@
 //! the hardness of a model is changed until its yielding asperities carry the share of the force
 //! that pixels at the hardness carry in boundary elements.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use anyhow::Result;
 use asperity::{
-    At, Compared, ContactModel, Evidence, EvidenceCase, Model, Quantity, Request, Scene, Tolerance,
+    At, Compared, Contact, ContactModel, Evidence, EvidenceCase, Model, Quantity, Request, Scene,
+    Tolerance,
 };
 
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
@@ -17,10 +19,68 @@ use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
 const SHOWN: [&str; 5] = ["ceb", "zmc", "ke", "jg", "ke-random"];
 /// Shares of the force at which something and not all yields.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
-/// Steps of a bisection of the logarithm of the hardness, to 0.6 %: areas are 0.2 % off.
-const STEPS: usize = 10;
-/// Relative tolerance; random asperities are averaged anew for each hardness.
+/// Logarithmic step of the hardness, between which areas and shares are interpolated: 0.6 % off.
+/// All cases of a family share the contacts, as random asperities are averaged for each hardness.
+const STEP: f64 = 0.1;
+/// Hardnesses reach so many steps, a factor of 20, from that of a case.
+const MOST_STEPS: i32 = 30;
+/// Relative tolerance.
 const TOLERANCE: f64 = 1e-4;
+
+/// A model on a family, at any number of steps of the hardness from that of ψ = 1.
+struct Hardnesses<'m> {
+    model: &'m Model,
+    /// ψ = 1.
+    scene: Scene,
+    contacts: BTreeMap<i32, Option<Box<dyn Contact>>>,
+}
+
+impl Hardnesses<'_> {
+    /// The area and the share of the force on yielding asperities.
+    fn answer(&mut self, step: i32, at: At) -> Option<[f64; 2]> {
+        let Self { model, scene, contacts } = self;
+        let compiled = || {
+            let mut here = scene.clone();
+            here.interface.hardness =
+                scene.interface.hardness.map(|hardness| hardness * (STEP * f64::from(step)).exp());
+            let known = [Quantity::AreaFraction, Quantity::ElasticShare];
+            // Random asperities have shares beyond an interference only.
+            [&known[..], &known[..1]].iter().find_map(|known| {
+                let request = Request::new(known.iter().copied());
+                let request = request.within(Tolerance::new(TOLERANCE).ok()?);
+                model.compile(&here, &request.at([At::Pressure(1.0)])).ok()
+            })
+        };
+        let contact = contacts.entry(step).or_insert_with(compiled).as_ref()?;
+        let area = contact.evaluate(Quantity::AreaFraction, at).ok()?.value();
+        // Asperities of different radii yield at different interferences.
+        let yielded = match contact.shares_beyond(at, &[1.0]).ok()? {
+            Some(shares) => *shares.first()?,
+            None => 1.0 - contact.evaluate(Quantity::ElasticShare, at).ok()?.value(),
+        };
+        Some([area, yielded])
+    }
+
+    /// The area at the hardness of ψ = `index`, and at the one with this yielded share.
+    fn areas(&mut self, index: f64, share: f64, at: At) -> Option<[f64; 2]> {
+        let exact = -index.ln() / STEP;
+        let here = exact.floor() as i32;
+        let [[soft, _], [hard, _]] = [self.answer(here, at)?, self.answer(here + 1, at)?];
+        let same_index = soft + (exact - f64::from(here)) * (hard - soft);
+        // Soft yields, hard does not.
+        let [mut soft, mut hard] = [here - MOST_STEPS, here + MOST_STEPS];
+        while hard - soft > 1 {
+            let middle = (soft + hard).div_euclid(2);
+            match self.answer(middle, at)? {
+                [_, found] if found > share => soft = middle,
+                _ => hard = middle,
+            }
+        }
+        let [[area, more], [less_area, less]] = [self.answer(soft, at)?, self.answer(hard, at)?];
+        let part = ((more - share) / (more - less)).clamp(0.0, 1.0);
+        Some([same_index, area + part * (less_area - area)])
+    }
+}
 
 /// The share of the force on pixels at the hardness.
 fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
@@ -28,47 +88,22 @@ fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
     Some(case.plastic_share * area * hardness / (case.load * MODULUS * GRADIENT))
 }
 
-/// The area of a model and the share of the force on its yielding asperities.
-fn answer(model: &Model, scene: &Scene, at: At) -> Option<[f64; 2]> {
-    let value = |quantity| {
-        let request = Request::new([quantity]).within(Tolerance::new(TOLERANCE).ok()?);
-        let contact = model.compile(scene, &request.at([at])).ok()?;
-        let value = contact.evaluate(quantity, at).ok()?.value();
-        Some((contact, value))
+/// Areas of a model over those of boundary elements, at equal ψ and at an equal yielded share, in
+/// the cases of a family.
+fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec<[f64; 2]>> {
+    let scene = scene(&family.surface(family.pixels)?, 1.0)?;
+    let hardness = scene.interface.hardness.unwrap_or(f64::INFINITY);
+    let mut of_model = Hardnesses { model, scene, contacts: BTreeMap::new() };
+    let ratio = |case: &&EvidenceCase| {
+        let at = At::Pressure(case.load * MODULUS * GRADIENT);
+        // ψ is inversely proportional to the hardness.
+        let share = yielded(case, hardness / case.plasticity_index);
+        let share = share.filter(|share| SHARES.contains(share))?;
+        let areas = of_model.areas(case.plasticity_index, share, at)?;
+        let bem = case.bem.value(Compared::Area)?;
+        Some(areas.map(|area| area / bem))
     };
-    let (contact, area) = value(Quantity::AreaFraction)?;
-    // Asperities of different radii yield at different interferences.
-    let yielded = match contact.shares_beyond(at, &[1.0]).ok()? {
-        Some(shares) => *shares.first()?,
-        None => 1.0 - value(Quantity::ElasticShare)?.1,
-    };
-    Some([area, yielded])
-}
-
-/// Area of a model over that of boundary elements, at equal ψ and at an equal yielded share.
-fn ratios(family: &Family, case: &EvidenceCase, model: &Model) -> Result<Option<[f64; 2]>> {
-    let surface = family.surface(family.pixels)?;
-    let at = At::Pressure(case.load * MODULUS * GRADIENT);
-    let mut here = scene(&surface, case.plasticity_index)?;
-    let Some(bem) = case.bem.value(Compared::Area) else { return Ok(None) };
-    let hardness = here.interface.hardness.unwrap_or(f64::INFINITY);
-    let Some(share) = yielded(case, hardness).filter(|share| SHARES.contains(share)) else {
-        return Ok(None);
-    };
-    let Some([area, _]) = answer(model, &here, at) else { return Ok(None) };
-    // Soft yields, hard does not.
-    let (mut soft, mut hard) = ((0.05 * hardness).ln(), (20.0 * hardness).ln());
-    for _ in 0..STEPS {
-        let middle = 0.5 * (soft + hard);
-        here.interface.hardness = Some(middle.exp());
-        match answer(model, &here, at) {
-            Some([_, found]) if found > share => soft = middle,
-            Some(_) => hard = middle,
-            None => return Ok(None),
-        }
-    }
-    here.interface.hardness = Some((0.5 * (soft + hard)).exp());
-    Ok(answer(model, &here, at).map(|[equal_share, _]| [area / bem, equal_share / bem]))
+    Ok(cases.iter().filter_map(ratio).collect())
 }
 
 /// Ranges of the deviations of areas of isotropic surfaces, at equal ψ and at equal shares.
@@ -91,9 +126,8 @@ pub fn table(text: &str) -> Result<String> {
                     && case.slope_ratio <= 1.0
                     && case.plasticity_index > 0.0
             };
-            for case in evidence.cases().iter().filter(of_family) {
-                found.extend(ratios(family, case, &model)?);
-            }
+            let cases: Vec<&EvidenceCase> = evidence.cases().iter().filter(of_family).collect();
+            found.extend(ratios(family, &cases, &model)?);
         }
         let ends = |k: usize| {
             let off = found.iter().map(|pair| 100.0 * (pair[k] - 1.0));
@@ -117,7 +151,10 @@ mod tests {
         let (scene, load) = (scene(&surface, 2.0)?, 0.01);
         let at = At::Pressure(load * MODULUS * GRADIENT);
         let model: Model = "ke".parse()?;
-        let Some([area, share]) = answer(&model, &scene, at) else { anyhow::bail!("no answer") };
+        let known = Request::new([Quantity::AreaFraction, Quantity::ElasticShare]);
+        let contact = model.compile(&scene, &known.at([at]))?;
+        let area = contact.evaluate(Quantity::AreaFraction, at)?.value();
+        let share = 1.0 - contact.evaluate(Quantity::ElasticShare, at)?.value();
         let hardness = scene.interface.hardness.unwrap_or(0.0);
         // The share of the area whose pixels carry that share of the force; twice the area.
         let bem = 2.0 * area;
@@ -128,8 +165,11 @@ mod tests {
             Evidence::COLUMNS.join(",")
         );
         let evidence = Evidence::parse(&text)?;
-        let found = ratios(family, &evidence.cases()[0], &model)?;
-        assert!(found.is_some_and(|r| r.iter().all(|r| (r - 0.5).abs() < 3e-3)), "{found:?}");
+        let cases: Vec<&EvidenceCase> = evidence.cases().iter().collect();
+        let found = ratios(family, &cases, &model)?;
+        let [found] = &found[..] else { anyhow::bail!("{found:?}") };
+        // Linear between steps of the hardness.
+        assert!(found.iter().all(|ratio| (ratio - 0.5).abs() < 3e-3), "{found:?}");
         Ok(())
     }
 }

@@ -107,7 +107,12 @@ fn approaches_to_distant_points_close_the_gap_in_part() {
         let fixed = rough.fixed_contact(&solution).unwrap();
         let over_gap = fixed.stiffness / (1.0 - fixed.mean_deflection);
         assert!(over_gap > 1.1 * fixed.stiffness);
-        close(rough.loading_stiffness(&solution).unwrap(), over_gap, 0.02);
+        let found = rough.loading_stiffness(&solution).unwrap();
+        close(found, over_gap, 1e-12);
+        let gap = |k: f64| {
+            rough.solve(LoadCase::MeanPressure(k * solution.mean_pressure)).unwrap().mean_gap
+        };
+        close(found, 0.04 * solution.mean_pressure / (gap(0.98) - gap(1.02)), 0.02);
     }
 }
 
@@ -142,6 +147,13 @@ fn slopes_of_loading_are_differences_of_solutions() {
     let solver = BoundaryElements::new(rough(64, 1), MODULUS).unwrap();
     let full = solver.solve(LoadCase::MeanPressure(3.0 * UNIT)).unwrap();
     assert_eq!(solver.loading_stiffness(&full), Err(BemError::FullContact));
+    // Under the lightest loads one pixel touches: as stiff as under any other.
+    let single = [1e-300, 1e-9].map(|p| {
+        let solution = solver.solve(LoadCase::MeanPressure(p)).unwrap();
+        assert_eq!(solution.patches, [1]);
+        solver.loading_stiffness(&solution).unwrap()
+    });
+    close(single[0], single[1], 1e-12);
 }
 
 /// An elastic contact unloads as it loads: the slope of pressure over mean gap.

@@ -3,7 +3,7 @@
 
 use anyhow::{Result, bail};
 use asperity::{
-    At, ContactError, Corrected, CorrectedRow, Datum, Described, Scene, SeparationUnit,
+    At, Compared, ContactError, Corrected, CorrectedRow, Datum, Described, Scene, SeparationUnit,
 };
 
 use crate::ask::{Lacking, Question, Row, column_beside, count};
@@ -80,18 +80,27 @@ impl Question<'_> {
                 return;
             }
         };
-        let (mut reasons, mut lighter, mut apart) = (vec![], vec![], vec![]);
+        let (mut reasons, mut lighter, mut apart, mut least) = (vec![], vec![], vec![], 0);
         for (&at, had) in self.request.at.iter().zip(uncorrected) {
             let row = corrected.at(at);
             let extrapolated = row.iter().filter(|row| row.is_extrapolated());
             lighter.extend(extrapolated.map(CorrectedRow::basis));
             apart.extend(row.iter().filter_map(|row| row.separation().err()));
+            least += row.iter().filter(|row| row.is_least_area()).count();
             table.rows.push(self.corrected_row(&corrected, (at, had), &row, &mut reasons));
         }
         if let Some(basis) = lighter.first() {
             let count = lighter.len();
             let text = format!(
                 "{id}: {count} of {rows} loads are below the lightest solved one, whose ratios are used ({basis})"
+            );
+            print_message("note", &text);
+        }
+        let of_area =
+            |q: &asperity::Quantity| matches!(Compared::behind(*q), Some((Compared::Area, _)));
+        if least > 0 && self.request.quantities.iter().any(of_area) {
+            let text = format!(
+                "{id}: at {least} of {rows} loads the area is F/H, the least that carries the load, and its interval extends above only"
             );
             print_message("note", &text);
         }

@@ -49,7 +49,8 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
-    /// Add tangent (or stiffness, the same: the slope of first loading, by two more solutions),
+    /// Add tangent (or stiffness, the same: the slope of first loading, where contacts yield by two
+    /// more solutions),
     /// quantities of joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
     /// electrical-conductance, -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
@@ -81,7 +82,8 @@ pub struct Places {
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
-    /// Mean gaps, in m
+    /// Mean gaps above 0, in m; where the mean planes of a yielded contact have passed each other,
+    /// give loads
     #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
     #[arg(action = ArgAction::Append)]
     gaps: Vec<Numbers>,

@@ -88,16 +88,23 @@ impl Recommend {
             };
             let parts = Cell::Number(Some(found.regimes as f64));
             let mut row = vec![found.model.id().into(), asperities.into(), parts];
-            let deviations = match &found.deviations {
-                Ok(all) => all.iter().map(|(_, d)| Some(*d).filter(|d| d.is_finite())).collect(),
-                Err(_) => vec![None; request.quantities.len()],
+            let deviation = |quantity: &Quantity| {
+                let mut known = found.deviations.iter().flatten();
+                let (_, deviation) = known.find(|(known, _)| known == quantity)?;
+                Some(*deviation).filter(|d| d.is_finite())
             };
-            row.extend(deviations.into_iter().map(Cell::Number));
+            row.extend(request.quantities.iter().map(|q| Cell::Number(deviation(q))));
+            for (_, error) in &found.lacking {
+                lacking.push((found.model.id().to_string(), error.clone()));
+            }
             row.push(match &found.deviations {
                 Err(error) => {
-                    lacking.push((found.model.id().to_string(), error.clone()));
+                    if found.lacking.is_empty() {
+                        lacking.push((found.model.id().to_string(), error.clone()));
+                    }
                     "no value".into()
                 }
+                Ok(_) if !found.lacking.is_empty() => "no: a value is missing".into(),
                 Ok(_) if simplest == Some(found.model.id()) => match &advice.merging {
                     Some(_) => "yes but contacts merge".into(),
                     None => "yes".into(),
@@ -125,6 +132,13 @@ impl Recommend {
             "note",
             &format!("{verdict}; models are listed from simplest to most complex"),
         );
+        let (compared, all) = (advice.evidence.len(), places.len());
+        if compared < all {
+            let text = format!(
+                "boundary elements are expected at {compared} of the {all} separations or loads, from the first to the last"
+            );
+            print_message("note", &text);
+        }
         let notes = [advice.summary(), advice.expectations()].concat();
         notes.iter().for_each(|note| print_message("note", note));
         self.output.write(&table)

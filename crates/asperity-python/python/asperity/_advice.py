@@ -51,9 +51,9 @@ class Recommendation:
     reference: str
     #: Largest allowed relative deviation.
     within: float
-    #: Largest relative deviation of each quantity, by model.
+    #: Largest relative deviation of each quantity that a model has, by model.
     deviations: dict[str, dict[str, float]]
-    #: The reasons of models without values, by model.
+    #: The reasons of models without a value, of all quantities or of some, by model.
     refused: dict[str, str]
     #: Evidence from boundary elements on solved surfaces: the nearest models, the expected deviations
     #: of the reference and of the simplest model, and the reason for none.
@@ -153,7 +153,7 @@ def recommend(
         simplest=simplest,
         reference=against.id,
         within=within,
-        deviations={model: dict(far) for model, far, refusal, _ in found if refusal is None},
+        deviations={model: dict(far) for model, far, _, _ in found if far},
         refused={model: refusal for model, _, refusal, _ in found if refusal is not None},
         evidence=evidence,
         evidence_at=tuple(off if reason is None else reason for off, reason in places),

@@ -488,6 +488,7 @@ def corrected(
     list[tuple[_Floats, _Floats, _Floats]],
     tuple[_Floats, _Floats, _Floats],
     _Failures,
+    _Failures,
 ]: ...
 def recommend(
     reference: Engine,

@@ -44,10 +44,10 @@ class CorrectedCurve(Curve):
                 "corrected=True needs load or pressure: models are compared with boundary elements "
                 "at equal loads"
             )
-        name, found, apart, failures = _asperity.corrected(
+        name, found, apart, failures, no_separation = _asperity.corrected(
             engine, rows, separation_unit, names, rtol
         )
-        reasons = rows.failed(failures, errors)
+        reasons = rows.failed(failures, errors) | rows.failed(no_separation, "mask")
         shaped = [tuple(rows.shaped(v, np.isnan(v)) for v in column) for column in [*found, apart]]
         every = [*names, "separation"]
         columns = {q: column[0] for q, column in zip(names, shaped, strict=False)}
@@ -74,7 +74,7 @@ class CorrectedCurve(Curve):
     @property
     def separation(self) -> Floats:
         """The separations of the model less its expected differences of mean gaps; masked where the
-        solved surfaces do not determine them."""
+        solved surfaces do not determine them, with the reason in ``reasons``."""
         return self._separation
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:

@@ -89,7 +89,10 @@ pub(crate) fn recommend<'py>(
         let named = |(quantity, deviation): &(Quantity, f64)| (quantity.to_string(), *deviation);
         let off = comparison.off.map(|off| object(py, &off)).transpose()?;
         Ok(match &comparison.deviations {
-            Ok(all) => (id, all.iter().map(named).collect(), None, off),
+            Ok(all) => {
+                let lacking = comparison.lacking.first().map(|(_, reason)| reason.to_string());
+                (id, all.iter().map(named).collect(), lacking, off)
+            }
             Err(refusal) => (id, vec![], Some(refusal.to_string()), off),
         })
     };

@@ -15,10 +15,13 @@ struct Found {
     /// The same of the separation; NaN where the evidence does not determine it.
     separations: [Vec<f64>; 3],
     refused: Vec<(usize, ContactError)>,
+    /// Rows without a separation only.
+    apart: Vec<(usize, ContactError)>,
 }
 
-/// Id, columns with the ends of their intervals, those of the separations, and refused rows.
-type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, [Column<'py, f64>; 3], Failures);
+/// Id, columns with the ends of their intervals, those of the separations, refused rows, and rows
+/// without a separation only.
+type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, [Column<'py, f64>; 3], Failures, Failures);
 
 /// The id of the corrected model; for each quantity and for the separation values and ends of their
 /// intervals; and rows with a value refused.
@@ -37,10 +40,13 @@ pub(crate) fn corrected<'py>(
     let found = py.detach(|| answer(&model, rows, unit, &request));
     let arrays = |column: [Vec<f64>; 3]| column.map(|numbers| PyArray1::from_vec(py, numbers));
     let columns = found.columns.into_iter().map(arrays).collect();
-    let refused = found.refused.into_iter();
-    let refused = refused.map(|(row, error)| (row, engine.raise(py, error))).collect();
+    let raised = |rows: Vec<(usize, ContactError)>| {
+        let raised = rows.into_iter().map(|(row, error)| (row, engine.raise(py, error)));
+        failures(py, raised.collect())
+    };
     let id = format!("{}-corrected", asperity::Described::id(&model));
-    Ok((id, columns, arrays(found.separations), failures(py, refused)))
+    let (refused, apart) = (raised(found.refused), raised(found.apart));
+    Ok((id, columns, arrays(found.separations), refused, apart))
 }
 
 fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Request) -> Found {
@@ -50,7 +56,7 @@ fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Reques
     let add = |column: &mut [Vec<f64>; 3], numbers: [f64; 3]| {
         column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
     };
-    let mut refused = vec![];
+    let (mut refused, mut apart) = (vec![], vec![]);
     // Prepared once for neighbouring rows of a scene.
     let mut prepared: Option<(usize, Result<Corrected, ContactError>)> = None;
     for row in 0..rows.len() {
@@ -80,11 +86,15 @@ fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Reques
             let of = |separation| unit.of(separation, rows.datum(row), &scene);
             Ok::<_, ContactError>([of(found.value)?, of(found.lower)?, of(found.upper)?])
         };
-        let found = at.as_ref().ok().and_then(|at| separation(at).ok());
-        add(&mut separations, found.unwrap_or([f64::NAN; 3]));
-        refused.extend(reason.map(|reason| (row, reason)));
+        let found = at.as_ref().map_err(Clone::clone).and_then(separation);
+        add(&mut separations, *found.as_ref().unwrap_or(&[f64::NAN; 3]));
+        match (reason, found) {
+            (Some(reason), _) => refused.push((row, reason)),
+            (None, Err(reason)) => apart.push((row, reason)),
+            (None, Ok(_)) => {}
+        }
         drop(at);
         prepared = Some((place, compiled));
     }
-    Found { columns, separations, refused }
+    Found { columns, separations, refused, apart }
 }

@@ -1,7 +1,7 @@
 //! Models divided by their expected ratio to boundary elements.
 
 use crate::bem::Bem;
-use crate::evidence::compile;
+use crate::evidence::{Lacking, compile_known};
 use crate::{
     At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
     Quantity, Request, Scene, Separation, SeparationUnit, SurfaceShape, usual_reference,
@@ -35,12 +35,16 @@ pub struct Corrected {
     contact: Box<dyn Contact>,
     /// Counts contacts: of the model, or of the usual reference for models without asperities.
     counted: Option<Box<dyn Contact>>,
-    /// Quantities that the model does not have, and why.
-    lacking: Vec<(Quantity, ContactError)>,
+    lacking: Lacking,
     shape: Option<SurfaceShape>,
 }
 
 /// A corrected value and an interval that holds nine of ten surfaces.
+///
+/// An area is at least F/H, which may be the lower end and, where most of the contact flows, the
+/// [value itself](CorrectedRow::is_least_area): less cannot carry the load. Where tangent and
+/// unloading stiffness are known, the latter is at least the former, since what yielded in loading
+/// unloads elastically.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct CorrectedValue {
@@ -96,24 +100,7 @@ impl Corrected {
         if let Some(reason) = unlike {
             return Err(ContactError::Refused { model: id, reason: reason.into() });
         }
-        let mut lacking = vec![];
-        let contact = match compile(model, scene, request) {
-            Ok(contact) => contact,
-            Err(whole) => {
-                let asked = |quantity| Request::new([quantity]).within(request.tolerance);
-                let refusal = |q: &Quantity| model.compile(scene, &asked(*q)).err();
-                let all = request.quantities.iter();
-                lacking = all.filter_map(|q| Some((*q, refusal(q)?))).collect();
-                let others = request.quantities.iter().copied();
-                let others = others.filter(|q| !lacking.iter().any(|(lacks, _)| lacks == q));
-                let others: Vec<Quantity> = others.collect();
-                if others.is_empty() {
-                    return Err(whole);
-                }
-                let others = Request::new(others).within(request.tolerance);
-                compile(model, scene, &others.at(request.at.iter().copied()))?
-            }
-        };
+        let (contact, lacking) = compile_known(model, scene, request)?;
         // With the force law, which finds the separation of a load.
         let counts = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
         let counted = match model.validity().asperities {
@@ -162,6 +149,12 @@ impl CorrectedRow<'_> {
     #[must_use]
     pub fn is_extrapolated(&self) -> bool {
         self.expected.extrapolated
+    }
+
+    /// Whether the area is F/H, the least that carries the load, and its interval extends above only.
+    #[must_use]
+    pub fn is_least_area(&self) -> bool {
+        self.expected.estimate(Compared::Area).is_some_and(|area| area.value <= area.low)
     }
 
     /// What stands behind the correction: `alpha 8, psi 2; boundary elements on 16 surfaces`.

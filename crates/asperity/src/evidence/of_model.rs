@@ -47,6 +47,33 @@ impl Compared {
     }
 }
 
+/// Quantities that a model does not have, and why.
+pub(crate) type Lacking = Vec<(Quantity, ContactError)>;
+
+/// Like [`compile`] for the quantities that the model has, and the others.
+///
+/// # Errors
+/// Those of the model, if it has none of the quantities.
+pub(crate) fn compile_known(
+    model: &Model,
+    scene: &Scene,
+    request: &Request,
+) -> Result<(Box<dyn Contact>, Lacking), ContactError> {
+    let whole = match compile(model, scene, request) {
+        Ok(contact) => return Ok((contact, vec![])),
+        Err(whole) => whole,
+    };
+    let of = |quantities: Vec<Quantity>| Request::new(quantities).within(request.tolerance);
+    let refusal = |q: &Quantity| Some((*q, model.compile(scene, &of(vec![*q])).err()?));
+    let lacking: Lacking = request.quantities.iter().filter_map(refusal).collect();
+    let mut others = request.quantities.clone();
+    others.retain(|q| !lacking.iter().any(|(lacks, _)| lacks == q));
+    if others.is_empty() {
+        return Err(whole);
+    }
+    Ok((compile(model, scene, &of(others).at(request.at.iter().copied()))?, lacking))
+}
+
 /// A model compiled for a request and, as far as it has them, for the compared quantities.
 pub(crate) fn compile(
     model: &Model,

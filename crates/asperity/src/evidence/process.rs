@@ -20,6 +20,10 @@ const SKEWED: f64 = 0.12;
 /// touch with a few of them; per unit of skewness and of the logarithm of the load. New families
 /// had 5 to 37 % less area than interpolated.
 const PEAKS: [f64; 2] = [0.06, 0.1];
+/// Standard deviation between families of the narrowest spectra.
+const FAMILY: f64 = 0.01;
+/// α of a single wave, the least.
+const NARROWEST: f64 = 1.5;
 /// Standard deviation of a single row.
 const ROW: f64 = 0.005;
 
@@ -37,13 +41,27 @@ pub(crate) struct SolvedValue {
     pub(crate) error: f64,
 }
 
+/// Standard deviations of a quantity.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spread {
+    /// Of the change with load, bandwidth and hardness.
+    pub(crate) amplitude: f64,
+    /// Between spectra of one bandwidth, per unit of ln α: the broader they are, the more they can
+    /// differ.
+    pub(crate) spectrum: f64,
+}
+
+impl Spread {
+    /// Between families of the bandwidth of this place.
+    fn of_family(self, place: &Place) -> f64 {
+        FAMILY.hypot(self.spectrum * (place.alpha / NARROWEST).ln())
+    }
+}
+
 /// The smooth surface.
 #[derive(Debug, Clone)]
 pub(crate) struct Process {
-    /// Standard deviation of the change with load, bandwidth and hardness.
-    amplitude: f64,
-    /// Standard deviation between families: spectra of one bandwidth differ.
-    family: f64,
+    spread: Spread,
     inputs: Vec<Input>,
     factor: Cholesky<f64, Dyn>,
     weights: DVector<f64>,
@@ -51,26 +69,26 @@ pub(crate) struct Process {
 
 impl Process {
     /// The surface through these values; `None` if there are none.
-    pub(crate) fn through(solved: &[SolvedValue], [amplitude, family]: [f64; 2]) -> Option<Self> {
+    pub(crate) fn through(solved: &[SolvedValue], spread: Spread) -> Option<Self> {
         let inputs: Vec<Input> = solved.iter().map(|solved| input(&solved.place)).collect();
         let covariance = DMatrix::from_fn(solved.len(), solved.len(), |i, j| {
-            covariance(&inputs[i], &inputs[j], amplitude)
-                + noise([&solved[i], &solved[j]], family, i == j)
+            covariance(&inputs[i], &inputs[j], spread.amplitude)
+                + noise([&solved[i], &solved[j]], spread, i == j)
         });
         let values = DVector::from_iterator(solved.len(), solved.iter().map(|solved| solved.value));
         let factor = Cholesky::new(covariance).filter(|_| !solved.is_empty())?;
         let weights = factor.solve(&values);
-        Some(Self { amplitude, family, inputs, factor, weights })
+        Some(Self { spread, inputs, factor, weights })
     }
 
     /// The value at a place and its standard deviation.
     pub(crate) fn at(&self, place: &Place) -> [f64; 2] {
         let here = input(place);
-        let of = |input: &Input| covariance(&here, input, self.amplitude);
+        let of = |input: &Input| covariance(&here, input, self.spread.amplitude);
         let shared = DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(of));
         let value = shared.dot(&self.weights);
         let explained = self.factor.l_dirty().solve_lower_triangular(&shared);
-        let family = self.family.hypot(of_skewness(place)).powi(2);
+        let family = self.spread.of_family(place).hypot(of_skewness(place)).powi(2);
         let prior = of(&here) + family;
         // The factor has a positive diagonal, so that there is a solution.
         let variance = explained.map_or(prior, |part| prior - part.norm_squared());
@@ -100,13 +118,13 @@ fn covariance(a: &Input, b: &Input, amplitude: f64) -> f64 {
 }
 
 /// The same surfaces stand behind all materials of a family, and partly behind its next loads.
-fn noise([a, b]: [&SolvedValue; 2], family: f64, same: bool) -> f64 {
+fn noise([a, b]: [&SolvedValue; 2], spread: Spread, same: bool) -> f64 {
     if !a.place.same_family(&b.place) {
         return 0.0;
     }
     let shared = a.error * b.error * (-(a.place.load / b.place.load).ln().abs()).exp();
     let row = if same { ROW * ROW } else { 0.0 };
-    family * family + shared + row
+    spread.of_family(&a.place).powi(2) + shared + row
 }
 
 #[cfg(test)]
@@ -129,7 +147,8 @@ mod tests {
             .into_iter()
             .flat_map(|alpha| loads.map(|load| solved_value(alpha, load, plane(alpha, load))))
             .collect();
-        let process = Process::through(&all, [0.5, 0.02]).unwrap();
+        let spread = Spread { amplitude: 0.5, spectrum: 0.01 };
+        let process = Process::through(&all, spread).unwrap();
         let [value, deviation] = process.at(&solved_value(17.0, 3e-3, 0.0).place);
         assert!((value - plane(17.0, 3e-3)).abs() < 0.01, "{value}");
         assert!((0.02..0.09).contains(&deviation), "{deviation}");
@@ -139,6 +158,14 @@ mod tests {
         skewed.shape.skewness = -1.0;
         let [same, unknown] = process.at(&skewed);
         assert!((same - value).abs() < 1e-9 && unknown > 0.55, "{unknown}");
-        assert!(Process::through(&[], [0.5, 0.02]).is_none());
+        // The broader the spectra, the more those of one bandwidth differ.
+        let broad = Spread { amplitude: 0.5, spectrum: 0.03 };
+        let [little, much] =
+            [3.0, 17.0].map(|a| broad.of_family(&solved_value(a, 3e-3, 0.0).place));
+        assert!(much > 3.0 * little && little > 0.02, "{little} {much}");
+        let [_, wider] =
+            Process::through(&all, broad).unwrap().at(&solved_value(17.0, 3e-3, 0.0).place);
+        assert!(wider.powi(2) - deviation.powi(2) > 0.9 * much.powi(2), "{wider} {deviation}");
+        assert!(Process::through(&[], spread).is_none());
     }
 }

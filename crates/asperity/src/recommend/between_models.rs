@@ -8,29 +8,19 @@ use crate::{
 /// The values of one quantity.
 pub(super) type Column = Vec<Evaluation>;
 
-/// The columns of a request.
-pub(super) fn answers(
+/// The column of a quantity.
+pub(super) fn answer(
     contact: &dyn Contact,
-    request: &Request,
-) -> Result<Vec<Column>, ContactError> {
-    let column = |quantity: &Quantity| {
-        request.at.iter().map(|at| contact.evaluate(*quantity, *at)).collect()
-    };
-    request.quantities.iter().map(column).collect()
+    quantity: Quantity,
+    places: &[At],
+) -> Result<Column, ContactError> {
+    places.iter().map(|at| contact.evaluate(quantity, *at)).collect()
 }
 
-/// The largest deviation from the reference for each quantity; infinite if one is not a number.
-pub(super) fn largest_deviations(
-    request: &Request,
-    found: &[Column],
-    wanted: &[Column],
-) -> Vec<(Quantity, f64)> {
-    let largest = |quantity: Quantity, found: &Column, wanted: &Column| {
-        let deviations = found.iter().zip(wanted).map(|(a, b)| a.deviation(b, quantity));
-        deviations.fold(0.0, |most: f64, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
-    };
-    let columns = request.quantities.iter().zip(found.iter().zip(wanted));
-    columns.map(|(quantity, (a, b))| (*quantity, largest(*quantity, a, b))).collect()
+/// The largest deviation of a quantity from the reference; infinite if one is not a number.
+pub(super) fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Column) -> f64 {
+    let deviations = found.iter().zip(wanted).map(|(a, b)| a.deviation(b, quantity));
+    deviations.fold(0.0, |most: f64, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
 }
 
 /// The finding that makes a model invalid at these separations or loads.

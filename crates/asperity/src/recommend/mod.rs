@@ -7,11 +7,11 @@ mod sentences;
 
 use serde::Serialize;
 
-use crate::evidence::compile;
+use crate::evidence::{compile, compile_known};
 use crate::{
     Compared, ContactError, Described, Diagnostic, Model, Quantity, Request, Scene, SurfaceShape,
 };
-use between_models::{answers, largest_deviations, merging, outside, regimes};
+use between_models::{answer, largest_deviation, merging, outside, regimes};
 pub(crate) use evidence::evidence_of;
 pub use evidence::{Deviation, EvidenceAt, Expectation};
 
@@ -38,9 +38,11 @@ pub fn usual_reference(scene: &Scene) -> &'static str {
 pub struct Comparison {
     /// The model.
     pub model: Model,
-    /// Largest relative deviation from the reference over all rows, for each requested quantity; or
-    /// the error of the model.
+    /// Largest relative deviation from the reference over all rows, for each requested quantity that
+    /// the model has; or the error of the model, if it has none.
     pub deviations: Result<Vec<(Quantity, f64)>, ContactError>,
+    /// The other quantities, if it has some, and why they have no value.
+    pub lacking: Vec<(Quantity, ContactError)>,
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
     /// Why a model within the limit is not valid there; the reference may be invalid too.
@@ -50,12 +52,13 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The largest deviation of any quantity; infinite if the model failed.
+    /// The largest deviation of any quantity; infinite if one has no value.
     #[must_use]
     pub fn largest(&self) -> f64 {
-        let none = |_: &ContactError| f64::INFINITY;
-        let largest = |all: &Vec<(Quantity, f64)>| all.iter().fold(0.0, |m: f64, (_, d)| m.max(*d));
-        self.deviations.as_ref().map_or_else(none, largest)
+        match &self.deviations {
+            Ok(all) if self.lacking.is_empty() => all.iter().fold(0.0, |m: f64, (_, d)| m.max(*d)),
+            _ => f64::INFINITY,
+        }
     }
 }
 
@@ -146,25 +149,40 @@ pub fn recommend_among(
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
     let of_reference = compile(reference, scene, request)?;
-    let wanted = answers(&*of_reference, request)?;
+    let column = |quantity: &Quantity| answer(&*of_reference, *quantity, &request.at);
+    let wanted: Vec<_> = request.quantities.iter().map(column).collect::<Result<_, _>>()?;
     let mut evidence = evidence_of(reference, &*of_reference, shape, request)?;
     let compared = |model: Model| {
         let regimes = regimes(&model, scene, request);
-        let contact = compile(&model, scene, request);
-        let found = contact.as_ref().map_err(Clone::clone);
-        let found = found.and_then(|contact| answers(&**contact, request));
-        let deviations = found.map(|found| largest_deviations(request, &found, &wanted));
-        if let Ok(contact) = &contact {
+        let (contact, mut lacking, mut deviations) = match compile_known(&model, scene, request) {
+            Ok((contact, lacking)) => (Some(contact), lacking, Ok(vec![])),
+            Err(error) => (None, vec![], Err(error)),
+        };
+        if let (Some(contact), Ok(deviations)) = (&contact, &mut deviations) {
+            let lacks = |q: &Quantity| lacking.iter().any(|(lacking, _)| lacking == q);
+            let columns = request.quantities.iter().zip(&wanted);
+            let known: Vec<_> = columns.filter(|(quantity, _)| !lacks(quantity)).collect();
+            for (&quantity, wanted) in known {
+                match answer(&**contact, quantity, &request.at) {
+                    Ok(found) => {
+                        deviations.push((quantity, largest_deviation(quantity, &found, wanted)));
+                    }
+                    Err(error) => lacking.push((quantity, error)),
+                }
+            }
             for place in &mut evidence {
                 place.add(&model, &**contact, &[Compared::Area, Compared::Stiffness]);
             }
         }
+        if let (Ok([]), [(_, error), ..]) = (deviations.as_deref(), &lacking[..]) {
+            deviations = Err(error.clone());
+        }
         let off = Deviation::worst(&evidence, model.id());
-        let mut found = Comparison { model, deviations, regimes, outside: None, off };
+        let mut found = Comparison { model, deviations, lacking, regimes, outside: None, off };
         if found.largest() <= within {
             found.outside = outside(&found.model, scene, &request.at);
         }
-        (found, contact.ok())
+        (found, contact)
     };
     let mut comparisons: Vec<_> = models.into_iter().map(compared).collect();
     let kind = |model: &Model| {
