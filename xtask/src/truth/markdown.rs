@@ -1,4 +1,4 @@
-//! The tables of the README: the range of each model's deviations.
+//! `figures/truth.md`: the range of each model's deviations.
 
 use std::fmt::Write as _;
 
@@ -11,6 +11,17 @@ use super::models;
 const LIGHT: f64 = 5e-4;
 /// Loads above this are left out of the table of heavier loads, where half of the surface touches.
 const HEAVIEST: f64 = 0.2;
+
+const PREFACE: &str = "\
+# Models relative to boundary elements
+
+Lowest and highest deviation of each model over the solved surfaces and loads of a column, from the
+[table of solved surfaces](../crates/asperity/data/truth.csv). p is the mean pressure, E the
+equivalent modulus, g the rms gradient, ψ the plasticity index, α the bandwidth m₀m₄/m₂², Sq the
+rms height; elastic surfaces have no hardness. The last rows state the largest standard error of
+boundary elements, and the bandwidths that were solved.
+
+";
 
 /// Numbers of the table are equal digit by digit.
 fn same(a: f64, b: f64) -> bool {
@@ -70,21 +81,22 @@ pub fn table(text: &str) -> Result<String> {
     })
     .into_iter()
     .collect();
-    let mut out = String::new();
-    let light = format!("p/(E g) up to {LIGHT:e}");
-    let heavier = format!("p/(E g) from there to {HEAVIEST}");
-    for (columns, where_) in [
+    let mut out = String::from(PREFACE);
+    let light = format!("Light loads: p/(E g) up to {LIGHT:e}");
+    let heavier = format!("Heavier loads: p/(E g) from {LIGHT:e} to {HEAVIEST}");
+    for (columns, heading) in [
         (by_material(true), light),
         (by_material(false), heavier),
-        (shapes, "with a hardness, by shape of the surface".into()),
+        (shapes, "With a hardness, by shape of the surface".into()),
     ] {
+        writeln!(out, "## {heading}\n")?;
         for (quantity, what) in Compared::ALL.into_iter().zip([
             "area, % off",
             "stiffness, % off",
             "unloading stiffness and conductance, % off",
             "distance of the mean planes less that of boundary elements, % of Sq",
         ]) {
-            write_table(&mut out, &evidence, (quantity, what), &columns, &where_)?;
+            write_table(&mut out, &evidence, (quantity, what), &columns)?;
         }
     }
     Ok(out)
@@ -95,10 +107,9 @@ fn write_table(
     evidence: &Evidence,
     (quantity, what): (Compared, &str),
     columns: &[Column],
-    where_: &str,
 ) -> Result<()> {
     let heads: Vec<&str> = columns.iter().map(|(head, _)| head.as_str()).collect();
-    writeln!(out, "{where_}:\n\n| {what} | {} |", heads.join(" | "))?;
+    writeln!(out, "| {what} | {} |", heads.join(" | "))?;
     writeln!(out, "|---|{}", "---:|".repeat(columns.len()))?;
     let ends = |off: &mut dyn Iterator<Item = f64>| {
         off.fold(None, |ends: Option<[f64; 2]>, x| {
@@ -138,5 +149,15 @@ fn write_table(
         });
         errors.push(ends(&mut each).map_or("–".into(), |[_, most]| format!("±{most:.0}")));
     }
-    writeln!(out, "| *largest standard error* | {} |\n", errors.join(" | ")).context("text")
+    writeln!(out, "| *largest standard error* | {} |", errors.join(" | "))?;
+    let bandwidths = columns.iter().map(|(_, holds)| {
+        let cases = evidence.cases().iter().filter(|case| holds(case));
+        let mut solved: Vec<f64> = cases.map(|case| case.alpha).collect();
+        solved.sort_by(f64::total_cmp);
+        solved.dedup();
+        let each: Vec<String> = solved.iter().map(|alpha| format!("{alpha:.1}")).collect();
+        each.join(", ")
+    });
+    let bandwidths: Vec<String> = bandwidths.collect();
+    writeln!(out, "| *bandwidths α* | {} |\n", bandwidths.join(" | ")).context("text")
 }
