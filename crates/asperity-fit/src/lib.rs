@@ -8,6 +8,7 @@ mod error;
 mod fit;
 mod fitted;
 mod forward;
+mod likely_unit;
 mod limits;
 mod misfit;
 mod observation;

@@ -2,10 +2,10 @@
 
 use asperity_core::short;
 
-use crate::FitError;
 use crate::forward::Forward;
 use crate::misfit::mean_square;
 use crate::problem::{Minimum, Problem};
+use crate::{FitError, Observation};
 
 /// No line is doubted where the residuals are smaller (root mean square): as logarithms, and as
 /// multiples of the standard deviations.
@@ -13,7 +13,9 @@ const SMALL: [f64; 2] = [0.05, 5.0];
 /// A line is an outlier if the fit to the others leaves less than this share of the misfit,
 const SHARE: f64 = 0.2;
 /// and is this far from the line: as a logarithm, and in standard deviations.
-const FAR: [f64; 2] = [0.4, 20.0];
+const FAR: [f64; 2] = [0.4, 10.0];
+/// Lines agree no better than values are computed.
+const ACCURACY: f64 = 1e-8;
 /// The lines of the largest residuals are tried, at most this many.
 const MOST: usize = 10;
 /// Evaluations for each free parameter before the search without a line gives up.
@@ -61,18 +63,21 @@ pub(crate) fn outlier(
     };
     let (position, column) = (problem.data.position(one), one.measured.column());
     let lines = position.split_whitespace().next().unwrap_or_default();
-    let (off, agree) = match kind {
-        0 => (
-            format!("a factor of {}", rounded(residual.abs().exp())),
-            format!("{} %", rounded(100.0 * found.misfit)),
-        ),
-        _ => (
-            format!("{} standard deviations", rounded(residual.abs())),
-            format!("{} standard deviations", rounded(found.misfit)),
-        ),
+    let (far, agree) = (residual.abs(), found.misfit.max(ACCURACY));
+    // Residuals of shares and logarithms are differences.
+    let is_difference = |one: &Observation| one.measured.is_difference();
+    let by = match (kind, is_difference(one)) {
+        (0, true) => rounded(far),
+        (0, false) => format!("a factor of {}", rounded(far.exp())),
+        _ => format!("{} standard deviations", rounded(far)),
+    };
+    let agree = match kind {
+        0 if problem.data.iter().all(is_difference) => rounded(agree),
+        0 => format!("{} %", rounded(100.0 * agree)),
+        _ => format!("{} standard deviations", rounded(agree)),
     };
     Ok(Some(format!(
-        "{position} is off by {off} ({column} = {}); the other {lines}s agree within {agree} (root mean square); check this {lines}, or remove it",
+        "{position} ({column} = {}) deviates by {by} from a fit to the other {lines}s, which agree within {agree} (root mean square); check or remove it",
         short(one.value)
     )))
 }
