@@ -85,7 +85,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                                 "a finite number, or nothing",
                             );
                         }
-                        match notation_hint(given).or_else(|| share_hint(name, given)) {
+                        match share_hint(name, given, delimiter).or_else(|| notation_hint(given)) {
                             Some(hint) => {
                                 let found = format!("{:?}", shorten(given));
                                 SceneError::Notation { at, found, hint }
@@ -115,12 +115,17 @@ fn beside_commas(given: &str) -> String {
 }
 
 /// How to write a number in per cent.
-fn share_hint(name: &str, given: &str) -> Option<String> {
+fn share_hint(name: &str, given: &str, delimiter: u8) -> Option<String> {
     let number = given.strip_suffix('%')?.trim();
     let number: f64 = with_decimal_point(number).unwrap_or(number.into()).parse().ok()?;
     Some(match name.strip_suffix("_std") {
         Some(of) => format!("is a share of {of}; write the standard deviation in the unit of {of}"),
-        None => format!("has a per cent sign; write {}", asperity::short(0.01 * number)),
+        None => {
+            let plain = asperity::short(0.01 * number);
+            let has_comma = delimiter != b',' && given.contains(',');
+            let plain = if has_comma { plain.replace('.', ",") } else { plain };
+            format!("has a per cent sign; write {plain}")
+        }
     })
 }
 
@@ -217,6 +222,10 @@ mod tests {
             (
                 "area_fraction\n0.4 %\n",
                 "area_fraction = \"0.4 %\" has a per cent sign; write 0.004",
+            ),
+            (
+                "load_N;area_fraction\n1200;0,26 %\n",
+                "area_fraction = \"0,26 %\" has a per cent sign; write 0,0026",
             ),
         ] {
             let refused = read(text).unwrap_err();

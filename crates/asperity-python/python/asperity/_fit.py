@@ -15,7 +15,6 @@ from asperity._arguments import one_scene
 from asperity._asperity import Engine, Scene, floats
 from asperity._model import Model
 from asperity._scene import Floats
-from asperity._warn import warn
 
 
 @dataclass(frozen=True)
@@ -167,18 +166,6 @@ def fit(
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
     fits = tuple(_fit(one, scene) for one in found["models"])
-    for one in fits:
-        if one.misfit is not None:
-            messages = [*one.unreachable, one.misfit]
-        else:
-            # The nearest value to an unreachable one is given with its place.
-            limits = () if one.unreachable else one.limits
-            outlier = () if one.outlier is None else (one.outlier,)
-            messages = [*one.unreachable, *outlier, *one.undetermined, *limits]
-        if not one.converged:
-            messages.append("the search did not converge: the values are the best that it found")
-        for text in messages:
-            warn(f"{one.model}: {text}", 1)
     return Fits(fits, found["summary"])
 
 
