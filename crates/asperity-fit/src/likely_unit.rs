@@ -128,7 +128,7 @@ impl Column {
         let mut units: Vec<(&str, f64)> = vec![];
         for (unit, factor) in known.map_or(&[][..], |(_, units)| units) {
             // kN/mm and MN/m are N/um.
-            if units.iter().all(|(_, other)| other != factor) {
+            if units.iter().all(|(_, other)| other.total_cmp(factor).is_ne()) {
                 units.push((unit, *factor));
             }
         }
