@@ -45,6 +45,14 @@ pub(crate) struct OtherUnit<'k> {
 /// The known column that `name` is in another unit: `load_N` for `load_kN`.
 pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUnit<'k>> {
     let written = |unit: &str| unit.replace('/', "_per_");
+    // Pressure [MPa] is pressure_MPa.
+    let name = match name.split_once(['[', '(']) {
+        Some((name, unit)) => {
+            let unit = written(unit.trim_end_matches([']', ')']));
+            format!("{}_{unit}", name.trim().to_lowercase().replace(' ', "_"))
+        }
+        None => name.into(),
+    };
     known.iter().find_map(|column| {
         // Of m and N_per_m, the longer one is the unit.
         let ends = UNITS
@@ -100,6 +108,9 @@ mod tests {
             ("area_mm2", Some(("area_m2", "mm2", 1e-6))),
             ("tangent_N_per_um", Some(("tangent_N_per_m", "N/um", 1e6))),
             ("separation_um", Some(("separation_m", "um", 1e-6))),
+            ("Load [kN]", Some(("load_N", "kN", 1e3))),
+            ("tangent (N/um)", Some(("tangent_N_per_m", "N/um", 1e6))),
+            ("load [N]", None),
             ("load_N", None),
             ("load", None),
             ("load_lbf", Some(("load_N", "lbf", LBF))),

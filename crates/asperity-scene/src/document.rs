@@ -255,7 +255,9 @@ pub(crate) fn read_text(path: &Path, place: impl FnOnce() -> Place) -> Result<St
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     let reason = match read.map(|count| (count as u64, String::from_utf8(bytes))) {
         Err(error) => error.to_string(),
-        Ok((count, _)) if count > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
+        Ok((count, _)) if count > MOST_BYTES => {
+            format!("more than {MOST_BYTES} bytes; leave out rows or digits")
+        }
         // Text in UTF-16 has zeros, too.
         Ok((_, Ok(text))) if !text.contains('\0') => return Ok(text),
         Ok(_) => "the file is not UTF-8 text; save it as UTF-8 (from a spreadsheet: as csv)".into(),
@@ -301,7 +303,10 @@ mod tests {
         // The limit lies within a character.
         std::fs::write(&path, format!("#{}", "\u{b5}".repeat(1 << 19))).unwrap();
         let refused = read_text(&path, || Place::field("scene")).unwrap_err().to_string();
-        assert_eq!(refused, "scene cannot be read: more than 1048576 bytes");
+        assert_eq!(
+            refused,
+            "scene cannot be read: more than 1048576 bytes; leave out rows or digits"
+        );
     }
 
     #[test]

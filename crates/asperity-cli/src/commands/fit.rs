@@ -17,6 +17,7 @@ use crate::input::target::{metres, target};
 use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
+use crate::output::number::rounded;
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
@@ -46,9 +47,9 @@ Columns: model, parameter, value, lower and upper (the 95 % interval; blank wher
 do not fix that end within the bounds), unit, rms (relative) and bic. Models are ordered by
 BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
 condition, undetermined combinations, limits at which parameters stop, residuals,
-unreachable data and an outlier. If no model describes the data, or none reaches the
-target, the exit code is 1; the line or the unit that explains the data is named. No line
-is left out.
+unreachable data, an outlier and another stiffness that fits. If no model describes the
+data, or none reaches the target, the exit code is 1; the line or the unit that explains
+the data is named. No line is left out.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 
@@ -215,6 +216,12 @@ impl FitCommand {
             output::keep(path);
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
+        }
+        let (area, free) = (scene.file.scene.nominal_area, |one: &Free| one.name == "nominal_area");
+        let largest = self.target.iter().find(|(name, value)| name == "area_m2" && *value > area);
+        if let Some((_, value)) = largest.filter(|_| !self.free.iter().any(free)) {
+            let [value, area] = [*value, area].map(rounded);
+            bail!("--target: area is {value} m2, above the nominal area of {area} m2")
         }
         let places = [
             ("load_N", self.load),

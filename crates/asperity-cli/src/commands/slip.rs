@@ -18,6 +18,8 @@ use crate::scene::LoadedScene;
 
 /// Share of μ F that defines the start of gross slip.
 pub(super) const SLIDING: f64 = 0.99;
+/// Larger coefficients of friction are unlikely.
+const LARGEST_FRICTION: f64 = 2.0;
 /// Shifts of a loop by default.
 const POINTS: usize = 101;
 
@@ -111,6 +113,7 @@ impl Slip {
         self.output.check("slip");
         let (scene, named) = self.closed.open()?;
         self.check_limit(&scene)?;
+        self.check_friction();
         let context = || format!("{}: {}", scene.name, named.0);
         let places = self.closed.places(&scene, &named);
         match (&places[..], self.cycle.amplitude()) {
@@ -140,6 +143,17 @@ impl Slip {
         if let Some(points) = self.points {
             let text = format!("--points {points} is not used: several cycles have one row each");
             print_message("note", &text);
+        }
+    }
+
+    /// Warns of a coefficient of friction that is probably in per cent.
+    fn check_friction(&self) {
+        if self.friction > LARGEST_FRICTION {
+            let given = rounded(self.friction);
+            let text = format!(
+                "--friction is {given}, and dry contacts have at most about 1.5; {given} % is written {given}%"
+            );
+            print_message("warning", &text);
         }
     }
 

@@ -140,12 +140,19 @@ pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
 
 /// Forces above 0 at which a joint turns, in N or with their unit.
 pub fn turning_loads(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, |text| {
+    let found = Numbers::read(text, |text| {
         match of_unit(text, "N")? {
         0.0 => Err("0 is not a turning load: any separation without contact carries it; give loads above 0, or an open separation such as 10 with --history".into()),
         load => positive(load),
     }
-    })
+    })?;
+    match found.0.windows(2).find(|pair| pair[0].total_cmp(&pair[1]).is_eq()) {
+        Some(pair) => {
+            let load = shortest_digits(pair[0]);
+            Err(format!("{load} N follows {load} N; a joint turns at loads that differ"))
+        }
+        None => Ok(found),
+    }
 }
 
 #[cfg(test)]
@@ -225,7 +232,11 @@ mod tests {
         }
         assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
-        assert!(turning_loads("1 kN,0").is_err());
+        assert!(turning_loads("1 kN,0").is_err() && turning_loads("1kN,2kN,1kN").is_ok());
+        assert_eq!(
+            turning_loads("1kN,1kN").unwrap_err(),
+            "1000 N follows 1000 N; a joint turns at loads that differ"
+        );
         assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

@@ -257,6 +257,14 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
 }
 
 #[test]
+fn a_target_above_the_nominal_area_is_refused() {
+    let bench = Bench::new();
+    let run = bench.run("fit scene.toml --free asperity_height_std --target area=5 --load 1kN");
+    let wanted = "error: --target: area is 5 m2, above the nominal area of 0.0001 m2";
+    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+}
+
+#[test]
 fn bounds_with_a_unit_are_in_no_other() {
     let bench = Bench::new();
     write_rows(&bench, stiffness_rows(&bench));
