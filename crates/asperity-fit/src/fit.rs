@@ -12,6 +12,7 @@ use crate::forward::Forward;
 use crate::likely_unit::likely_unit;
 use crate::limits::limits;
 use crate::misfit::{misfit, rms};
+use crate::other_stiffness::other_stiffness;
 use crate::outlier::outlier;
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
@@ -186,12 +187,17 @@ impl<'f> Fit<'f> {
             false => misfit(problem, &values, doubted, &limits)?,
         };
         let misfit = misfit.or_else(|| deviations.as_ref()?.misfit(doubted));
+        let other_column = match is_exact || outlier.is_some() || misfit.is_some() {
+            true => None,
+            false => other_stiffness(problem, best, &values)?,
+        };
         notes.extend(deviations.and_then(|deviations| deviations.note(doubted)));
         Ok(Fitted {
             model: problem.model.id().into(),
             converged: best.converged,
             rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
             outlier,
+            other_column,
             misfit,
             reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
             bic: self.bic(squares(&residuals), rank),

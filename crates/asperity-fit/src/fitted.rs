@@ -37,6 +37,8 @@ pub struct Fitted {
     /// The line (of arrays the row) without which the misfit is less than a fifth, and how far it is
     /// from a fit to the others. The values here are fitted to all.
     pub outlier: Option<String>,
+    /// The column of another stiffness that describes the data far better than the one given.
+    pub other_column: Option<String>,
     /// If no values within the bounds describe the data (an rms above 1): by how much, and the line
     /// or the unit that explains it.
     pub misfit: Option<String>,
@@ -68,6 +70,7 @@ impl Fitted {
             Some(misfit) => warnings.push(misfit),
             None => {
                 warnings.extend(self.outlier.as_deref());
+                warnings.extend(self.other_column.as_deref());
                 warnings.extend(texts(&self.undetermined));
                 let limits = if self.unreachable.is_empty() { &self.limits[..] } else { &[] };
                 warnings.extend(texts(limits));

@@ -12,6 +12,7 @@ mod likely_unit;
 mod limits;
 mod misfit;
 mod observation;
+mod other_stiffness;
 mod outlier;
 mod parameter;
 mod problem;

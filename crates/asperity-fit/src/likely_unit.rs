@@ -17,6 +17,8 @@ const EXPLAINED: f64 = 0.3;
 /// Units explain the data alike whose misfits differ by less than this factor, or are this small.
 const ALIKE: f64 = 1.5;
 const ACCURACY: f64 = 1e-6;
+/// A value is near the predicted one within this difference of logarithms.
+const NEAR: f64 = 0.2;
 
 /// The column and the unit that explain the data best; of several that explain them alike, the one
 /// with which the parameters stay nearest to their start.
@@ -60,6 +62,16 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
     found.retain(|one| one.distance <= ALIKE * least + ACCURACY);
     found.sort_by(|a, b| a.change.total_cmp(&b.change));
     Ok(found.first().map(|one| one.sentence(problem.data, nominal_area)))
+}
+
+/// The unit in which one value is near the predicted one.
+pub(crate) fn unit_of_value(one: &Observation, predicted: f64) -> Option<String> {
+    let column = Column::Measured(one.measured);
+    let is_near = |factor: f64| (predicted / (factor * one.value)).ln().abs() < NEAR;
+    let (unit, factor) = column.units(None).into_iter().find(|(_, factor)| is_near(*factor))?;
+    let (si, [given, meant]) = (column.si(), [one.value, factor * one.value].map(short));
+    let gap = if si.is_empty() { "" } else { " " };
+    Some(format!("{given} looks like {unit}; {given} {unit} is {meant}{gap}{si}"))
 }
 
 /// A unit that explains the data.

@@ -64,8 +64,9 @@ pub fn without_thousands(text: &str) -> Option<String> {
         }
         rest.push_str(after);
     }
-    // 1.500,5 has one decimal sign, which is not the separator.
-    let decimal = rest.strip_prefix([',', '.']).filter(|_| ",.".contains(separator));
+    // 1.500,5 has one decimal sign, which is not the separator; 1'500,5 may be a list.
+    let signs = if ",.".contains(separator) { &[',', '.'][..] } else { &['.'] };
+    let decimal = rest.strip_prefix(signs);
     match decimal {
         // 1.000,2.000 is a list of two.
         Some(fraction) if fraction.contains([',', '.']) => None,
@@ -162,6 +163,8 @@ mod tests {
             ("1.500,25 N", Some("1500.25 N")),
             ("12 500 N", Some("12500 N")),
             ("1'500", Some("1500")),
+            ("500'000.0", Some("500000.0")),
+            ("12\u{202f}500.5 N", Some("12500.5 N")),
             ("1_000 N/m", Some("1000 N/m")),
             ("1\u{202f}500,5", None),
             ("1,500", Some("1500")),

@@ -146,7 +146,7 @@ impl Conductance {
     /// The models of the list, or the reference; one that lacks a property is left out.
     fn named_models(&self, scene: &LoadedScene, case: &Case<'_>) -> Result<Vec<NamedModel>> {
         if self.models.is_empty() {
-            return Ok(vec![scene.reference(None)?]);
+            return Ok(vec![scene.default_model()?]);
         }
         let mut models = vec![];
         for id in self.ids() {

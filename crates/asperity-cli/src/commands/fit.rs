@@ -112,7 +112,7 @@ impl FitCommand {
             bail!("bem: boundary elements are not fitted; `asperity models` lists other models");
         }
         let models: Vec<NamedModel> = match &self.models[..] {
-            [] => vec![scene.reference(None)?],
+            [] => vec![scene.default_model()?],
             ids => {
                 output::once(ids).iter().map(|id| scene.model(id)).collect::<Result<Vec<_>>>()?
             }

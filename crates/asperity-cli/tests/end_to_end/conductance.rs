@@ -109,6 +109,8 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
     assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
+    let elastic = "note: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
+    assert!(soft.messages.contains(elastic), "{}", soft.messages);
     // The only one of the list is missed with its reason, also under --quiet.
     let alone =
         bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --model cmy --quiet");

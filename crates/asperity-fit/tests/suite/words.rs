@@ -120,7 +120,7 @@ fn one_line_that_the_others_contradict_is_named_and_kept() {
     let outlier = found.outlier.unwrap();
     assert!(
         outlier.starts_with("line 6 (tangent_N_per_m = ")
-            && outlier.contains(") deviates by a factor of 100 from a fit"),
+            && outlier.contains(" at load_N = 300) deviates by a factor of 100 from a fit"),
         "{outlier}"
     );
     let others =
@@ -168,6 +168,44 @@ fn a_line_many_standard_deviations_off_is_named() {
     let [outlier, misfit] = [found.outlier.as_deref(), found.misfit.as_deref()].map(Option::unwrap);
     assert!(misfit.contains("times the standard deviations") && misfit.ends_with(outlier));
     assert_eq!(found.remarks(), [(Severity::Warning, misfit)]);
+}
+
+#[test]
+fn a_stiffness_in_the_column_of_another_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::UnloadingStiffness]);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    assert_eq!(fitted(&columns).other_column, None);
+    columns[1].0 = Quantity::Tangent.column();
+    let found = fitted(&columns);
+    let other = found.other_column.as_deref().unwrap();
+    assert!(
+        other.starts_with("tangent_N_per_m deviates by ")
+            && other.contains(" if it is unloading_stiffness_N_per_m; name the column by"),
+        "{other}"
+    );
+    assert!(found.remarks().contains(&(Severity::Warning, other)), "{found:?}");
+}
+
+#[test]
+fn one_line_in_another_unit_is_named_among_three() {
+    let mut columns = columns(&KogutEtsion, &LOADS[..3], &[Quantity::Area]);
+    columns[1].1[1] = columns[1].1[1].map(|area| 1e6 * area);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+        fit.run(&KogutEtsion).unwrap().outlier
+    };
+    let outlier = fitted(&columns).unwrap();
+    assert!(outlier.starts_with("row 2 (area_m2 = "), "{outlier}");
+    assert!(outlier.contains(" looks like mm2; ") && outlier.ends_with(" m2"), "{outlier}");
+    // Three values that scatter contradict no line.
+    columns[1].1 = vec![Some(5e-9), Some(3e-8), Some(7e-7)];
+    assert_eq!(fitted(&columns), None);
 }
 
 #[test]

@@ -61,6 +61,8 @@ class Fit:
     limits: tuple[str, ...]
     #: The line of the file, or the row, without which the misfit is less than a fifth.
     outlier: str | None
+    #: The column of another stiffness that describes the data far better than the one given.
+    other_column: str | None
     #: If no values within the bounds describe the data: by how much, and the line or the unit that
     #: explains it.
     misfit: str | None
@@ -140,7 +142,7 @@ def fit(
         By default ke, or gw without a hardness.
 
     A ``ContactWarning`` names data that cannot be reached or described, with the line or the unit
-    that explains them, an outlier, parameters at a bound, combinations of parameters that the data do
+    that explains them, an outlier, another stiffness than the column's, parameters at a bound, combinations of parameters that the data do
     not determine, searches that did not converge, and results outside the range of a model.
 
     >>> import asperity
@@ -227,6 +229,7 @@ def _fit(found: dict[str, Any], scene: Scene) -> Fit:
         unreachable=tuple(found["unreachable"]),
         limits=tuple(found["limits"]),
         outlier=found["outlier"],
+        other_column=found["other_column"],
         misfit=found["misfit"],
         notes=tuple(found["notes"]),
         residuals=tuple(found["residuals"]),
