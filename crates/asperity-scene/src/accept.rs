@@ -8,7 +8,7 @@ use crate::document::Document;
 /// The codes of all warnings and notes about scans, scenes and answers.
 const CODES: &str = "\
     above-hardness adhesion anisotropic area-above-nominal atomic below-a-pixel beyond-fit \
-    cancelled channel crowded curvature-follows-sampling deep despiked energy-gain \
+    beyond-full-contact cancelled channel crowded curvature-follows-sampling deep despiked energy-gain \
     estimators-disagree few-asperities few-contacts few-patches few-pixels filled fit-misses \
     gaussian-moments heights-integral heights-std hurst-exponent inverted level mask negative \
     negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \

@@ -36,6 +36,15 @@ test("solved loads do not scroll sideways at 1280 px, and their names are those 
   for (const name of ["real over nominal area", "tangent stiffness", "unloading stiffness"]) assert.ok(names.every((list) => list.includes(name)), name);
 });
 
+test("the table of values does not scroll sideways at 1280 and 1560 px", async () => {
+  for (const size of [1280, 1560]) {
+    await width(size);
+    const [needed, there] = await page.run("const { scrollWidth, clientWidth } = document.getElementById('answers').parentElement; return [scrollWidth, clientWidth]");
+    assert.ok(needed <= there, `${needed} of ${there} px at ${size} px`);
+  }
+  await width(1280);
+});
+
 test("derived numbers have Greek letters and lowered indices", async () => {
   const [text, lowered] = await page.run("return [document.getElementById('numbers').textContent, [...document.querySelectorAll('#numbers sub')].map((sub) => sub.previousSibling.textContent.slice(-1) + sub.textContent)]");
   assert.match(text, /σz, of the asperities/);

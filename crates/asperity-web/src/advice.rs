@@ -2,15 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{At, Described, Diagnostics, Quantity, Request, Severity, nearest_to_bem, unranked};
+use asperity::{
+    At, Compared, Described, Diagnostic, Diagnostics, Quantity, Request, Severity, nearest_to_bem,
+    unranked,
+};
 use asperity_scene::SceneFile;
 use serde::{Deserialize, Serialize};
 
 use crate::names::{quantity_name, readable};
+use crate::press;
 use crate::refusal::Refusal;
 
-/// Largest deviation of a simpler model from the reference.
-const WITHIN: f64 = 0.1;
+/// Largest deviation of a simpler model from the reference, as that of the program.
+const WITHIN: f64 = 0.05;
 /// What models are compared in with a solved contact.
 const COMPARED: [Quantity; 3] =
     [Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
@@ -18,9 +22,8 @@ const COMPARED: [Quantity; 3] =
 /// Which model to trust, and on what evidence.
 #[derive(Debug, Serialize)]
 pub(crate) struct Advice {
-    pub(crate) reference: String,
-    pub(crate) simplest: Option<String>,
-    /// Sentences: first about the contact that was solved, then the verdict.
+    /// Sentences, the best evidence first: the contact that was solved, solved surfaces like it, or,
+    /// without either, the models compared with each other.
     pub(crate) summary: Vec<String>,
 }
 
@@ -36,29 +39,61 @@ pub(crate) struct OnScreen {
 }
 
 impl OnScreen {
-    /// How far the models are from boundary elements, a sentence a quantity, and why that is
-    /// uncertain.
-    fn sentences(&self) -> Vec<String> {
-        let codes = self.notes.iter().map(String::as_str).collect();
-        let reason = unranked(&[codes]).and_then(|text| text.split_once(": ")).map(|(_, text)| {
-            let text = text.replace(" at every load", "");
-            format!("on this scan at this load, these deviations are uncertain: {text}")
-        });
-        let of = |quantity: Quantity| {
-            let name = quantity.to_string();
-            let solved = *self.bem.get(&name).filter(|solved| **solved > 0.0)?;
-            let off = |(id, values): &(String, BTreeMap<String, String>)| {
-                let value = values.get(&name).and_then(|digits| digits.parse::<f64>().ok());
-                (id.clone(), vec![value.map(|value| value / solved - 1.0)])
-            };
-            let all: Vec<(String, Vec<Option<f64>>)> = self.models.iter().map(off).collect();
-            let models = all.iter().map(|(id, off)| (id.as_str(), off.clone()));
-            let nearest = nearest_to_bem(&quantity_name(quantity), models, all.len())?;
-            Some(format!("on this scan at this load, {nearest}"))
+    /// Deviations of the models from boundary elements in a quantity, by id.
+    fn deviations(&self, quantity: Quantity) -> Vec<(&str, Option<f64>)> {
+        let name = quantity.to_string();
+        let Some(solved) = self.bem.get(&name).filter(|solved| **solved > 0.0) else {
+            return vec![];
         };
-        let found: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
-        let reason = reason.filter(|_| !found.is_empty());
-        found.into_iter().chain(reason).collect()
+        let off = |values: &BTreeMap<String, String>| {
+            values.get(&name)?.parse::<f64>().ok().map(|value| value / solved - 1.0)
+        };
+        self.models.iter().map(|(id, values)| (id.as_str(), off(values))).collect()
+    }
+
+    /// Which of these models to use, how far all are from boundary elements, a sentence a quantity,
+    /// and why that is uncertain; `ignoring` are the models that ignore yielding here.
+    fn sentences(&self, ignoring: &[&str]) -> Vec<String> {
+        let here = "on this scan at this load";
+        let of = |quantity: Quantity| {
+            let off = self.deviations(quantity);
+            let models = off.iter().map(|(id, off)| (*id, vec![*off]));
+            let nearest = nearest_to_bem(&quantity_name(quantity), models, off.len())?;
+            Some(format!("{here}, {nearest}"))
+        };
+        let mut found: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
+        if found.is_empty() {
+            return found;
+        }
+        let codes = self.notes.iter().map(String::as_str).collect();
+        match unranked(&[codes]) {
+            Some(why) => {
+                found.push(format!("{here}, these deviations are uncertain: {}", why.reason()));
+            }
+            None => found.splice(0..0, self.verdict(ignoring)).for_each(drop),
+        }
+        if !ignoring.is_empty() {
+            let ids = ignoring.join(", ");
+            found.push(format!(
+                "{ids}: yielding is ignored, and an agreement at this load is by chance"
+            ));
+        }
+        found
+    }
+
+    /// The nearest model for each quantity among those that describe yielding where it matters.
+    fn verdict(&self, ignoring: &[&str]) -> Option<String> {
+        let of = |quantity: Quantity| {
+            let off = self.deviations(quantity).into_iter();
+            let off = off.filter(|(id, _)| !ignoring.contains(id));
+            let (id, _) = off
+                .filter_map(|(id, off)| Some((id, off?.abs())))
+                .min_by(|a, b| a.1.total_cmp(&b.1))?;
+            Some(format!("{id} for {}", quantity_name(quantity)))
+        };
+        let uses: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
+        let verdict = format!("of the chosen models, use {}", uses.join(", "));
+        (!uses.is_empty()).then_some(verdict)
     }
 }
 
@@ -72,11 +107,13 @@ pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Diagnost
             found.extend(file.findings_at(&model, &[at]));
         }
     }
-    Ok(file.accepted(found))
+    // The table of values marks it at each model.
+    let unmarked = |found: &Diagnostic| found.code != "beyond-full-contact";
+    Ok(file.accepted(found.into_iter().filter(unmarked).collect()))
 }
 
-/// Compares the models that the scene allows with each other, with boundary elements on surfaces
-/// like it and, if the load was solved, with boundary elements on its scan.
+/// Compares the models that the scene allows with boundary elements on its scan, if the load was
+/// solved, and on surfaces like it; without either, with each other.
 pub(crate) fn advise(
     file: &SceneFile,
     at: At,
@@ -86,14 +123,46 @@ pub(crate) fn advise(
     let reference = file.model(asperity::usual_reference(&file.scene))?;
     let request = Request::new([Quantity::Area, Quantity::Tangent]).at([at]);
     let advice = file.recommend_among(models, &request, &reference, WITHIN)?;
-    let verdict = advice.verdict(|model| model.name().to_string());
-    let solved = on_screen.map(OnScreen::sentences).unwrap_or_default();
-    let expected = [verdict].into_iter().chain(advice.summary());
-    Ok(Advice {
-        reference: reference.id().into(),
-        simplest: advice.simplest.as_ref().map(|model| model.id().into()),
-        summary: solved.into_iter().chain(expected.map(|line| readable(&line))).collect(),
-    })
+    let mut summary = match on_screen {
+        Some(solved) => solved.sentences(&ignoring_yielding(file, at, solved)),
+        None => vec![],
+    };
+    let solved = !summary.is_empty();
+    let names = [Quantity::AreaFraction, Quantity::Tangent].map(quantity_name);
+    let names = [(Compared::Area, &*names[0]), (Compared::Stiffness, &*names[1])];
+    let close = advice.evidence.iter().any(|place| place.expected.is_ok());
+    let mut lines = advice.summary_named(&names);
+    if let (false, Some(last)) = (close || solved, lines.last_mut()) {
+        let scan = press::scan(file).is_some_and(|scan| scan.refused.is_none());
+        *last += match scan {
+            true => "; solve this load by boundary elements",
+            false => "; choose a scan or make a random surface, and solve this load",
+        };
+    }
+    if close {
+        lines.iter_mut().for_each(|line| line.insert_str(0, "on solved surfaces like this one, "));
+    }
+    if !close && !solved {
+        let verdict = advice.verdict(|model| model.id().to_string());
+        let fitted = match reference.id() {
+            "ke" => " (ke, fitted to finite elements of one asperity, is the reference)",
+            _ => "",
+        };
+        summary.push(format!("{verdict}{fitted}"));
+    }
+    summary.extend(lines);
+    Ok(Advice { summary: summary.iter().map(|line| readable(line)).collect() })
+}
+
+/// The models on the page that ignore yielding where it matters.
+fn ignoring_yielding<'m>(file: &SceneFile, at: At, solved: &'m OnScreen) -> Vec<&'m str> {
+    let ignores = |id: &&str| {
+        let found = file.model(id).map(|model| file.findings_at(&model, &[at]));
+        let yields =
+            |found: &Diagnostic| found.code == "yields" && found.severity == Severity::Warning;
+        found.is_ok_and(|found| found.iter().any(yields))
+    };
+    solved.models.iter().map(|(id, _)| id.as_str()).filter(ignores).collect()
 }
 
 #[cfg(test)]
@@ -113,34 +182,61 @@ mod tests {
     }
 
     #[test]
-    fn a_solved_load_has_a_sentence_for_each_quantity() {
-        let start = "on this scan at this load, nearest to boundary elements in";
+    fn a_solved_load_has_a_verdict_and_a_sentence_for_each_quantity() {
+        let here = "on this scan at this load";
+        let start = format!("{here}, nearest to boundary elements in");
+        let found = on_screen(&["short"]).sentences(&["gw"]);
         assert_eq!(
-            on_screen(&["short"]).sentences(),
+            found,
             [
+                "of the chosen models, use ke for real over nominal area, ke for tangent stiffness (first loading), ke for unloading stiffness".into(),
                 format!("{start} real over nominal area are ke (13 % low), gw (40 % low)"),
                 format!(
                     "{start} tangent stiffness (first loading) are gw (10 % low), ke (20 % high)"
                 ),
-                format!("{start} unloading stiffness are ke (less than 1 % off)"),
+                format!("{start} unloading stiffness is ke (less than 1 % off)"),
+                "gw: yielding is ignored, and an agreement at this load is by chance".into(),
             ]
         );
-        let few = on_screen(&["few-pixels"]).sentences();
+        let all = on_screen(&[]).sentences(&[]);
+        assert!(all.len() == 4 && all[0].contains("gw for tangent stiffness"), "{all:?}");
+        let few = on_screen(&["few-pixels"]).sentences(&[]);
         let wanted = "these deviations are uncertain: too few pixels or patches are in contact";
         assert!(few.len() == 4 && few[3].contains(wanted), "{few:?}");
     }
 
     #[test]
-    fn advice_begins_with_what_was_solved_and_names_each_stiffness() {
-        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
-        let (file, solved) = (file.unwrap(), on_screen(&[]));
-        let advice = advise(&file, At::Pressure(1e6), Some(&solved)).unwrap();
-        assert!(advice.summary[0].starts_with("on this scan"), "{:?}", advice.summary);
-        assert!(advice.summary[3].contains("simplest"), "{:?}", advice.summary);
-        let nearest = &advice.summary[4..];
-        assert!(nearest[0].contains("in real over nominal area are"), "{nearest:?}");
-        assert!(nearest[1].contains("in tangent stiffness (first loading) are"), "{nearest:?}");
-        assert!(nearest.iter().all(|line| !line.contains("area_fraction")));
-        assert_eq!(advise(&file, At::Pressure(1e6), None).unwrap().summary[0], advice.summary[3]);
+    fn the_best_evidence_comes_first_and_models_are_compared_without_any() {
+        let parse = |text: &str| asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let (file, solved) = (parse(asperity_scene::template()), on_screen(&[]));
+        let advice = advise(&file, At::Pressure(1e8), Some(&solved)).unwrap();
+        assert!(advice.summary[0].starts_with("of the chosen models, use"), "{advice:?}");
+        assert!(advice.summary[0].contains("ke for tangent stiffness"), "{advice:?}");
+        let [.., area, stiffness] = &advice.summary[..] else { panic!() };
+        let like = "on solved surfaces like this one, nearest to boundary elements in";
+        assert!(area.starts_with(&format!("{like} real over nominal area are")), "{area}");
+        assert!(stiffness.contains("in tangent stiffness (first loading) are"), "{stiffness}");
+        let without = advise(&file, At::Pressure(1e8), None).unwrap().summary;
+        assert_eq!(without, [area.clone(), stiffness.clone()]);
+        // The plasticity index of the bolted joint is above those that were solved.
+        let joint = parse(include_str!("../../asperity-scene/examples/bolted-joint.toml"));
+        let [verdict, none] = &advise(&joint, At::Pressure(1e6), None).unwrap().summary[..] else {
+            panic!()
+        };
+        assert!(verdict.contains("within 5 % of ke (ke, fitted"), "{verdict}");
+        assert!(
+            none.contains("plasticity index = ") && none.ends_with("solve this load"),
+            "{none}"
+        );
+    }
+
+    #[test]
+    fn a_reference_is_not_compared_with_itself() {
+        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let advice = advise(&file, At::Pressure(1e4), None).unwrap();
+        let itself = advice.summary.iter().any(|line| line.contains("% of gw; use gw"));
+        let close = advice.summary[0].starts_with("on solved surfaces");
+        assert!(itself || close, "{advice:?}");
     }
 }

@@ -129,12 +129,8 @@ impl Compiled {
             false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
             false => cells[0].shown.clone(),
         });
-        let number = |wanted: Quantity| {
-            let of = |cell: &&AnswerCell| cell.quantity == wanted.to_string();
-            cells.iter().find(of)?.digits.as_deref()?.parse().ok()
-        };
-        let values = [Quantity::AreaFraction, Quantity::MeanPressure].map(number);
-        let mark = impossible(file, &self.model, at, values).filter(|_| !empty);
+        let area = value(&Quantity::AreaFraction).ok().map(|found| found.value());
+        let mark = impossible(file, &self.model, at, area).filter(|_| !empty);
         let (model, name) = (id.into(), self.model.name().into());
         let row = AnswerRow { model, name, cells, reason, mark };
         (row, response.warnings)

@@ -141,7 +141,7 @@ impl Desk {
             Message::Check { models, load } => {
                 let file = self.scene()?;
                 let found = advice::check(file, &models, span::load(&load, &file.scene)?.0)?;
-                json(names::findings(&found))
+                json(names::findings(&found, file))
             }
             Message::Advise { load, solved } => {
                 let file = self.scene()?;
@@ -188,7 +188,7 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
-        let findings = names::findings(&findings);
+        let findings = names::findings(&findings, file);
         let head = answer::head(file).join(",");
         Ok(Answer { load, views: answer::views(file), head, rows, findings })
     }

@@ -115,7 +115,7 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
 /// Radius, modulus and hardness of the scene, by their symbols.
 fn asperity_sentence(file: &SceneFile) -> String {
     let interface = &file.scene.interface;
-    let hardness = interface.check().ok().and_then(|(hardness, ..)| hardness);
+    let hardness = interface.softer_hardness();
     let critical = file.scene.asperity().and_then(|asperity| asperity.critical_interference());
     let numbers = [
         ("asperity radius R", Some(file.scene.surface.asperity_radius), "m"),

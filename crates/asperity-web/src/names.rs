@@ -1,7 +1,9 @@
 //! Messages with the names of the tables and fields of the page, in place of the keys of scene
 //! files, the options of the program and Greek letters in Latin.
 
-use asperity::{Diagnostic, Diagnostics, Quantity, Severity};
+use asperity::recommended::YIELDING;
+use asperity::{Described, Diagnostic, Diagnostics, Quantity, Severity};
+use asperity_scene::SceneFile;
 use serde::Serialize;
 
 /// Names of keys whose words do not give them.
@@ -30,12 +32,6 @@ const PROGRAM: [(&str, &str); 5] = [
     ("with `asperity surface --scales`", "in the table of slopes and curvatures"),
     (" (--despike)", ""),
 ];
-/// Sentences about the compared quantities, which the tables name as `Quantity` does.
-const COMPARED: [(&str, Quantity); 2] = [
-    ("elements in area are", Quantity::AreaFraction),
-    ("elements in stiffness in first loading are", Quantity::Tangent),
-];
-
 /// A finding as the page shows it.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct FindingShown {
@@ -53,9 +49,15 @@ impl From<&Diagnostic> for FindingShown {
     }
 }
 
-/// All findings as shown.
-pub(crate) fn findings(all: &Diagnostics) -> Vec<FindingShown> {
-    all.into_iter().map(FindingShown::from).collect()
+/// All findings as shown, with the models that the scene has: of random asperities those for them.
+pub(crate) fn findings(all: &Diagnostics, file: &SceneFile) -> Vec<FindingShown> {
+    let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
+    let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ");
+    let shown = |found: &Diagnostic| {
+        let found = FindingShown::from(found);
+        FindingShown { message: found.message.replace(YIELDING, &yielding), ..found }
+    };
+    all.into_iter().map(shown).collect()
 }
 
 /// The name of a quantity in tables and sentences; which stiffness is said.
@@ -81,18 +83,21 @@ pub(crate) fn without_commands(message: &str) -> String {
 
 /// A message with names in place of keys and Greek letters; a key that is assigned stays.
 pub(crate) fn readable(message: &str) -> String {
-    let mut text = without_commands(message);
-    for (words, quantity) in COMPARED {
-        let named = format!("elements in {} are", quantity_name(quantity));
-        text = text.replace(words, &named);
-    }
+    let text = without_commands(message);
     let part = |c: char| c.is_ascii_alphanumeric() || "_-[].".contains(c);
     let (mut made, mut rest) = (String::new(), &text[..]);
     while let Some(first) = rest.chars().next() {
+        if let Some(length) = literal(rest) {
+            made += &rest[..length];
+            rest = &rest[length..];
+            continue;
+        }
         let end = rest.find(|c| !part(c)).unwrap_or(rest.len());
         let (word, after) = rest.split_at(if end == 0 { first.len_utf8() } else { end });
         let bare = word.trim_end_matches(['.', '-', ']']);
-        let kept = after.starts_with(" = ") || after.starts_with('`');
+        // Behind a colon it is a number of the scene, and no key to set.
+        let assigned = after.starts_with(" = ") && !made.ends_with(": ");
+        let kept = assigned || after.starts_with('`');
         // Behind a number it is the unit of a separation.
         let is_unit = bare == "asperity_height_std"
             && made.ends_with(' ')
@@ -106,6 +111,22 @@ pub(crate) fn readable(message: &str) -> String {
         rest = after;
     }
     squared(&made)
+}
+
+/// The length of a quoted text, a path or the name of a file that a message begins with.
+fn literal(text: &str) -> Option<usize> {
+    if let Some(quoted) = text.strip_prefix('"') {
+        return quoted.find('"').map(|end| end + 2);
+    }
+    let word = text.split(|c: char| c.is_whitespace() || "`\"(),;:".contains(c)).next()?;
+    let word = word.trim_end_matches('.');
+    let has_extension = word.rsplit_once('.').is_some_and(|(stem, extension)| {
+        let sections = ["surface", "body", "heights"];
+        let is_key = sections.contains(&stem) || stem.ends_with(']');
+        !is_key && stem.contains('_') && extension.starts_with(|c: char| c.is_ascii_alphabetic())
+    });
+    let is_path = word.contains('/') && word.starts_with(['/', '.', '~']);
+    (is_path || has_extension).then_some(word.len())
 }
 
 /// The name of a key, or the word itself.
@@ -181,14 +202,25 @@ mod tests {
             ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),
             ("use jkr-separation or ke-random", "use jkr-separation or ke-random"),
             ("surface.file is µm long – é", "file is µm long – é"),
-            (
-                "nearest to boundary elements in area are ke",
-                "nearest to boundary elements in real over nominal area are ke",
-            ),
+            ("my_scan.x3p is empty", "my_scan.x3p is empty"),
+            ("in /tmp/my_scans/of_steel: no", "in /tmp/my_scans/of_steel: no"),
+            ("channel \"yield_strength\" is", "channel \"yield_strength\" is"),
+            ("body[1].hardness or yield_strength.", "hardness of body 1 or yield strength."),
+            ("is close: plasticity_index = 14.5", "is close: plasticity index = 14.5"),
             ("(alpha 8, psi 2)", "(α 8, ψ 2)"),
         ] {
             assert_eq!(readable(message), wanted);
         }
+    }
+
+    #[test]
+    fn findings_name_models_that_the_scene_has() {
+        let text = include_str!("../../asperity-scene/examples/ground-steel.toml");
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let model = file.model("persson-fudge").unwrap();
+        let found = file.findings_at(&model, &[asperity::At::Pressure(1e9)]);
+        let shown = findings(&found, &file);
+        assert!(shown.iter().any(|found| found.message.ends_with("use ke-random or jg-random")));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Pictures: curves of models, and the map of a contact.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use asperity::bem::{Bem, Solution};
 use asperity::{Quantity, short};
@@ -40,7 +40,7 @@ pub(crate) fn curves(
     let mut ids: Vec<&str> = vec![];
     // The smallest and the largest value at each load.
     let mut band: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
-    let mut values = vec![];
+    let (mut values, mut drawn) = (vec![], BTreeSet::new());
     // The values of all models at each load, for the pointer.
     let mut readings: BTreeMap<u64, Vec<String>> = BTreeMap::new();
     let unit = unit(view);
@@ -53,16 +53,21 @@ pub(crate) fn curves(
         if ids.last() != Some(&cells[0]) {
             ids.push(cells[0]);
         }
-        csv += line;
-        csv.push('\n');
         if let (Some(pressure), Some(value)) = (number(2), number(k)) {
             values.push(value);
+            drawn.insert(cells[0]);
             // Positive numbers sort as their bits do.
             let found = band.entry(pressure.to_bits()).or_insert((value, value, 0));
             *found = (found.0.min(value), found.1.max(value), found.2 + 1);
             let reading = format!("{} {}", cells[0], shown(value, unit));
             readings.entry(pressure.to_bits()).or_default().push(reading);
         }
+    }
+    // The picture has no curve without a value, and its legend none either.
+    let lines = rows.iter().flat_map(|rows| rows.lines());
+    for line in lines.filter(|line| drawn.contains(line.split(',').next().unwrap_or_default())) {
+        csv += line;
+        csv.push('\n');
     }
     let row = |name: &str, pressure: f64, value: f64| {
         let given = |known: &String| match known.as_str() {
@@ -89,6 +94,14 @@ pub(crate) fn curves(
         readings.entry(pressure.to_bits()).or_default().push(reading);
     }
 
+    if values.is_empty() && solved.is_empty() && !ids.is_empty() {
+        let reason = format!(
+            "{} has no {} here: choose other models or another quantity",
+            ids.join(", "),
+            name(view)
+        );
+        return Err(Refusal::at("view", reason));
+    }
     let x = if in_pascals {
         ("pressure_Pa", "mean pressure (MPa)", 1e-6)
     } else {
@@ -102,7 +115,8 @@ pub(crate) fn curves(
     let mut panel = Panel::new(Axis::new(x.0, x.1).times(x.2).log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
-    panel.curves = ids.iter().zip(1..).map(|(id, look)| Curve::new(look, id, id)).collect();
+    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(*id));
+    panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
     if !solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, "boundary elements"));
     }
@@ -154,11 +168,15 @@ fn unit_of(view: &str, values: &[f64]) -> (f64, String) {
     (factor.map_or(1.0, |(_, factor)| factor), name)
 }
 
-fn label(view: &str, values: &[f64]) -> String {
-    let name = match view {
+fn name(view: &str) -> &'static str {
+    match view {
         SEPARATION => "separation",
         view => view.parse::<Quantity>().map_or("", Quantity::label),
-    };
+    }
+}
+
+fn label(view: &str, values: &[f64]) -> String {
+    let name = name(view);
     match unit_of(view, values).1.as_str() {
         "" => name.into(),
         unit => format!("{name} ({unit})"),
@@ -258,6 +276,21 @@ mod tests {
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
         assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[]).is_err());
         assert!(curves(&file, &rows, "speed", &load, &[]).is_err());
+    }
+
+    #[test]
+    fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
+        let file = file();
+        let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
+        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let rows = ["persson-fudge", "gw"]
+            .map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &[1e5, 1e6, 1e7]));
+        let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[]).unwrap_err();
+        assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
+        assert_eq!(refused.field.as_deref(), Some("view"));
+        let svg = curves(&file, &rows, "unloading-stiffness", &load, &[]).unwrap();
+        assert!(svg.contains(">gw<") && !svg.contains(">persson-fudge<"));
+        assert!(curves(&file, &[], "unloading-stiffness", &load, &[]).is_ok());
     }
 
     #[test]

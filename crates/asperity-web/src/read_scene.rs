@@ -47,7 +47,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         found.numbers = check.numbers.iter().map(number).collect();
     }
     let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    found.findings = names::findings(&file.accepted(findings));
+    found.findings = names::findings(&file.accepted(findings), &file);
     (found.models, found.views) = (models(&file), answer::views(&file));
     found.usual = asperity::usual_reference(&file.scene);
     found.scan = press::scan(&file);
@@ -71,7 +71,7 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
     };
     let mut all: Vec<ModelShown> = allowed.iter().map(|model| shown(model, None)).collect();
     all.extend(left_out.iter().filter_map(|left_out| {
-        Some(shown(&left_out.id.parse().ok()?, Some(left_out.reason.to_string())))
+        Some(shown(&left_out.id.parse().ok()?, Some(readable(&left_out.reason.to_string()))))
     }));
     all
 }

@@ -31,7 +31,7 @@ impl Span {
     pub(crate) fn of(scene: &Scene) -> Self {
         let slope = (2.0 * scene.surface.moments().m2).sqrt();
         let elastic = scene.interface.equivalent_modulus * slope;
-        let hardness = scene.interface.check().ok().and_then(|(hardness, ..)| hardness);
+        let hardness = scene.interface.softer_hardness();
         let high = HIGHEST * elastic.min(hardness.unwrap_or(f64::INFINITY));
         let one_digit = format!("{high:.0e}").parse().unwrap_or(high);
         Self { high: if high.is_finite() && high > 0.0 { one_digit } else { 1e8 } }

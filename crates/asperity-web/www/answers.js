@@ -21,7 +21,7 @@ export function table(views, ids, values, solved) {
 
 // Why the values above are those of no contact.
 function marked(id, reason, views) {
-  const text = element("td", { className: "reason", colSpan: views.length + 1 }, "⚠ ", element("strong", {}, `${id} is not possible here`), `: ${reason}`);
+  const text = element("td", { className: "reason", colSpan: views.length + 1 }, "⚠ ", element("strong", {}, `${id}: impossible result`), `: ${reason}`);
   return element("tr", { className: "marked", data: { marked: id } }, text);
 }
 

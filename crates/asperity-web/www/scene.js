@@ -1,5 +1,5 @@
 // From the text of the scene to everything that the page shows of it.
-import { $, tell, typing } from "./page.js";
+import { $, noPicture, tell, typing } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, missing, page, report, state, work } from "./state.js";
 import { note, writeLink } from "./link.js";
 import * as blocks from "./answers.js";
@@ -191,8 +191,9 @@ function table() {
   followers.forEach((follow) => follow());
 }
 
-// Boundary elements were solved at another load.
+// Boundary elements were solved at another load, which advice without them does not know.
 export function redraw() {
+  takeAway.dropAdvice();
   table();
   work("page", "draw", draw);
 }
@@ -201,8 +202,14 @@ async function draw() {
   if (!answers() || !page.load) return;
   const ids = chosen().filter((id) => page.rows.has(id));
   const rows = ids.map((id) => page.rows.get(id));
-  const svg = await ask(desks.quick, "draw", { rows, view: state.view, load: { text: state.load }, solved: elements.points(state.view) });
-  blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
+  try {
+    const svg = await ask(desks.quick, "draw", { rows, view: state.view, load: { text: state.load }, solved: elements.points(state.view) });
+    blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
+  } catch (error) {
+    // No model has the quantity: the place of the curves says so.
+    if (error.field !== "view") throw error;
+    noPicture($("curve"), error.message);
+  }
 }
 
 export function setModels(ids) {

@@ -12,8 +12,8 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
 // Answers of the desks: the scene as read from a text, the load on it, the columns and values of
-// models, and the rows of their curves; why the load was refused or no model describes it, the last load that a model
-// answers, and the scan that a link asks for.
+// models, and the rows of their curves; why the load was refused or no model describes it, the last
+// load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
   load: null, refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
@@ -34,6 +34,7 @@ export function report() {
   $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : "ready" }[phase];
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
+  $("save-values").disabled = Boolean(page.refused) || !page.load;
 }
 
 // Runs a piece of work in a lane; an error is shown.
@@ -45,4 +46,6 @@ export const ask = (desk, call, keys) => desk.ask(page.text, call, keys);
 // Whether the scene has models that answer.
 export const answers = () => Boolean(page.shown && !page.shown.error);
 export const isSlow = (id) => page.shown.models.some((model) => model.id === id && model.slow);
-export const chosen = () => state.models.filter((id) => page.shown?.models.some((model) => model.id === id && !model.reason));
+const allowed = (id) => page.shown?.models.some((model) => model.id === id && !model.reason);
+// The chosen models that the scene allows; asperities of different radii have variants of their own.
+export const chosen = () => [...new Set(state.models.map((id) => [id, `${id}-random`].find(allowed)).filter(Boolean))];

@@ -48,4 +48,4 @@ pub use tables::error::TableError;
 pub use tables::format::{Interpolation, TableFormat};
 pub use tables::interaction::ConductanceAgainst;
 pub use tables::units::UnitSystem;
-pub use truth::{ContactState, Truth, beside_table, compare_with_bem, summary, unranked};
+pub use truth::{ContactState, Truth, Unranked, beside_table, compare_with_bem, summary, unranked};

@@ -4,6 +4,9 @@ use crate::Compared;
 
 /// Number of models listed.
 const MOST_LISTED: usize = 3;
+/// The quantities that the table and every model have, with their names in the program.
+pub(crate) const NAMES: [(Compared, &str); 2] =
+    [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
 
 /// The models nearest to boundary elements in a quantity of this name, each with its largest
 /// deviation, in one sentence with at most `most` of them; `None` if none has the quantity
@@ -29,23 +32,25 @@ pub fn nearest_to_bem<'m>(
     let mut ranked: Vec<(Vec<f64>, &str)> = models.into_iter().filter_map(known).collect();
     ranked.sort_by(|a, b| largest(&a.0).total_cmp(&largest(&b.0)));
     let listed = ranked.iter().take(most).map(|(off, id)| format!("{id} ({})", words(off)));
-    let listed = listed.collect::<Vec<_>>().join(", ");
-    (!listed.is_empty()).then(|| format!("nearest to boundary elements in {quantity} are {listed}"))
+    let listed: Vec<String> = listed.collect();
+    let verb = if listed.len() == 1 { "is" } else { "are" };
+    let sentence =
+        format!("nearest to boundary elements in {quantity} {verb} {}", listed.join(", "));
+    (!listed.is_empty()).then_some(sentence)
 }
 
-/// The sentences of area and of stiffness in first loading, which the table and every model have;
-/// `off` returns the deviations of a model in a quantity.
+/// The sentences of these quantities with their names; `off` returns the deviations of a model in a
+/// quantity.
 pub(crate) fn nearest_in_each<'m>(
     models: impl IntoIterator<Item = &'m str>,
     off: impl Fn(&str, Compared) -> Vec<Option<f64>>,
+    names: &[(Compared, &str)],
 ) -> Vec<String> {
     let ids: Vec<&str> = models.into_iter().collect();
-    let quantities =
-        [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
-    let of = |(quantity, name)| {
-        nearest_to_bem(name, ids.iter().map(|id| (*id, off(id, quantity))), MOST_LISTED)
+    let of = |(quantity, name): &(Compared, &str)| {
+        nearest_to_bem(name, ids.iter().map(|id| (*id, off(id, *quantity))), MOST_LISTED)
     };
-    let found: Vec<String> = quantities.into_iter().filter_map(of).collect();
+    let found: Vec<String> = names.iter().filter_map(of).collect();
     match found.is_empty() {
         true => vec!["no model has an area or a stiffness at every load".into()],
         false => found,
@@ -89,7 +94,7 @@ mod tests {
         let area = "b (less than 1 % off), a (at most 20 % off), d (at most 50 % high)";
         let stiffness = "c (at most 25 % off), a (at most 30 % off), d (at most 50 % low)";
         assert_eq!(
-            nearest_in_each(["d", "a", "b", "c"], off),
+            nearest_in_each(["d", "a", "b", "c"], off, &NAMES),
             [
                 format!("nearest to boundary elements in area are {area}"),
                 format!(
@@ -97,7 +102,8 @@ mod tests {
                 )
             ]
         );
-        assert_eq!(nearest_in_each(["b"], off).len(), 1);
-        assert!(nearest_in_each([], off)[0].starts_with("no model has"));
+        let one = nearest_in_each(["b"], off, &NAMES);
+        assert_eq!(one, ["nearest to boundary elements in area is b (less than 1 % off)"]);
+        assert!(nearest_in_each([], off, &NAMES)[0].starts_with("no model has"));
     }
 }

@@ -2,12 +2,11 @@
 //! model.
 
 use super::findings::{
-    CROWDED, FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
+    FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
 };
+use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use super::{Check, Scene};
-use crate::diagnostic::short;
-use crate::recommended::FULL_CONTACT;
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, Quantity, Regime,
     Request, Separation, SeparationUnit, Tolerance, Validity,
@@ -55,24 +54,6 @@ impl Check {
     pub fn keep_for(&mut self, model: &dyn ContactModel) {
         let findings = std::mem::take(&mut self.findings);
         self.findings = findings.for_asperities(model.validity().asperities);
-    }
-
-    /// An error where a model's real area at a pressure exceeds the nominal area.
-    #[must_use]
-    pub fn no_answer(
-        model: &dyn ContactModel,
-        pressure: f64,
-        area_fraction: f64,
-    ) -> Option<Diagnostic> {
-        let found = Diagnostic::error("above-nominal", "area_fraction", area_fraction)
-            .usual([0.0, CROWDED[0]])
-            .of_model(model.name())
-            .at(At::Pressure(pressure))
-            .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
-            .advice(format!(
-                "check the units of modulus and load; at such loads use {FULL_CONTACT}"
-            ));
-        (area_fraction > 1.0).then_some(found)
     }
 
     /// All numbers if `whole`, otherwise only those with warnings: models with inclined contacts
@@ -192,6 +173,7 @@ impl Check {
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
+        check.extend(beyond_full_contact(model, scene, at, [force / scene.nominal_area, fraction]));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.add_number("contacts", contacts, "", "asperities that touch");
@@ -206,7 +188,7 @@ impl Check {
         let mean = force / area;
         if mean > 0.0 {
             check.add_number("mean_pressure", mean, "Pa", "load over real area");
-            if let Ok((Some(hardness), ..)) = scene.interface.check() {
+            if let Some(hardness) = scene.interface.softer_hardness() {
                 check.add_number("mean_pressure_over_hardness", mean / hardness, "", "p/H");
                 // Other models with a limited range report yielding by interference.
                 let Validity { asperities, holds_to, .. } = model.validity();

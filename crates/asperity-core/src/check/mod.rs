@@ -3,6 +3,7 @@
 
 mod answer;
 mod findings;
+mod impossible;
 mod interferences;
 mod materials;
 mod roughness;

@@ -9,7 +9,8 @@ use serde::Serialize;
 use super::{Diagnostic, FEW_ASPERITIES, ROUGHNESS_PARAMETER, Severity};
 
 /// A code, and the codes with the same cause that it replaces.
-const SAME_CAUSE: [(&str, &[&str]); 3] = [
+const SAME_CAUSE: [(&str, &[&str]); 4] = [
+    ("beyond-full-contact", &["above-hardness", "yields"]),
     ("above-nominal", &["area-above-nominal", "crowded"]),
     ("crowded", &["area-above-nominal"]),
     (FEW_ASPERITIES, &["few-contacts"]),

@@ -247,7 +247,8 @@ impl Diagnostic {
     /// Whether the diagnostic is a limit of one model.
     #[must_use]
     pub fn is_of_model(&self) -> bool {
-        ["yields", "above-hardness", "fit-misses", "sticks", "tabor"].contains(&self.code)
+        ["above-hardness", "beyond-full-contact", "fit-misses", "sticks", "tabor", "yields"]
+            .contains(&self.code)
     }
 }
 

@@ -157,6 +157,13 @@ impl Interface {
         };
         Ok((hardness, yield_strength, factor))
     }
+
+    /// The hardness of the softer body \[Pa\], or that of its yield strength; `None` for elastic
+    /// bodies and for invalid fields.
+    #[must_use]
+    pub fn softer_hardness(&self) -> Option<f64> {
+        self.check().ok().and_then(|(hardness, ..)| hardness)
+    }
 }
 
 #[cfg(test)]

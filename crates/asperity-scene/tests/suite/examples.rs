@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{Quantity, Request, linspace, recommend};
+use asperity::{At, Quantity, Request, Severity, linspace, recommend};
 use asperity_scene::{SceneFile, load};
 
 fn example(name: &str) -> SceneFile {
@@ -50,6 +50,33 @@ fn an_elastomer_has_no_hardness_and_greenwood_and_williamson_need_none() {
     assert_eq!(allowed.iter().map(|model| model.id()).collect::<Vec<_>>(), ["gw"]);
     let reason = "hardness is missing: set hardness or yield_strength; only gw, persson, dmt and jkr work without";
     assert!(left_out.iter().all(|model| model.reason.to_string() == reason), "{left_out:?}");
+}
+
+#[test]
+fn a_load_beyond_full_contact_has_one_warning_and_full_contact_below_the_modulus_none() {
+    let found = |file: &SceneFile, id: &str, at: At| {
+        let warnings = file.findings_at(&file.model(id).unwrap(), &[at]);
+        let warnings = warnings.at_least(Severity::Warning).into_vec();
+        warnings.iter().map(|found| (found.code, found.message())).collect::<Vec<_>>()
+    };
+    let (steel, soft) = (example("bolted-joint.toml"), example("elastomer-on-glass.toml"));
+    let hardness = steel.scene.interface.softer_hardness().unwrap();
+    for id in ["gw", "persson", "persson-fudge"] {
+        let [light, heavy] =
+            [0.99, 1.01].map(|share| found(&steel, id, At::Pressure(share * hardness)));
+        let code = |(code, _): &(&str, String)| *code == "beyond-full-contact";
+        assert!(!light.iter().any(code) && heavy.iter().any(code), "{id}: {light:?} {heavy:?}");
+        assert!(!heavy.iter().any(|(code, _)| *code == "yields"), "{id}: {heavy:?}");
+    }
+    let [heavy] = &found(&steel, "persson-fudge", At::Pressure(1e34))[..] else { panic!() };
+    assert!(heavy.1.contains("on the nominal area is 1e34 Pa, above the hardness ("), "{heavy:?}");
+    // Pressed flat, the elastomer carries up to its modulus, 2.667 MPa.
+    for id in ["persson", "persson-fudge"] {
+        assert_eq!(found(&soft, id, At::Pressure(2.6e6)), []);
+        let [heavy] = &found(&soft, id, At::Pressure(1e7))[..] else { panic!() };
+        let wanted = "on the real area is 1e7 Pa, above the equivalent modulus (2.667e6 Pa)";
+        assert!(heavy.1.contains(wanted), "{heavy:?}");
+    }
 }
 
 #[test]

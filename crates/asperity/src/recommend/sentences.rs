@@ -14,6 +14,9 @@ impl Recommendation {
         let of = format!("within {} % of {}", percent(self.within), name(&self.reference));
         match (self.simplest.as_ref().filter(compared), &self.merging) {
             (None, _) => format!("no valid model is {of}"),
+            (Some(simplest), None) if simplest.id() == self.reference.id() => {
+                format!("no simpler valid model is {of}; use {}", name(simplest))
+            }
             (Some(simplest), None) => {
                 format!("{} is the simplest valid model {of}", name(simplest))
             }
@@ -29,6 +32,12 @@ impl Recommendation {
     /// loading.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
+        self.summary_named(&ranking::NAMES)
+    }
+
+    /// The lines of [`Recommendation::summary`] with other names of the quantities.
+    #[must_use]
+    pub fn summary_named(&self, names: &[(Compared, &str)]) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
         for place in self.evidence.iter().filter(|place| place.expected.is_err()) {
             let same = |group: &&mut Vec<&EvidenceAt>| {
@@ -48,7 +57,7 @@ impl Recommendation {
                 known.iter().map(of).collect()
             };
             let ids = self.comparisons.iter().map(|c| c.model.id());
-            let nearest = ranking::nearest_in_each(ids, off);
+            let nearest = ranking::nearest_in_each(ids, off, names);
             let basis = first.expected.as_ref().map_or_else(|_| String::new(), |e| e.basis());
             let here = match (known.len(), self.evidence.len()) {
                 (1, 1) => String::new(),

@@ -9,7 +9,7 @@ use crate::{
     At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
     Scene, SeparationUnit,
 };
-pub use sentences::{beside_table, summary, unranked};
+pub use sentences::{Unranked, beside_table, summary, unranked};
 
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]

@@ -30,18 +30,36 @@ impl Truth {
     }
 }
 
-/// Why models are not ranked on solutions of a scan whose notes have these codes: a grid too coarse
-/// for the shortest waves, or too few pixels or patches in contact at every load.
+/// Why models are not ranked on solutions of a scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Unranked {
+    /// The grid is too coarse for the shortest waves.
+    CoarseGrid,
+    /// Too few pixels or patches are in contact at every load.
+    FewInContact,
+}
+
+impl Unranked {
+    /// The reason, and what to do.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::CoarseGrid => {
+                "the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels"
+            }
+            Self::FewInContact => "too few pixels or patches are in contact; increase the load",
+        }
+    }
+}
+
+/// Whether models are not ranked on solutions of a scan whose notes have these codes, a list a load.
 #[must_use]
-pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
+pub fn unranked(codes: &[Vec<&str>]) -> Option<Unranked> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
     match codes {
-        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
-            "models are not ranked: the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels",
-        ),
-        _ if codes.iter().all(|codes| has(&FEW, codes)) => Some(
-            "models are not ranked: too few pixels or patches are in contact at every load; increase the load",
-        ),
+        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(Unranked::CoarseGrid),
+        _ if codes.iter().all(|codes| has(&FEW, codes)) => Some(Unranked::FewInContact),
         _ => None,
     }
 }
@@ -52,8 +70,8 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
 #[must_use]
 pub fn summary(found: &[Truth]) -> String {
     let codes = |truth: &Truth| truth.notes.iter().map(|note| note.code).collect();
-    if let Some(reason) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
-        return reason.into();
+    if let Some(why) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
+        return format!("models are not ranked: {}", why.reason());
     }
     let resolved = || found.iter().filter(|truth| !truth.has_note(&FEW));
     let count = resolved().count();
@@ -63,7 +81,7 @@ pub fn summary(found: &[Truth]) -> String {
         resolved().map(of).collect()
     };
     let ids = models.iter().map(|(model, _)| model.id());
-    let nearest = ranking::nearest_in_each(ids, off).join("; ");
+    let nearest = ranking::nearest_in_each(ids, off, &ranking::NAMES).join("; ");
     match found.len() {
         all if all == count => format!("over these loads, {nearest}"),
         all => format!(

@@ -1,0 +1,80 @@
+//! Answers that no contact has, though a formula gives a number.
+
+use super::findings::CROWDED;
+use super::{Check, Scene};
+use crate::diagnostic::short;
+use crate::recommended::FULL_CONTACT;
+use crate::{At, ContactModel, Diagnostic};
+
+impl Check {
+    /// The finding that a model's real area at a mean pressure is impossible: a load beyond full
+    /// contact (a warning), or more area than the nominal one (an error).
+    #[must_use]
+    pub fn impossible(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        pressure: f64,
+        area_fraction: f64,
+    ) -> Option<Diagnostic> {
+        let at = At::Pressure(pressure);
+        beyond_full_contact(model, scene, at, [pressure, area_fraction])
+            .or_else(|| Self::no_answer(model, pressure, area_fraction))
+    }
+
+    /// An error where a model's real area at a pressure exceeds the nominal area.
+    #[must_use]
+    pub fn no_answer(
+        model: &dyn ContactModel,
+        pressure: f64,
+        area_fraction: f64,
+    ) -> Option<Diagnostic> {
+        let found = Diagnostic::error("above-nominal", "area_fraction", area_fraction)
+            .usual([0.0, CROWDED[0]])
+            .of_model(model.name())
+            .at(At::Pressure(pressure))
+            .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
+            .advice(format!(
+                "check the units of modulus and load; at such loads use {FULL_CONTACT}"
+            ));
+        (area_fraction > 1.0).then_some(found)
+    }
+}
+
+/// A warning for a load that no contact carries: a mean pressure above the hardness or, for elastic
+/// bodies, a pressure on the real area above the equivalent modulus. Full contact of a soft body
+/// below its modulus is possible.
+pub(super) fn beyond_full_contact(
+    model: &dyn ContactModel,
+    scene: &Scene,
+    at: At,
+    [pressure, area_fraction]: [f64; 2],
+) -> Option<Diagnostic> {
+    let (value, limit, names, advice) = match scene.interface.softer_hardness() {
+        Some(hardness) => (
+            pressure,
+            hardness,
+            ["nominal", "hardness"],
+            "full contact carries no more; check the units of load and nominal area",
+        ),
+        None => (
+            pressure / area_fraction,
+            scene.interface.equivalent_modulus,
+            ["real", "equivalent modulus"],
+            "small strains do not hold; check the units of load, nominal area and modulus",
+        ),
+    };
+    let [area, name] = names;
+    let fact = format!(
+        "the mean pressure on the {area} area is {} Pa, above the {name} ({} Pa)",
+        short(value),
+        short(limit)
+    );
+    let found = Diagnostic::warning("beyond-full-contact", "pressure", value)
+        .usual([0.0, limit])
+        .unit("Pa")
+        .of_model(model.name())
+        .at(at)
+        .fact(fact)
+        .advice(advice);
+    (value > limit).then_some(found)
+}
