@@ -260,7 +260,7 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
 fn a_target_above_the_nominal_area_is_refused() {
     let bench = Bench::new();
     let run = bench.run("fit scene.toml --free asperity_height_std --target area=5 --load 1kN");
-    let wanted = "error: --target: area is 5 m2, above the nominal area of 0.0001 m2";
+    let wanted = "error: --target: area is 5 m2, above the nominal area of 1e-4 m2";
     assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }
 
