@@ -41,7 +41,8 @@ fn main() -> ExitCode {
     let program = Cli::command();
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
     let arguments = program.clone().try_get_matches_from(&arguments).unwrap_or_else(|error| {
-        if let Some((subcommand, text)) = input::blanks::unit_apart(&arguments) {
+        let is_known = |name: &str| program.find_subcommand(name).is_some();
+        if let Some((subcommand, text)) = input::blanks::unit_apart(&arguments, is_known) {
             input::usage_error(&subcommand, ErrorKind::UnknownArgument, &text);
         }
         error.exit()

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use asperity::bem::Bem;
+use asperity::recommended::YIELDING;
 use asperity::{
     At, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
 };
@@ -172,6 +173,19 @@ impl LoadedScene {
         let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
         models.extend(all.into_iter().filter(|model| !known(model)));
         Ok(models)
+    }
+
+    /// The usual model where none is asked for; a note tells of a hardness that may be forgotten.
+    pub fn default_model(&self) -> Result<NamedModel> {
+        let named = self.reference(None)?;
+        if self.file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none()) {
+            let text = format!(
+                "{}: the default model is {}, which ignores yielding, as hardness is missing; {YIELDING} need it",
+                self.name, named.0
+            );
+            print_message("note", &text);
+        }
+        Ok(named)
     }
 
     /// A model with the scene's options, under the given name.

@@ -98,9 +98,8 @@ impl<'c> Columns<'c> {
                 return Err(FitError::Column { column: name.into(), reason });
             }
             if values.len() != rows {
-                let reason =
-                    format!("{} values: {rows}, as in other columns, were required", values.len());
-                return Err(FitError::Column { column: name.into(), reason });
+                let (column, found) = (name.into(), values.len());
+                return Err(FitError::Length { column, found, required: rows });
             }
             if IGNORED.contains(&name) {
                 continue;

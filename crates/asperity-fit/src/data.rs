@@ -5,7 +5,7 @@ use std::ops::Deref;
 
 use asperity_core::{At, Datum, Separation};
 
-use crate::columns::{Columns, STD};
+use crate::columns::Columns;
 use crate::observation::{MeasuredTable, Observation, number, position};
 use crate::{DataColumn, FitError};
 
@@ -79,13 +79,13 @@ impl Data {
         if let Some(known) = observations.iter().find(|one| one.std.is_some())
             && let Some(unknown) = observations.iter().find(|one| one.std.is_none())
         {
+            let [position, other] = [unknown, known].map(|one| position(&lines, one.row - 1));
             let column = unknown.measured.column();
-            let reason = format!(
-                "{} has no standard deviation, but {} has one: give {column}{STD}, or none at all",
-                position(&lines, unknown.row - 1),
-                known.measured.column()
-            );
-            return Err(FitError::Column { column, reason });
+            let known = match known.measured == unknown.measured {
+                true => other,
+                false => format!("{} of {other}", known.measured.column()),
+            };
+            return Err(FitError::NoStd { position, column, known });
         }
         Ok(Self { observations, from, lines, both_loads })
     }
@@ -105,6 +105,12 @@ impl Data {
             }
             None => Ok(()),
         }
+    }
+
+    /// Whether a row has a load and a pressure.
+    #[must_use]
+    pub fn has_both_loads(&self) -> bool {
+        !self.both_loads.is_empty()
     }
 
     /// Whether standard deviations are given.

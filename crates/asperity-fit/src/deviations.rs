@@ -8,14 +8,14 @@ use crate::{Data, Observation};
 /// Residuals beyond this many standard deviations, as a root mean square, deserve a note.
 const MANY: f64 = 5.0;
 /// Beyond this many, the standard deviations are not those of the data.
-const HOPELESS: f64 = 100.0;
+const LARGEST_RATIO: f64 = 100.0;
 
 /// Residuals that are many times the standard deviations.
 pub(crate) struct Deviations {
     /// The root mean square of residuals over standard deviations, for the degrees of freedom.
     ratio: f64,
-    /// The unit that explains the ratio.
-    likely: Option<String>,
+    /// Standard deviations in per cent, which explain the ratio.
+    in_percent: Option<String>,
 }
 
 impl Deviations {
@@ -36,33 +36,39 @@ impl Deviations {
         }
         let is_percent = (1.0 / MANY..MANY).contains(&ratio(true));
         let one = data.iter().find(|one| one.std.is_some()).filter(|_| is_percent);
-        let likely = one.and_then(|one| {
+        let in_percent = one.and_then(|one| {
             let (std, column) = (one.std?, one.measured.column());
             let [given, value, meant] = [std, one.value, 0.01 * std * one.value.abs()].map(short);
             Some(format!(
                 "{column}{STD} = {given} looks like per cent of the value; {given} % of {value} is {meant}"
             ))
         });
-        Some(Self { ratio: here, likely })
+        Some(Self { ratio: here, in_percent })
     }
 
-    fn sentence(&self) -> String {
+    /// Whether the unit of the standard deviations explains the ratio, and no line of the data.
+    pub(crate) fn is_in_percent(&self) -> bool {
+        self.in_percent.is_some()
+    }
+
+    fn sentence(&self, outlier: Option<&str>) -> String {
         let [ratio, chi] = [self.ratio, self.ratio * self.ratio].map(short);
-        let advice = self.likely.clone().unwrap_or_else(|| {
-            "intervals are too narrow; check the standard deviations, or leave them out".into()
-        });
+        let advice = self.in_percent.as_deref().or(outlier).unwrap_or(
+            "intervals are too narrow; check the standard deviations, or leave them out",
+        );
         format!(
             "the residuals are {ratio} times the standard deviations (reduced chi squared {chi}); {advice}"
         )
     }
 
     /// The sentence where the standard deviations are not those of the data.
-    pub(crate) fn misfit(&self) -> Option<String> {
-        (self.ratio > HOPELESS).then(|| self.sentence())
+    pub(crate) fn misfit(&self, outlier: Option<&str>) -> Option<String> {
+        (self.ratio > LARGEST_RATIO).then(|| self.sentence(outlier))
     }
 
-    /// The sentence where the model is far from the data, or the standard deviations are small.
-    pub(crate) fn note(&self) -> Option<String> {
-        (self.ratio <= HOPELESS).then(|| self.sentence())
+    /// The sentence where the model is far from the data, or the standard deviations are small, and
+    /// no outlier explains that.
+    pub(crate) fn note(&self, outlier: Option<&str>) -> Option<String> {
+        (self.ratio <= LARGEST_RATIO && outlier.is_none()).then(|| self.sentence(None))
     }
 }

@@ -63,6 +63,29 @@ pub enum FitError {
         /// The numbers accepted.
         required: String,
     },
+    /// A column that is shorter than others.
+    #[error(
+        "{column} has {found} {}: {required} were required, as in the other columns",
+        if *.found == 1 { "value" } else { "values" }
+    )]
+    Length {
+        /// The column.
+        column: String,
+        /// The number of its values.
+        found: usize,
+        /// The number of values of other columns.
+        required: usize,
+    },
+    /// A value without a standard deviation beside others that have one.
+    #[error("{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {}, or in none", .position.split(' ').next().unwrap_or_default())]
+    NoStd {
+        /// The line in its file, or the row, both counted from 1: `line 5`.
+        position: String,
+        /// The column.
+        column: String,
+        /// The value that has one, `line 2` or `area_m2 of line 2`.
+        known: String,
+    },
     /// A load and a pressure of one row that contradict each other.
     #[error(
         "{position}: load_N = {} and pressure_Pa = {} contradict each other: on the nominal area of {} m2 this pressure is a load of {} N; leave one of the two columns out, or correct the area",

@@ -9,8 +9,10 @@ use nalgebra::DVector;
 use crate::combinations::undetermined;
 use crate::deviations::Deviations;
 use crate::forward::Forward;
+use crate::likely_unit::likely_unit;
 use crate::limits::limits;
-use crate::misfit::{likely_unit, misfit, rms};
+use crate::misfit::{misfit, rms};
+use crate::other_stiffness::other_stiffness;
 use crate::outlier::outlier;
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
@@ -174,19 +176,29 @@ impl<'f> Fit<'f> {
         let rms = rms(self.data, &values);
         // As many parameters as values: each value is reached, or named as unreachable.
         let is_exact = self.data.len() == self.parameters.len();
-        let outlier = outlier(problem, best, &residuals)?;
+        let deviations = Deviations::new(self.data, &values, freedom);
+        let outlier = match deviations.as_ref().is_some_and(Deviations::is_in_percent) {
+            true => None,
+            false => outlier(problem, best, &residuals)?,
+        };
+        let doubted = outlier.as_deref();
         let misfit = match is_exact {
             true => None,
-            false => misfit(problem, &values, outlier.as_deref(), &limits)?,
+            false => misfit(problem, &values, doubted, &limits)?,
         };
-        let deviations = Deviations::new(self.data, &values, freedom);
-        notes.extend(deviations.as_ref().and_then(Deviations::note));
+        let misfit = misfit.or_else(|| deviations.as_ref()?.misfit(doubted));
+        let other_column = match is_exact || outlier.is_some() || misfit.is_some() {
+            true => None,
+            false => other_stiffness(problem, best, &values)?,
+        };
+        notes.extend(deviations.and_then(|deviations| deviations.note(doubted)));
         Ok(Fitted {
             model: problem.model.id().into(),
             converged: best.converged,
             rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
             outlier,
-            misfit: misfit.or_else(|| deviations.as_ref().and_then(Deviations::misfit)),
+            other_column,
+            misfit,
             reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
             bic: self.bic(squares(&residuals), rank),
             correlation: count.clone().map(correlation).collect(),

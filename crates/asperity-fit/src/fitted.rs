@@ -1,5 +1,6 @@
 //! The result of a fit.
 
+use asperity_core::Severity;
 use serde::Serialize;
 
 /// A model fitted to data.
@@ -36,6 +37,8 @@ pub struct Fitted {
     /// The line (of arrays the row) without which the misfit is less than a fifth, and how far it is
     /// from a fit to the others. The values here are fitted to all.
     pub outlier: Option<String>,
+    /// The column of another stiffness that describes the data far better than the one given.
+    pub other_column: Option<String>,
     /// If no values within the bounds describe the data (an rms above 1): by how much, and the line
     /// or the unit that explains it.
     pub misfit: Option<String>,
@@ -45,6 +48,38 @@ pub struct Fitted {
     pub residuals: Vec<Residual>,
     /// Evaluations of the model for all data.
     pub evaluations: usize,
+}
+
+impl Fitted {
+    /// Whether values of the model are those of the data, so that more may be said of them.
+    #[must_use]
+    pub fn describes_data(&self) -> bool {
+        self.misfit.is_none() && self.unreachable.is_empty()
+    }
+
+    /// Warnings and notes worth reading, in their order: a misfit leaves no meaning to intervals
+    /// and limits, and the place of the nearest value to an unreachable one is in its own sentence.
+    #[must_use]
+    pub fn remarks<'f>(&'f self) -> Vec<(Severity, &'f str)> {
+        let open = "the search did not converge: the values are the best that it found";
+        let open = (!self.converged).then_some(open);
+        let texts = |list: &'f [String]| list.iter().map(String::as_str);
+        let mut warnings: Vec<&str> = open.into_iter().chain(texts(&self.unreachable)).collect();
+        let mut notes = vec![];
+        match &self.misfit {
+            Some(misfit) => warnings.push(misfit),
+            None => {
+                warnings.extend(self.outlier.as_deref());
+                warnings.extend(self.other_column.as_deref());
+                warnings.extend(texts(&self.undetermined));
+                let limits = if self.unreachable.is_empty() { &self.limits[..] } else { &[] };
+                warnings.extend(texts(limits));
+                notes.extend(texts(&self.notes));
+            }
+        }
+        let warnings = warnings.into_iter().map(|text| (Severity::Warning, text));
+        warnings.chain(notes.into_iter().map(|text| (Severity::Note, text))).collect()
+    }
 }
 
 /// A fitted parameter.

@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn samples_fill_the_cube_evenly() {
         assert_eq!(shares(0, 2, 1), [0.25]);
-        // The golden section's plastic sibling in two dimensions: no quarter is left empty.
+        // No quarter of the square and no eighth of the cube is left empty.
         for dimensions in [2, 3] {
             let mut cells = std::collections::BTreeSet::new();
             for k in 0..16 * dimensions {

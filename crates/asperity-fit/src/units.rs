@@ -6,7 +6,7 @@ const LBF: f64 = 4.448_221_615_260_5;
 const PSI: f64 = LBF / (0.0254 * 0.0254);
 
 /// Units with their size in the SI unit of a column.
-pub(crate) const UNITS: [(&str, &[(&str, f64)]); 9] = [
+pub(crate) const UNITS: [(&str, &[(&str, f64)]); 10] = [
     ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6), ("lbf", LBF)]),
     (
         "Pa",
@@ -14,10 +14,21 @@ pub(crate) const UNITS: [(&str, &[(&str, f64)]); 9] = [
     ),
     ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
     ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
-    ("N/m", &[("N/um", 1e6), ("N/mm", 1e3), ("N/nm", 1e9)]),
+    (
+        "N/m",
+        &[
+            ("N/um", 1e6),
+            ("N/mm", 1e3),
+            ("N/nm", 1e9),
+            ("kN/mm", 1e6),
+            ("MN/m", 1e6),
+            ("GN/m", 1e9),
+        ],
+    ),
     ("W/K", &[("mW/K", 1e-3), ("kW/K", 1e3)]),
-    ("W/(m2 K)", &[("kW/(m2 K)", 1e3), ("W/(cm2 K)", 1e4)]),
-    ("1/ohm", &[("kS", 1e3), ("mS", 1e-3)]),
+    ("W/m2/K", &[("kW/m2/K", 1e3), ("W/cm2/K", 1e4)]),
+    ("S", &[("kS", 1e3), ("mS", 1e-3)]),
+    ("S/m2", &[("S/mm2", 1e6), ("S/cm2", 1e4)]),
     ("", &[("%", 0.01)]),
 ];
 
@@ -33,7 +44,7 @@ pub(crate) struct OtherUnit<'k> {
 
 /// The known column that `name` is in another unit: `load_N` for `load_kN`.
 pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUnit<'k>> {
-    let written = |unit: &str| unit.replace("/(m2 K)", "_per_m2_per_K").replace('/', "_per_");
+    let written = |unit: &str| unit.replace('/', "_per_");
     known.iter().find_map(|column| {
         // Of m and N_per_m, the longer one is the unit.
         let ends = UNITS
@@ -61,11 +72,29 @@ pub(crate) fn per_area<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
 
 #[cfg(test)]
 mod tests {
+    use asperity_core::Quantity;
+
     use super::*;
 
     #[test]
+    fn every_unit_of_a_quantity_has_others() {
+        // Logarithms have one unit.
+        for quantity in Quantity::ALL.into_iter().filter(|q| !q.unit().starts_with("ln ")) {
+            let unit = quantity.unit();
+            assert!(UNITS.iter().any(|(si, _)| *si == unit), "{quantity} {unit}");
+        }
+    }
+
+    #[test]
     fn columns_in_other_units_are_recognised() {
+        let [thermal, electrical, per_area] = [
+            Quantity::ThermalConductancePerArea,
+            Quantity::ElectricalConductance,
+            Quantity::ElectricalConductancePerArea,
+        ]
+        .map(Quantity::column);
         let known = ["load_N", "area_m2", "tangent_N_per_m", "separation_m"];
+        let known = [&known[..], &[&*thermal, &*electrical, &*per_area]].concat();
         for (name, wanted) in [
             ("load_kN", Some(("load_N", "kN", 1e3))),
             ("area_mm2", Some(("area_m2", "mm2", 1e-6))),
@@ -75,6 +104,10 @@ mod tests {
             ("load", None),
             ("load_lbf", Some(("load_N", "lbf", LBF))),
             ("load_stone", None),
+            ("tangent_MN_per_m", Some(("tangent_N_per_m", "MN/m", 1e6))),
+            ("thermal_conductance_per_area_kW_per_m2_per_K", Some((&*thermal, "kW/m2/K", 1e3))),
+            ("electrical_conductance_kS", Some((&*electrical, "kS", 1e3))),
+            ("electrical_conductance_per_area_S_per_mm2", Some((&*per_area, "S/mm2", 1e6))),
         ] {
             let found = in_other_unit(name, &known);
             let found = found.map(|other| (other.column, other.unit, other.factor));

@@ -44,7 +44,7 @@ pub(crate) fn fit<'py>(
     let data = file.data(&table).map_err(value_error)?;
     let free = free.into_iter().map(|free| match free {
         FreeBounds::Text(text) => text.parse().map_err(value_error),
-        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds }),
+        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds, has_unit: false }),
     });
     let free: Vec<Free> = free.collect::<PyResult<_>>()?;
     let (mut fitted, mut findings): (Vec<Fitted>, Vec<_>) = (vec![], vec![]);
@@ -56,7 +56,7 @@ pub(crate) fn fit<'py>(
         })?;
         match found {
             Ok(found) => {
-                if found.misfit.is_none() {
+                if found.describes_data() {
                     let unusual = file.findings_of_fit(&model, &found, &data);
                     findings.extend(unusual.map_err(value_error)?);
                 }
@@ -72,6 +72,14 @@ pub(crate) fn fit<'py>(
         }
     }
     let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
+    let ranking = rank(fitted);
+    for one in &ranking.models {
+        let warnings =
+            one.remarks().into_iter().filter(|(severity, _)| *severity != Severity::Note);
+        for (_, text) in warnings {
+            warn(py, format!("{}: {text}", one.model), 1)?;
+        }
+    }
     findings.iter().try_for_each(|found| warn(py, found, 1))?;
-    object(py, &rank(fitted))
+    object(py, &ranking)
 }

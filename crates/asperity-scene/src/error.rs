@@ -170,6 +170,18 @@ pub enum SceneError {
         /// The other.
         by: String,
     },
+    /// A number of the interface beside one of a body.
+    #[error(
+        "{name} is that of the interface, which follows from its bodies once {by} is given: use {instead}"
+    )]
+    OfBodies {
+        /// The number of the interface.
+        name: String,
+        /// The number of a body.
+        by: String,
+        /// The same number of the bodies.
+        instead: String,
+    },
     /// One Young's modulus for two bodies with different ones.
     #[error(
         "youngs_modulus is {:e} Pa of body 1 and {:e} Pa of body 2: give body1_youngs_modulus or body2_youngs_modulus",

@@ -85,7 +85,9 @@ impl SceneFile {
                 ),
             }));
         };
-        if let Some(reason) = start.and_then(|start| other_unit(&free.name, start, [low, high])) {
+        // What a rig adds has no value in the scene to compare with.
+        let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
+        if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
             return Err(SceneError::Fit(FitError::Parameter {
                 parameter: free.name.clone(),
                 reason,
@@ -132,6 +134,12 @@ impl SceneFile {
     ) -> Result<Fitted, SceneError> {
         if free.iter().all(|free| free.name != "nominal_area") {
             data.check_loads(self.scene.nominal_area)?;
+        } else if data.has_both_loads() {
+            return Err(FitError::Column {
+                column: "load_N and pressure_Pa".into(),
+                reason: "leave one of the two columns out, as nominal_area is free".into(),
+            }
+            .into());
         }
         let parameters = self.free_parameters(free, data)?;
         let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);
@@ -205,7 +213,7 @@ impl SceneFile {
             let gap = if unit.is_empty() { "" } else { " " };
             let how = match Role::of(name) {
                 Role::SeparationOffset => "30 asperity_height_std beyond the readings",
-                Role::Scene if name == "skewness" => "all skewed heights",
+                Role::Scene if name == "skewness" => "all skewnesses that the model of heights has",
                 _ => "a factor 30 either way",
             };
             Some(format!("{name} is varied from {low} to {high}{gap}{unit}, {how}"))

@@ -26,6 +26,8 @@ pub struct Free {
     pub name: String,
     /// The smallest and the largest value.
     pub bounds: Option<[f64; 2]>,
+    /// Whether the bounds were given with a unit, so that they are in no other.
+    pub has_unit: bool,
 }
 
 impl std::str::FromStr for Free {
@@ -48,13 +50,15 @@ impl std::str::FromStr for Free {
             value if value.is_finite() => Ok(value),
             _ => Err(format!("{text} is not finite")),
         };
+        let mut has_unit = false;
         let bounds = bounds.map(|bounds| match bounds.split_once(':') {
             Some((low, high)) => {
+                // 0 needs no unit.
                 let plain = |text: &str| text.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
                 let (bounds, plain) = ([number(low)?, number(high)?], [plain(low), plain(high)]);
-                // 0 needs no unit.
-                let has_unit = |text: &str| text.trim().parse::<f64>().is_err();
-                match (plain, [has_unit(low), has_unit(high)]) {
+                let unit = [low, high].map(|text| text.trim().parse::<f64>().is_err());
+                has_unit = unit.contains(&true);
+                match (plain, unit) {
                     ([true, _], [_, true]) => {
                         Err(format!("{low} has no unit; give both bounds a unit"))
                     }
@@ -69,7 +73,7 @@ impl std::str::FromStr for Free {
             }
         });
         let bounds = bounds.transpose().map_err(|error| format!("{name}: {error}"))?;
-        Ok(Self { name: name.into(), bounds })
+        Ok(Self { name: name.into(), bounds, has_unit })
     }
 }
 

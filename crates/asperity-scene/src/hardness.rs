@@ -11,6 +11,7 @@ pub(crate) enum Stress {
     Hardness,
     YieldStrength,
     Modulus,
+    TangentModulus,
     /// A pressure on the nominal area.
     Pressure,
 }
@@ -21,6 +22,7 @@ impl Stress {
         match key {
             _ if key.ends_with("hardness") => Self::Hardness,
             _ if key.ends_with("yield_strength") => Self::YieldStrength,
+            _ if key.ends_with("tangent_modulus") => Self::TangentModulus,
             _ => Self::Modulus,
         }
     }
@@ -55,6 +57,9 @@ pub(crate) fn hardness(text: &str, stress: Stress) -> Option<String> {
         }
         (Stress::Modulus, _) => {
             "is a hardness, not a modulus of elasticity: write 210GPa, for example".into()
+        }
+        (Stress::TangentModulus, _) => {
+            "is a hardness, not a tangent modulus: write 2GPa, for example".into()
         }
         (Stress::Pressure, _) => {
             "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
@@ -91,6 +96,8 @@ mod tests {
         assert!(
             vickers(Stress::of("body[1].youngs_modulus")).starts_with("is a hardness, not a mod")
         );
+        let tangent = vickers(Stress::of("tangent_modulus"));
+        assert_eq!(tangent, "is a hardness, not a tangent modulus: write 2GPa, for example");
         assert!(
             vickers(Stress::Pressure).starts_with("is a hardness, not a pressure on the nominal")
         );

@@ -83,6 +83,10 @@ fn plain_number(name: &str, found: &str) -> Option<String> {
         let given = with_decimal_point(text).unwrap_or(text.into());
         return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
     }
+    let is_angle = ["deg", "\u{b0}", "rad"].iter().any(|unit| text.trim().ends_with(unit));
+    if is_angle && ["sdq", "mean_slope"].contains(&name) {
+        return Some("a gradient, or an angle between 0 and 90 deg,".into());
+    }
     let number = with_decimal_point(text).unwrap_or(text.into());
     number
         .parse::<f64>()

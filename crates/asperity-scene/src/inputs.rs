@@ -127,8 +127,7 @@ impl SceneFile {
         for (name, follows) in &found {
             let cause = found.iter().find(|(_, cause)| cause.0.determines(name, &follows.0));
             if let Some((cause, _)) = cause {
-                let (name, by) = ((*name).into(), (*cause).into());
-                return Err(SceneError::Determined { name, by });
+                return Err(determined(name, cause, &known));
             }
         }
         Ok(found.into_iter().map(|(_, input)| input).collect())
@@ -252,6 +251,18 @@ impl SceneFile {
     }
 }
 
+/// The error about a number that another one replaces; a number of the interface that bodies have as
+/// well is given there.
+fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
+    let of_body = |known: &&str| known.starts_with("body") && known.ends_with(&format!("_{name}"));
+    let instead: Vec<&str> = known.iter().map(|(known, _)| &**known).filter(of_body).collect();
+    let (name, by, is_same) = (name.into(), by.into(), by.ends_with(name));
+    match instead[..] {
+        [_, ..] if !is_same => SceneError::OfBodies { name, by, instead: instead.join(" or ") },
+        _ => SceneError::Determined { name, by },
+    }
+}
+
 impl Input {
     /// Whether a number follows from this one, so that both together have no meaning.
     fn determines(&self, name: &str, other: &Self) -> bool {
@@ -318,6 +329,10 @@ mod tests {
         assert!(refused(&["m0"]).ends_with("; m0, m2 and m4 need a surface that is given by them"));
         let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
         assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);
-        assert!(refused(&["youngs_modulus", "hardness"]).starts_with("hardness is given beside"));
+        let wanted = "hardness is that of the interface, which follows from its bodies once body1_youngs_modulus is given: use body1_hardness or body2_hardness";
+        assert_eq!(refused(&["hardness", "body1_youngs_modulus"]), wanted);
+        let wanted =
+            "hardness is given beside body1_hardness, which determines it: leave hardness out";
+        assert_eq!(refused(&["body1_hardness", "hardness"]), wanted);
     }
 }

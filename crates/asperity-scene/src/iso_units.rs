@@ -1,5 +1,7 @@
 //! Likely units of parameters of ISO 25178 and of slopes that are given without one.
 
+use std::f64::consts::FRAC_PI_2;
+
 use asperity::{Diagnostic, Surface};
 
 use crate::document::Document;
@@ -95,15 +97,29 @@ pub(crate) fn likely_curvature(spc: f64) -> Option<Diagnostic> {
     })
 }
 
-/// The gradient that a text states in per cent or degrees, as a number.
+/// Units of a gradient that are ratios of lengths, with their size.
+const RATIOS: [(&str, f64); 5] = [
+    ("um/mm", 1e-3),
+    ("\u{b5}m/mm", 1e-3),
+    ("um/um", 1.0),
+    ("\u{b5}m/\u{b5}m", 1.0),
+    ("mm/m", 1e-3),
+];
+
+/// The gradient that a text states in per cent, degrees, radians or as a ratio of lengths, as a
+/// number; `None` for angles that are not between 0 and 90 degrees.
 #[must_use]
 pub fn gradient(text: &str) -> Option<f64> {
     let number = |end: &str| {
         let number = text.trim().strip_suffix(end)?.trim();
         with_decimal_point(number).unwrap_or(number.into()).parse::<f64>().ok()
     };
-    let angle = || number("deg").or_else(|| number("\u{b0}")).map(|deg| deg.to_radians().tan());
-    number("%").map(|percent| 0.01 * percent).or_else(angle).filter(|found| found.is_finite())
+    let degrees = || number("deg").or_else(|| number("\u{b0}")).map(f64::to_radians);
+    let angle =
+        || degrees().or_else(|| number("rad")).filter(|angle| (0.0..FRAC_PI_2).contains(angle));
+    let ratio = || RATIOS.into_iter().find_map(|(unit, size)| Some(size * number(unit)?));
+    let found = number("%").map(|percent| 0.01 * percent).or_else(ratio);
+    found.or_else(|| angle().map(f64::tan)).filter(|found| found.is_finite())
 }
 
 #[cfg(test)]
@@ -121,10 +137,19 @@ mod tests {
 
     #[test]
     fn texts_with_per_cent_or_degrees_are_gradients() {
-        for (text, wanted) in
-            [("6 %", 0.06), ("6,5 %", 0.065), ("12deg", 0.2126), ("45\u{b0}", 1.0)]
-        {
+        for (text, wanted) in [
+            ("6 %", 0.06),
+            ("6,5 %", 0.065),
+            ("12deg", 0.2126),
+            ("45\u{b0}", 1.0),
+            ("0.058 rad", 0.05807),
+            ("58 um/mm", 0.058),
+            ("0.058 \u{b5}m/\u{b5}m", 0.058),
+        ] {
             assert!((gradient(text).unwrap() - wanted).abs() < 5e-5, "{text}");
+        }
+        for text in ["90 deg", "100\u{b0}", "-3 deg", "2 rad"] {
+            assert_eq!(gradient(text), None, "{text}");
         }
         assert!(gradient("6").is_none() && gradient("6 um").is_none() && gradient("%").is_none());
     }

@@ -6,7 +6,7 @@ use asperity::fit::{DataColumn, MeasuredTable};
 
 use crate::document::{read_text, shorten};
 use crate::notation::{notation_hint, with_decimal_point};
-use crate::{Place, SceneError};
+use crate::{Place, SceneError, is_unit};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
 /// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
@@ -41,6 +41,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
         return Err(SceneError::value(place(Some(1), "the header"), shorten(&found), needed));
     }
+    refuse_preamble(text, &head).map_err(|(line, reason)| syntax(Some(line), reason))?;
     let mut columns: Vec<DataColumn> = head.iter().map(|name| (name.into(), vec![])).collect();
     let (mut models, mut lines): (Vec<String>, Vec<usize>) = (vec![], vec![]);
     // The reader's own positions are those of comments and empty lines before a record.
@@ -72,7 +73,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                     None
                 }
                 given if decimal_commas && given.contains('.') => {
-                    let (at, found) = (place(line, name), format!("{:?}", shorten(given)));
+                    let (at, found) = (place(line, name), quoted(given));
                     return Err(SceneError::Notation { at, found, hint: beside_commas(given) });
                 }
                 given => {
@@ -85,9 +86,9 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                                 "a finite number, or nothing",
                             );
                         }
-                        match notation_hint(given).or_else(|| share_hint(name, given)) {
+                        match share_hint(name, given, delimiter).or_else(|| notation_hint(given)) {
                             Some(hint) => {
-                                let found = format!("{:?}", shorten(given));
+                                let found = quoted(given);
                                 SceneError::Notation { at, found, hint }
                             }
                             None => SceneError::value(at, shorten(given), "a number, or nothing"),
@@ -102,8 +103,39 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         let needed = "the rows of one model, or data without this column";
         return Err(SceneError::value(place(None, "model"), found, needed));
     }
+    if lines.is_empty() {
+        return Err(syntax(None, "no row of values under the header".into()));
+    }
     columns.retain(|(name, _)| name != "model" && name != "separation_over_sigma");
     Ok(MeasuredTable { columns, lines })
+}
+
+/// The line and the reason where the lines at the top are no header and rows of numbers.
+fn refuse_preamble(text: &str, head: &csv::StringRecord) -> Result<(), (usize, String)> {
+    let mut lines =
+        (1..).zip(text.lines()).filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
+    let (Some((line, top)), second) = (lines.next(), lines.next()) else { return Ok(()) };
+    if top.to_lowercase().starts_with("sep=") {
+        return Err((line, format!("{top:?} is no header; remove this line")));
+    }
+    let Some((line, row)) = second else { return Ok(()) };
+    let count = |line: &str| line.split_whitespace().count();
+    if head.len() == 1 && count(top) > 1 && count(top) == count(row) {
+        let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
+        return Err((line, reason.into()));
+    }
+    let cells =
+        row.split([',', ';', '\t']).map(|cell| cell.trim().trim_matches(['[', ']', '(', ')']));
+    let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty() && *cell != "-").collect();
+    match !cells.is_empty() && cells.iter().all(|cell| is_unit(cell)) {
+        true => Err((line, "the row has units; remove it, and give the values in SI units".into())),
+        false => Ok(()),
+    }
+}
+
+/// The beginning of a text in quotes, with its narrow blanks as they are.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", shorten(text).replace(char::is_control, " "))
 }
 
 /// How to write a number with a point where other cells have decimal commas.
@@ -115,12 +147,17 @@ fn beside_commas(given: &str) -> String {
 }
 
 /// How to write a number in per cent.
-fn share_hint(name: &str, given: &str) -> Option<String> {
+fn share_hint(name: &str, given: &str, delimiter: u8) -> Option<String> {
     let number = given.strip_suffix('%')?.trim();
     let number: f64 = with_decimal_point(number).unwrap_or(number.into()).parse().ok()?;
     Some(match name.strip_suffix("_std") {
         Some(of) => format!("is a share of {of}; write the standard deviation in the unit of {of}"),
-        None => format!("has a per cent sign; write {}", asperity::short(0.01 * number)),
+        None => {
+            let plain = asperity::short(0.01 * number);
+            let has_comma = delimiter != b',' && given.contains(',');
+            let plain = if has_comma { plain.replace('.', ",") } else { plain };
+            format!("has a per cent sign; write {plain}")
+        }
     })
 }
 
@@ -218,6 +255,10 @@ mod tests {
                 "area_fraction\n0.4 %\n",
                 "area_fraction = \"0.4 %\" has a per cent sign; write 0.004",
             ),
+            (
+                "load_N;area_fraction\n1200;0,26 %\n",
+                "area_fraction = \"0,26 %\" has a per cent sign; write 0,0026",
+            ),
         ] {
             let refused = read(text).unwrap_err();
             assert!(refused.contains(wanted), "{refused}");
@@ -242,6 +283,18 @@ mod tests {
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
             ("load_N,area_m2\n1,2,\n", ":2: CSV: the row ends in a separator; remove it"),
             ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number, or nothing"),
+            ("load_N area_m2\n1 2\n", ":2: CSV: blanks separate the columns; separate them by"),
+            ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: CSV: the row has units; remove it"),
+            ("sep=;\nload_N;area_m2\n1;2\n", ":1: CSV: \"sep=;\" is no header; remove this"),
+            ("load_N,area_m2\n", ": CSV: no row of values under the header"),
+            (
+                "load_N,area_m2\n1,500'000.0\n",
+                ":2: area_m2 = \"500'000.0\" has thousands separators; write 500000.0",
+            ),
+            (
+                "load_N,area_m2\n1,12\u{202f}500\n",
+                ":2: area_m2 = \"12\u{202f}500\" has thousands separators; write 12500",
+            ),
             ("load_N\n1,5\n", ":2: CSV: 2 cells under a header of 1 columns"),
         ] {
             let refused = read(text).unwrap_err();

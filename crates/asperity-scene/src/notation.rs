@@ -41,7 +41,9 @@ pub fn without_thousands(text: &str) -> Option<String> {
         return None;
     }
     let mut groups = body.split(separator);
-    let mut digits = groups.next().filter(|first| (1..=3).contains(&first.len()))?.to_string();
+    // 0,125 and 0.125,0.5 have no thousands.
+    let first = |first: &&str| (1..=3).contains(&first.len()) && !first.starts_with('0');
+    let mut digits = groups.next().filter(first)?.to_string();
     let (mut count, mut rest) = (0, String::new());
     for group in groups {
         if !rest.is_empty() {
@@ -62,9 +64,12 @@ pub fn without_thousands(text: &str) -> Option<String> {
         }
         rest.push_str(after);
     }
-    // 1.500,5 has one decimal sign, which is not the separator.
-    let decimal = rest.strip_prefix([',', '.']).filter(|_| ",.".contains(separator));
+    // 1.500,5 has one decimal sign, which is not the separator; 1'500,5 may be a list.
+    let signs = if ",.".contains(separator) { &[',', '.'][..] } else { &['.'] };
+    let decimal = rest.strip_prefix(signs);
     match decimal {
+        // 1.000,2.000 is a list of two.
+        Some(fraction) if fraction.contains([',', '.']) => None,
         Some(fraction) if fraction.starts_with(|c: char| c.is_ascii_digit()) => {
             Some(format!("{sign}{digits}.{fraction}"))
         }
@@ -158,6 +163,8 @@ mod tests {
             ("1.500,25 N", Some("1500.25 N")),
             ("12 500 N", Some("12500 N")),
             ("1'500", Some("1500")),
+            ("500'000.0", Some("500000.0")),
+            ("12\u{202f}500.5 N", Some("12500.5 N")),
             ("1_000 N/m", Some("1000 N/m")),
             ("1\u{202f}500,5", None),
             ("1,500", Some("1500")),
@@ -176,6 +183,12 @@ mod tests {
             ("1500", None),
             ("", None),
             ("\u{b5},000", None),
+            // No thousands begin with 0, and a number has one decimal sign.
+            ("0,125", None),
+            ("0.125,0.5,1", None),
+            ("0.250,0.500", None),
+            ("1.000,2.000", None),
+            ("10.125,20.5", None),
         ] {
             assert_eq!(without_thousands(text).as_deref(), plain, "{text}");
         }
@@ -185,6 +198,7 @@ mod tests {
     fn hints_give_every_reading() {
         for (text, hint) in [
             ("1,5 N", Some("has a decimal comma; write 1.5 N")),
+            ("0,125 um", Some("has a decimal comma; write 0.125 um")),
             ("1,500 N", Some("is ambiguous; write 1.500 N or 1500 N")),
             ("1,000,000", Some("has thousands separators; write 1000000 or 1e6")),
             ("1.234.567 N", Some("has thousands separators; write 1234567 N")),

@@ -8,7 +8,7 @@ pub(crate) type Units = (&'static str, &'static str, &'static [(&'static str, i3
 
 /// The SI unit as in the template, an example, and the units with their powers of ten. In units,
 /// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-pub(crate) const UNITS: [Units; 11] = [
+pub(crate) const UNITS: [Units; 15] = [
     (
         "Pa",
         "210 GPa",
@@ -58,6 +58,24 @@ pub(crate) const UNITS: [Units; 11] = [
             ("W/(mmK)", 3),
         ],
     ),
+    ("W/K", "2 kW/K", &[("W/K", 0), ("mW/K", -3), ("kW/K", 3)]),
+    (
+        "W/m2/K",
+        "5 kW/m2/K",
+        &[
+            ("W/m2/K", 0),
+            ("W/(m2K)", 0),
+            ("W/m2K", 0),
+            ("kW/m2/K", 3),
+            ("kW/(m2K)", 3),
+            ("kW/m2K", 3),
+            ("W/cm2/K", 4),
+            ("W/(cm2K)", 4),
+            ("W/cm2K", 4),
+        ],
+    ),
+    ("S", "2 kS", &[("S", 0), ("uS", -6), ("mS", -3), ("kS", 3), ("1/ohm", 0)]),
+    ("S/m2", "2 S/mm2", &[("S/m2", 0), ("S/cm2", 4), ("S/mm2", 6), ("kS/m2", 3)]),
     (
         "ohm m",
         "17 uohm cm",

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, ContactModel, Datum, Request, SeparationUnit, shortest_digits};
+use asperity::joints::conductance::{Correlation, GapRoughness};
+use asperity::{At, nearest_hint, nearest_name, shortest_digits};
 use asperity_scene::likely_angle;
 use clap::{ArgGroup, Args};
 
-use super::conductance_picture::{CONDUCTANCE, column, picture};
+use super::conductance_picture::picture;
+use super::conductance_rows::{Case, Gas};
 use super::conductivity::{
     Conductivity, conductivity, interface_conductivity, missing_conductivity,
 };
@@ -16,9 +17,8 @@ use crate::input::args::{DrawnArgs, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, slope};
 use crate::output::number::rounded;
-use crate::output::table::{Cell, Table};
-use crate::output::{once, print_message, summary};
-use crate::scene::LoadedScene;
+use crate::output::{once, print_message};
+use crate::scene::{LoadedScene, NamedModel};
 
 /// Thermal contact conductance per area, from models and from published correlations
 #[derive(Debug, Args)]
@@ -84,162 +84,104 @@ pub struct Conductance {
 impl Conductance {
     pub fn run(self) -> Result<()> {
         self.output.check("conductance");
-        let asked = |formula: &Formula| match formula {
+        self.check_gas();
+        self.check_roughness()?;
+        let scene = self.open()?;
+        let places = self.places();
+        let roughness = self.roughness().unwrap_or_else(|| scene.file.gap_roughness());
+        let mut case = Case::new(&scene, &places, self.gas(), self.models.len() == 1);
+        let models = self.named_models(&scene, &case)?;
+        scene.report_answers(&case.add_models(&models)?, &places);
+        let used = case.add_correlations(&self.correlations(), &roughness)?;
+        if case.table.rows.is_empty() {
+            bail!("{}: no model or correlation of the list has a conductance", scene.name);
+        }
+        if !used.is_empty() {
+            self.note_roughness(&scene, &used.join(", "), &roughness);
+        }
+        self.output.write(&case.table, || picture(&case.table, &scene.file.scene))
+    }
+
+    /// The scene, with the conductivity given.
+    fn open(&self) -> Result<LoadedScene> {
+        let mut scene = LoadedScene::load_for(&self.scene, &self.ids())?;
+        let interface = &mut scene.file.scene.interface;
+        if let Some(given) = self.conductivity {
+            given.note();
+            interface.thermal_conductivity = Some(given.value());
+            let found = interface.findings().into_iter();
+            scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
+        } else if interface.thermal_conductivity.is_none() {
+            bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
+        }
+        Ok(scene)
+    }
+
+    fn places(&self) -> Vec<At> {
+        let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
+        let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));
+        loads.into_iter().map(At::Load).chain(pressures.into_iter().map(At::Pressure)).collect()
+    }
+
+    fn gas(&self) -> Option<Gas> {
+        let jump = self.gas_parameter.unwrap_or(0.0);
+        self.gas.map(|conductivity| Gas { conductivity, jump })
+    }
+
+    /// The roughness given for the correlations.
+    fn roughness(&self) -> Option<GapRoughness> {
+        let given = self.sigma.zip(self.mean_slope);
+        given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope })
+    }
+
+    /// The ids of the models of the list.
+    fn ids(&self) -> Vec<String> {
+        let id = |formula: &Formula| match formula {
             Formula::Model(id) => Some(id.clone()),
             Formula::Correlation(_) => None,
         };
-        let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
-        let mut scene = LoadedScene::load_for(&self.scene, &ids)?;
-        match self.conductivity {
-            Some(given) => {
-                given.note();
-                scene.file.scene.interface.thermal_conductivity = Some(given.value());
-            }
-            None if scene.file.scene.interface.thermal_conductivity.is_none() => {
-                bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
-            }
-            None => {}
-        }
-        let contact = &scene.file.scene;
-        let given = self.sigma.zip(self.mean_slope);
-        let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
-        let roughness = given.unwrap_or_else(|| scene.file.gap_roughness());
-        let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
-        let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));
-        let places = loads.into_iter().map(At::Load).chain(pressures.into_iter().map(At::Pressure));
-        let places: Vec<At> = places.collect();
-        let head = ["model", "load_N", "pressure_Pa", "relative_pressure"];
-        let mut table = Table::new(&head);
-        table.head.extend([CONDUCTANCE.column(), "holds".into()]);
-        if self.gas.is_some() {
-            table.head.extend([column("gas"), column("total")]);
-        }
-        let row = |id: &str, at: &At, relative: Option<f64>, found: Option<f64>, holds: &str| {
-            let numbers = [at.load(contact), at.pressure(contact), relative, found];
-            let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(Cell::Number));
-            row.push(holds.into());
-            row
-        };
+        once(&self.models.iter().filter_map(id).collect::<Vec<_>>())
+    }
 
-        self.check_gas();
-        self.check_roughness();
+    /// The models of the list, or the reference; one that lacks a property is left out.
+    fn named_models(&self, scene: &LoadedScene, case: &Case<'_>) -> Result<Vec<NamedModel>> {
+        if self.models.is_empty() {
+            return Ok(vec![scene.default_model()?]);
+        }
+        let mut models = vec![];
+        for id in self.ids() {
+            match scene.model(&id) {
+                Ok(model) => models.push(model),
+                Err(reason) => case.leave_out(&id, reason)?,
+            }
+        }
+        Ok(models)
+    }
 
-        let wanted = |correlation: &Correlation| {
-            ids.is_empty() && self.models.is_empty()
-                || self.models.contains(&Formula::Correlation(correlation.id()))
+    /// The correlations of the list, or all.
+    fn correlations(&self) -> Vec<Correlation> {
+        let is_wanted = |correlation: &Correlation| {
+            self.models.is_empty() || self.models.contains(&Formula::Correlation(correlation.id()))
         };
-        let alone = self.models.len() == 1;
-        let models = match (&ids[..], &self.models[..]) {
-            ([], []) => vec![scene.reference(None)?],
-            ([], _) => vec![],
-            (asked, _) => {
-                let mut models = vec![];
-                for id in &once(asked) {
-                    match scene.model(id) {
-                        Err(reason) if !alone => left_out(id, &scene, &reason),
-                        model => models.push(model?),
-                    }
-                }
-                models
-            }
-        };
-        let mut answered = vec![];
-        for named @ (id, model) in &models {
-            let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
-            let rows = || -> Result<Vec<Vec<Cell>>> {
-                let compiled = model.compile(contact, &request)?;
-                let row = |at: &At| {
-                    let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
-                    let mut row = row(id, at, None, Some(contacts), "");
-                    if let Some(gas) = self.gas {
-                        let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                        let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
-                        let jump = self.gas_parameter.unwrap_or(0.0);
-                        let found = gap_conductance(gas, gap.value.max(0.0), jump)?;
-                        row.extend([found, contacts + found].map(|h| Cell::Number(Some(h))));
-                    }
-                    Ok(row)
-                };
-                places.iter().map(row).collect()
-            };
-            match rows() {
-                Ok(rows) => {
-                    table.rows.extend(rows);
-                    answered.push(named);
-                }
-                Err(reason) if !alone => left_out(id, &scene, &reason),
-                Err(reason) => return Err(reason.context(format!("{}: {id}", scene.name))),
-            }
-        }
-        scene.report_answers(&answered, &places);
+        Correlation::ALL.into_iter().filter(is_wanted).collect()
+    }
 
-        'each: for correlation in Correlation::ALL.into_iter().filter(wanted) {
-            let (id, range, mut outside) = (correlation.id(), correlation.range(), None);
-            for at in &places {
-                let pressure = at.pressure(contact).unwrap_or(f64::NAN);
-                let found = match correlation.at(contact, &roughness, pressure) {
-                    Ok(found) => found,
-                    Err(reason) => {
-                        print_message("note", &format!("left out: {id}: {reason}"));
-                        continue 'each;
-                    }
-                };
-                if !(range[0]..=range[1]).contains(&found.relative_pressure) {
-                    outside = outside.or(Some((found.relative_pressure, *at)));
-                }
-                let (relative, holds) = (found.relative_pressure, found.holds);
-                let holds = if holds { "yes" } else { "no" };
-                let mut row = row(id, at, Some(relative), Some(found.conductance), holds);
-                row.extend(self.gas.iter().flat_map(|_| [None, None].map(Cell::Number)));
-                table.rows.push(row);
-            }
-            if let Some((relative, at)) = outside {
-                let ([from, to], relative) = (range, rounded(relative));
-                let what = correlation.relative_pressure();
-                let text = format!(
-                    "{id}: {what} is {relative} at {at}, outside the range of the correlation, {from:e} to {to}"
-                );
-                print_message("warning", &text);
-            }
-            if let Some(reason) = correlation.reason_against(contact) {
-                print_message("warning", &format!("{id}: {reason}"));
-            }
-        }
-        if table.rows.is_empty() {
-            bail!("{}: no model of the list has a conductance", scene.name);
-        }
-        let used = Correlation::ALL.into_iter().filter(wanted).map(Correlation::id);
-        let used: Vec<&str> =
-            used.filter(|id| table.rows.iter().any(|r| r[0] == (*id).into())).collect();
-        if used.is_empty() {
-            return self.output.write(&table, || picture(&table, contact));
-        }
-        let used = used.join(", ");
+    /// Notes the roughness of the correlations used, and what they lack.
+    fn note_roughness(&self, scene: &LoadedScene, used: &str, roughness: &GapRoughness) {
         if self.gas.is_some() {
             let text =
                 format!("{used}: correlations have no separation, so that gas and total are blank");
             print_message("note", &text);
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
-        let of = match (given, &scene.file.measured) {
+        let of = match (self.sigma, &scene.file.measured) {
             (Some(_), _) => "as given",
             (_, Some(_)) => "of the scan",
             _ => "of a Gaussian surface with these asperities; a measured surface may differ",
         };
-        print_message(
-            "note",
-            &format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}"),
-        );
-        self.output.write(&table, || picture(&table, contact))
+        let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
+        print_message("note", &text);
     }
-}
-
-/// Names a model without a conductance in this scene, and the reason.
-fn left_out(id: &str, scene: &LoadedScene, reason: &anyhow::Error) {
-    let reason = summary(reason);
-    let reason = reason.strip_prefix(&format!("{}: ", scene.name)).unwrap_or(&reason);
-    print_message("warning", &format!("left out: {id}: {reason}"));
 }
 
 /// A larger conductivity \[W/(m K)\] of a gas or a paste in the gap is unlikely.
@@ -251,16 +193,16 @@ const ROUGHEST: f64 = 1e-3;
 const LONGEST_JUMP: f64 = 1e-2;
 
 impl Conductance {
-    /// Warns of unlikely numbers of the correlations.
-    fn check_roughness(&self) {
+    /// Refuses numbers of the correlations that are in another unit.
+    fn check_roughness(&self) -> Result<()> {
         if let Some(sigma) = self.sigma.filter(|sigma| *sigma > ROUGHEST) {
             let given = shortest_digits(sigma);
-            let text = format!("--sigma is {given} m; {given} looks like um, written {given}um");
-            print_message("warning", &text);
+            bail!("--sigma is {given} m; {given} looks like um, written {given}um")
         }
         if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
-            print_message("warning", &found.to_string());
+            bail!("{found}")
         }
+        Ok(())
     }
 
     /// Warns of an unlikely conductivity, and of a missing or unlikely temperature-jump distance.
@@ -299,6 +241,9 @@ fn formula(name: &str) -> Result<Formula, String> {
     let known = Correlation::ALL.map(|correlation| correlation.id());
     match known.into_iter().find(|id| name.trim().eq_ignore_ascii_case(id)) {
         Some(id) => Ok(Formula::Correlation(id)),
-        None => model_id(name).map(Formula::Model),
+        None => model_id(name).map(Formula::Model).map_err(|error| {
+            let near = nearest_hint(nearest_name(name, known).map(String::from));
+            format!("{error}; the correlations are {}{near}", known.join(", "))
+        }),
     }
 }

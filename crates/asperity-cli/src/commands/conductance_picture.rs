@@ -1,5 +1,7 @@
 //! The plot of `asperity conductance`.
 
+use std::cmp::Ordering;
+
 use anyhow::Result;
 use asperity::joints::conductance::Correlation;
 use asperity::{Quantity, Scene};
@@ -18,19 +20,20 @@ pub fn column(part: &str) -> String {
 /// The conductance of the contacts and, with a gas, in total against the pressure, one curve for
 /// each model and correlation; correlations are grey where they do not hold.
 pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
-    let pressures: Vec<f64> = table.rows.iter().filter_map(|row| row[2].number()).collect();
+    let [model, pressure, holds] = places(table)?;
+    let pressure = |row: &[Cell]| row[pressure].number();
     let mut x = Axis::new("pressure_Pa", "pressure (Pa)");
-    x.scale = Scale::fitting(&pressures);
+    x.scale = Scale::fitting(&table.rows.iter().filter_map(|r| pressure(r)).collect::<Vec<_>>());
     let mut long = table.clone();
-    let ids: Vec<Cell> = long.rows.iter().map(|row| row[0].clone()).collect();
+    let ids: Vec<Cell> = long.rows.iter().map(|row| row[model].clone()).collect();
     let ids = once(&ids);
     for row in &mut long.rows {
-        let invalid = Correlation::ALL.into_iter().find(|known| row[0] == known.id().into());
-        if let Some(correlation) = invalid.filter(|_| row[5] == "no".into()) {
-            row[0] = invalid_name(correlation, scene).as_str().into();
+        let invalid = Correlation::ALL.into_iter().find(|known| row[model] == known.id().into());
+        if let Some(correlation) = invalid.filter(|_| row[holds] == "no".into()) {
+            row[model] = invalid_name(correlation, scene).as_str().into();
         }
     }
-    let names: Vec<Cell> = long.rows.iter().map(|row| row[0].clone()).collect();
+    let names: Vec<Cell> = long.rows.iter().map(|row| row[model].clone()).collect();
     let (few, mut invalid) = (long.rows.len() <= plot::MARKED * ids.len(), 0..);
     let curve = |name: &Cell| {
         let Cell::Text(text) = name else { return None };
@@ -50,9 +53,17 @@ pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
         (&*total, "conductance of contacts and gas (W/(m² K))"),
     ];
     // Lines run from left to right for any order of the rows.
-    let pressure = |row: &Vec<Cell>| row[2].number().unwrap_or(f64::NAN);
-    long.rows.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+    long.rows.sort_by(|a, b| pressure(a).partial_cmp(&pressure(b)).unwrap_or(Ordering::Equal));
     plot::against_alike(&long, &x, &columns, &curves)
+}
+
+/// The places of the columns of the model, the pressure, and whether a correlation holds.
+fn places(table: &Table) -> Result<[usize; 3]> {
+    Ok([
+        plot::place(table, "model")?,
+        plot::place(table, "pressure_Pa")?,
+        plot::place(table, "holds")?,
+    ])
 }
 
 /// The name of a correlation where it does not hold, with the reason.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Ranking, Role, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Role, rank};
 use asperity_scene::{Free, SceneError, read_measurements};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -16,8 +16,9 @@ use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::input::usage_error;
 use crate::interrupt;
-use crate::output::table::{Cell, Format, Table};
-use crate::output::{self, fit_plot, print_message, progress};
+use crate::output::fit_report::Report;
+use crate::output::table::Format;
+use crate::output::{self, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -111,7 +112,7 @@ impl FitCommand {
             bail!("bem: boundary elements are not fitted; `asperity models` lists other models");
         }
         let models: Vec<NamedModel> = match &self.models[..] {
-            [] => vec![scene.reference(None)?],
+            [] => vec![scene.default_model()?],
             ids => {
                 output::once(ids).iter().map(|id| scene.model(id)).collect::<Result<Vec<_>>>()?
             }
@@ -120,7 +121,7 @@ impl FitCommand {
         let done = fitted.len();
         let ranking = rank(fitted);
         if done > 0 {
-            self.write(&scene, &data, &models, &ranking)?;
+            self.write(&Report { scene: &scene, data: &data, models: &models, ranking: &ranking })?;
         }
         if interrupted {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
@@ -170,9 +171,13 @@ impl FitCommand {
                 Err(error) => {
                     // Errors of columns and lines are those of the data.
                     let place = match &error {
-                        SceneError::Fit(FitError::Loads { .. } | FitError::Unit { .. }) => {
-                            self.data_name()
-                        }
+                        SceneError::Fit(
+                            FitError::Loads { .. }
+                            | FitError::Unit { .. }
+                            | FitError::Column { .. }
+                            | FitError::TooFew { .. }
+                            | FitError::NoStart { .. },
+                        ) => self.data_name(),
                         SceneError::Fit(FitError::Parameter { .. }) => Some("--free".into()),
                         _ => None,
                     };
@@ -181,81 +186,24 @@ impl FitCommand {
             }
         }
         if fitted.is_empty() {
-            bail!("{}: no model has values for the data", scene.name);
+            let place = self.data_name().unwrap_or_else(|| scene.name.clone());
+            bail!("{place}: no model has values for the data");
         }
         Ok((fitted, false))
     }
 
-    fn write(
-        &self,
-        scene: &LoadedScene,
-        data: &Data,
-        models: &[NamedModel],
-        ranking: &Ranking,
-    ) -> Result<()> {
-        self.print_notes(scene, ranking);
-        self.report_answers(scene, data, models, ranking)?;
+    fn write(&self, report: &Report<'_>) -> Result<()> {
+        report.print_notes(&self.free);
+        report.print_findings()?;
         if let Some(file) = &self.plot {
-            let svg = fit_plot::svg(&scene.file, data, models, ranking)?;
-            output::write_text(Some(file), &svg)?;
+            output::write_text(Some(file), &report.svg()?)?;
         }
         match self.output.format {
             Format::Json => {
-                self.output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n"))
+                self.output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
             }
-            _ => self.output.write(&table(ranking)),
+            _ => self.output.write(&report.table()),
         }
-    }
-
-    fn print_notes(&self, scene: &LoadedScene, ranking: &Ranking) {
-        let usual = ranking.models.first().map(|one| scene.file.notes_on_bounds(&self.free, one));
-        usual.iter().flatten().for_each(|note| print_message("note", note));
-        let hopeless = ranking.models.iter().all(|one| one.misfit.is_some());
-        for one in &ranking.models {
-            let say = |kind: &str, texts: &[String]| {
-                texts
-                    .iter()
-                    .for_each(|text| print_message(kind, &format!("{}: {text}", one.model)));
-            };
-            if !one.converged {
-                let text = "the search did not converge: the values are the best that it found";
-                say("warning", &[text.into()]);
-            }
-            say("warning", &one.unreachable);
-            // Parameters of a fit without meaning have neither intervals nor limits.
-            if let Some(misfit) = &one.misfit {
-                say("warning", if hopeless { &[] } else { std::slice::from_ref(misfit) });
-                continue;
-            }
-            say("warning", one.outlier.as_slice());
-            say("warning", &one.undetermined);
-            // The nearest value to an unreachable one is given with its place.
-            say("warning", if one.unreachable.is_empty() { &one.limits } else { &[] });
-            say("note", &one.notes);
-        }
-        let is_ranked = ranking.models.iter().any(|one| one.bic.is_some());
-        if !hopeless && (is_ranked || ranking.models.len() > 1) {
-            print_message("note", &ranking.summary);
-        }
-    }
-
-    /// Reports what is unusual about the answers of models that describe the data.
-    fn report_answers(
-        &self,
-        scene: &LoadedScene,
-        data: &Data,
-        models: &[NamedModel],
-        ranking: &Ranking,
-    ) -> Result<()> {
-        let mut found = vec![];
-        for fitted in ranking.models.iter().filter(|one| one.misfit.is_none()) {
-            let model = models.iter().find(|(id, _)| *id == fitted.model);
-            if let Some((_, model)) = model {
-                found.extend(scene.file.findings_of_fit(model, fitted, data)?);
-            }
-        }
-        scene.report(found.into_iter().collect());
-        Ok(())
     }
 
     fn data_name(&self) -> Option<String> {
@@ -289,26 +237,4 @@ impl FitCommand {
             usage_error("fit", ErrorKind::ArgumentConflict, text);
         }
     }
-}
-
-/// One row for each model and parameter.
-fn table(ranking: &Ranking) -> Table {
-    let head = ["model", "parameter", "value", "lower", "upper", "unit", "rms", "bic"];
-    let mut table = Table::new(&head);
-    for one in &ranking.models {
-        for found in &one.parameters {
-            let number = Cell::Number;
-            table.rows.push(vec![
-                one.model.as_str().into(),
-                found.name.as_str().into(),
-                number(Some(found.value)),
-                number(found.lower),
-                number(found.upper),
-                found.unit.as_str().into(),
-                number(one.rms),
-                number(one.bic),
-            ]);
-        }
-    }
-    table
 }

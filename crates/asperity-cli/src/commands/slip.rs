@@ -3,21 +3,23 @@
 use anyhow::{Context, Result, bail};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Model, Tolerance, linspace, shortest_digits};
-use asperity_plot::{Axis, Curve, Scale};
+use asperity_plot::{Axis, Curve};
 use clap::Args;
 
 use crate::input::args::{Closed, DrawnArgs, tolerance};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load};
-use crate::joints::{amplitude_at, given_preload, preload};
+use crate::joints::amplitude_at;
 use crate::output::number::{rounded, within};
 use crate::output::plot;
 use crate::output::print_message;
 use crate::output::table::{Cell, Table};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::scene::LoadedScene;
 
 /// Share of μ F that defines the start of gross slip.
-const SLIDING: f64 = 0.99;
+pub(super) const SLIDING: f64 = 0.99;
+/// Shifts of a loop by default.
+const POINTS: usize = 101;
 
 /// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
 const FAR: f64 = 1000.0;
@@ -64,10 +66,9 @@ pub struct Slip {
     friction: f64,
     #[command(flatten)]
     cycle: Cycle,
-    /// Number of shifts from -amplitude to +amplitude
-    #[arg(long, value_name = "N", default_value = "101")]
-    #[arg(value_parser = count_up_to(100_000))]
-    points: usize,
+    /// Number of shifts from -amplitude to +amplitude of one cycle [default: 101]
+    #[arg(long, value_name = "N", value_parser = count_up_to(100_000))]
+    points: Option<usize>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
@@ -88,6 +89,23 @@ struct Cycle {
     tangential_force: Option<Numbers>,
 }
 
+impl Cycle {
+    fn amplitude(&self) -> Amplitude<'_> {
+        match (self.amplitude, &self.tangential_force) {
+            (Some(shift), _) => Amplitude::Shift(shift),
+            (None, forces) => Amplitude::Forces(forces.as_ref().map_or(&[], |list| &list.0)),
+        }
+    }
+}
+
+/// What a cycle is given by.
+enum Amplitude<'c> {
+    /// A shift \[m\].
+    Shift(f64),
+    /// Tangential forces \[N\].
+    Forces(&'c [f64]),
+}
+
 impl Slip {
     pub fn run(self) -> Result<()> {
         self.output.check("slip");
@@ -95,26 +113,33 @@ impl Slip {
         self.check_limit(&scene)?;
         let context = || format!("{}: {}", scene.name, named.0);
         let places = self.closed.places(&scene, &named);
-        let forces = self.cycle.tangential_force.as_ref().map_or(&[][..], |list| &list.0);
-        match (&places[..], forces, self.cycle.amplitude) {
-            ([one], [] | [_], amplitude) => {
-                let joint = self.joint(&scene, &named.1, *one).with_context(context)?;
-                let amplitude = match (amplitude, forces.first()) {
-                    (Some(amplitude), _) => amplitude,
-                    (None, force) => {
-                        let force = force.copied().unwrap_or_default();
-                        amplitude_at(&joint.1, force).with_context(context)?
-                    }
-                };
-                self.loops(&scene, &named.0, &joint, amplitude).with_context(context)
+        match (&places[..], self.cycle.amplitude()) {
+            ([place], Amplitude::Shift(shift)) => {
+                let joint = self.joint(&scene, &named.1, *place).with_context(context)?;
+                self.loops(&scene, &named.0, &joint, shift)
             }
-            (several, [], amplitude) => {
-                let amplitude = amplitude.unwrap_or_default();
-                self.preloads(&scene, &named, several, amplitude).with_context(context)
+            ([place], Amplitude::Forces([force])) => {
+                let joint = self.joint(&scene, &named.1, *place).with_context(context)?;
+                let shift = amplitude_at(&joint.1, *force).with_context(context)?;
+                self.loops(&scene, &named.0, &joint, shift)
             }
-            (places, forces, _) => {
-                self.forces(&scene, &named, places, forces).with_context(context)
+            (places, Amplitude::Shift(shift)) => {
+                self.note_points();
+                self.preloads(&scene, &named, places, shift)
             }
+            (places, Amplitude::Forces(forces)) => {
+                self.note_points();
+                self.forces(&scene, &named, places, forces)
+            }
+        }
+        .with_context(context)
+    }
+
+    /// Notes that several cycles have one row each.
+    fn note_points(&self) {
+        if let Some(points) = self.points {
+            let text = format!("--points {points} is not used: several cycles have one row each");
+            print_message("note", &text);
         }
     }
 
@@ -167,7 +192,7 @@ impl Slip {
             "loss_J",
             "loss_factor",
         ]);
-        for shift in linspace(-amplitude, amplitude, self.points) {
+        for shift in linspace(-amplitude, amplitude, self.points.unwrap_or(POINTS)) {
             let first = |of: &dyn Fn() -> Result<f64, ContactError>| -> Result<_, ContactError> {
                 if shift < 0.0 { Ok(None) } else { of().map(Some) }
             };
@@ -199,91 +224,10 @@ impl Slip {
         print_message("note", &text);
         self.output.write(&table, || picture(&table))
     }
-
-    /// A cycle of the amplitude at each of several preloads; the row of one that fails is blank.
-    fn preloads(
-        &self,
-        scene: &LoadedScene,
-        named: &NamedModel,
-        places: &[At],
-        amplitude: f64,
-    ) -> Result<()> {
-        let (id, model) = (&*named.0, &named.1);
-        let head = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
-        let cycle = ["force_N", "secant_stiffness_N_per_m", "loss_J", "loss_factor", "sliding_m"];
-        let mut table = Table::new(&[&head[..], &cycle[..]].concat());
-        let (mut farthest, mut left_out) = (0.0_f64, vec![]);
-        for place in places {
-            let numbers = match self.cycle(scene, model, *place, amplitude) {
-                Ok(numbers) => {
-                    farthest = farthest.max(numbers[7]);
-                    numbers.map(Some)
-                }
-                Err(error) => {
-                    left_out.push(error);
-                    let [load, pressure, separation] = given_preload(scene, *place);
-                    [load, pressure, separation, None, None, None, None, None]
-                }
-            };
-            let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(Cell::Number));
-            table.rows.push(row);
-        }
-        if let (true, Some(error)) = (left_out.len() == places.len(), left_out.first()) {
-            return Err(error.clone().into());
-        }
-        for error in left_out {
-            print_message(
-                "warning",
-                &format!("{}: {id}: the row of a preload is blank: {error}", scene.name),
-            );
-        }
-        check_amplitude(scene, amplitude, farthest);
-        self.output.write(&table, || {
-            let loads: Vec<f64> = table.rows.iter().filter_map(|row| row[1].number()).collect();
-            let mut x = Axis::new("load_N", "load (N)");
-            x.scale = Scale::fitting(&loads);
-            let columns = [
-                ("secant_stiffness_N_per_m", "secant stiffness (N/m)"),
-                ("loss_J", "energy dissipated per cycle (J)"),
-                ("loss_factor", "loss factor"),
-            ];
-            let what = format!("{id}, cycles of ±{amplitude:e} m");
-            let mut curve = Curve::new(0, id, &what);
-            curve.every_point = table.rows.len() <= plot::MARKED;
-            // Lines run from left to right for any order of the rows.
-            let mut sorted = table.clone();
-            let load = |row: &Vec<Cell>| row[1].number().unwrap_or(f64::NAN);
-            sorted.rows.sort_by(|a, b| load(a).total_cmp(&load(b)));
-            plot::against(&sorted, &x, &columns, &[curve])
-        })
-    }
-
-    /// Load, pressure, separation and the results of the cycle.
-    fn cycle(
-        &self,
-        scene: &LoadedScene,
-        model: &Model,
-        place: At,
-        amplitude: f64,
-    ) -> Result<[f64; 8], ContactError> {
-        let (joint, slip) = self.joint(scene, model, place)?;
-        let [load, pressure, separation] = preload(scene, place, &joint)?;
-        let (force, loss) = (slip.force(amplitude)?, slip.loss(amplitude)?);
-        let results = [
-            force.value(),
-            force.value() / amplitude,
-            loss.value(),
-            slip.loss_factor(amplitude)?,
-            slip.shift_at(SLIDING)?,
-        ];
-        let [force, stiffness, loss, factor, sliding] = results.map(|x| self.digits(x));
-        Ok([load, pressure, separation, force, stiffness, loss, factor, sliding])
-    }
 }
 
 /// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.
-fn check_amplitude(scene: &LoadedScene, amplitude: f64, sliding: f64) {
+pub(super) fn check_amplitude(scene: &LoadedScene, amplitude: f64, sliding: f64) {
     let height_std = scene.file.scene.surface.asperity_height_std;
     let beyond = [(sliding, "the shift of gross slip"), (height_std, "asperity_height_std")];
     let beyond = beyond.iter().filter(|(length, _)| amplitude > FAR * length);

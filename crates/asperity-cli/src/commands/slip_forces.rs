@@ -28,6 +28,11 @@ impl Slip {
         let (mut reasons, mut answered) = (vec![], false);
         for place in places {
             let joint = self.joint(scene, model, *place);
+            let before = match &joint {
+                Ok((joint, _)) => preload(scene, *place, joint).ok().map(|known| known.map(Some)),
+                Err(_) => None,
+            };
+            let before = before.unwrap_or_else(|| given_preload(scene, *place));
             let mut refused = vec![];
             for force in forces {
                 let found = joint.as_ref().map_err(|error| anyhow!(error.clone()));
@@ -36,7 +41,7 @@ impl Slip {
                 });
                 let numbers = found.map(|numbers| numbers.map(Some)).unwrap_or_else(|error| {
                     refused.push(error.to_string());
-                    let [load, pressure, separation] = given_preload(scene, *place);
+                    let [load, pressure, separation] = before;
                     [load, pressure, separation, Some(*force), None, None, None, None]
                 });
                 answered |= numbers[4].is_some();

@@ -91,6 +91,10 @@ mod tests {
             assert_eq!(refuse_one_number(text), Err(how.into()));
         }
         for list in [
+            "0.125,0.5,1",
+            "0.001,0.1",
+            "0.250,0.500",
+            "100.125,0.5",
             "1,5",
             "0,100nm",
             "1.0,5e6",
@@ -112,6 +116,7 @@ mod tests {
         };
         assert_eq!(number("0,5").unwrap_err(), one("0,5", "0.5"));
         assert_eq!(load("1,5 kN").unwrap_err(), one("1,5 kN", "1.5 kN"));
+        assert_eq!(load("0,125kN").unwrap_err(), one("0,125kN", "0.125kN"));
         let either = load("1,500").unwrap_err();
         assert_eq!(either, "\"1,500\" is ambiguous; write 1.500 or 1500");
     }
@@ -142,6 +147,8 @@ mod tests {
             ("0,100", &["0.100"]),
             ("1,5,9", &[]),
             ("1.5,2", &[]),
+            ("1.000,2.000", &[]),
+            ("10.125,20.5", &[]),
             ("1, 5", &[]),
             ("1,5e6", &[]),
             ("100", &[]),

@@ -90,7 +90,8 @@ impl Closed {
     /// The scene and the model.
     pub fn open(&self) -> Result<(LoadedScene, NamedModel)> {
         let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
-        let model = scene.reference(self.model.as_deref())?;
+        let model =
+            self.model.as_deref().map_or_else(|| scene.default_model(), |id| scene.model(id))?;
         Ok((scene, model))
     }
 

@@ -29,7 +29,10 @@ fn is_bare_flag(argument: &OsString) -> bool {
 
 /// The subcommand, and a message about the first option whose number and unit are two arguments:
 /// `--load -1 kN`.
-pub fn unit_apart(arguments: &[OsString]) -> Option<(String, String)> {
+pub fn unit_apart(
+    arguments: &[OsString],
+    is_known: impl Fn(&str) -> bool,
+) -> Option<(String, String)> {
     let texts: Vec<&str> = arguments.iter().map(|one| one.to_str().unwrap_or_default()).collect();
     let (flag, number, unit) = texts.windows(3).find_map(|three| {
         // A negative number has been joined to its option.
@@ -42,7 +45,9 @@ pub fn unit_apart(arguments: &[OsString]) -> Option<(String, String)> {
     let text = format!(
         "{flag} {number} {unit} is two arguments, as a blank separates {number} from {unit}; write {flag} {number}{unit}, or {flag} \"{number} {unit}\""
     );
-    Some((arguments.get(1)?.to_str()?.into(), text))
+    // Options of the program may stand before the subcommand.
+    let subcommand = texts.iter().skip(1).find(|text| is_known(text))?;
+    Some((subcommand.to_string(), text))
 }
 
 #[cfg(test)]
@@ -58,13 +63,16 @@ mod tests {
         for (text, wanted) in [
             ("asperity curve a.toml --load -1 kN", Some("--load -1kN, or --load \"-1 kN\"")),
             ("asperity curve --separation 0:2 um a.toml", Some("write --separation 0:2um, or")),
+            ("asperity --quiet curve a.toml --load 1 kN", Some("write --load 1kN, or")),
             ("asperity curve a.toml --load 1 --model ke", None),
             ("asperity curve a.toml --load 1 ke", None),
             ("asperity curve a.toml --load", None),
         ] {
-            let found = unit_apart(&arguments(text)).map(|(_, text)| text);
+            let found = unit_apart(&arguments(text), |name| name == "curve");
             let is_wanted = match (&found, wanted) {
-                (Some(found), Some(wanted)) => found.contains(wanted),
+                (Some((subcommand, found)), Some(wanted)) => {
+                    subcommand == "curve" && found.contains(wanted)
+                }
                 (found, wanted) => found.is_none() && wanted.is_none(),
             };
             assert!(is_wanted, "{text}: {found:?}");

@@ -1,6 +1,6 @@
 //! A wanted value of a quantity, and its place.
 
-use asperity::Quantity;
+use asperity::{Quantity, short};
 
 use crate::input::numbers::of_unit;
 
@@ -21,6 +21,11 @@ pub fn target(text: &str) -> Result<(String, f64), String> {
         let percent = number <= 100.0 && !value.contains('%');
         let how = if percent { format!("; {value} % is written {value}%") } else { String::new() };
         return Err(format!("{value} is above 1, and an area fraction is at most 1{how}"));
+    }
+    if !quantity.is_absolute() && number <= 0.0 {
+        let (name, number, unit) = (quantity.to_string(), short(number), quantity.unit());
+        let gap = if unit.is_empty() { "" } else { " " };
+        return Err(format!("{name} is {number}{gap}{unit}: a number above 0 was required"));
     }
     Ok((quantity.column(), number))
 }
@@ -45,12 +50,24 @@ mod tests {
             ("unloading-stiffness=2e9", "unloading_stiffness_N_per_m", 2e9),
             ("mean_pressure_Pa=1GPa", "mean_pressure_Pa", 1e9),
             ("tangent=1 N/nm", "tangent_N_per_m", 1e9),
+            ("electrical-conductance=1kS", "electrical_conductance_S", 1e3),
+            ("thermal-conductance=2 kW/K", "thermal_conductance_W_per_K", 2e3),
+            (
+                "thermal-conductance-per-area=5 kW/(m2 K)",
+                "thermal_conductance_per_area_W_per_m2_per_K",
+                5e3,
+            ),
         ];
         for (text, name, value) in found {
             assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");
         }
         let above = target("area_fraction=2").unwrap_err();
         assert_eq!(above, "2 is above 1, and an area fraction is at most 1; 2 % is written 2%");
+        assert_eq!(target("ln-force=-2").map(|(_, value)| value), Ok(-2.0));
+        let refused = target("area=-1").unwrap_err();
+        assert_eq!(refused, "area is -1 m2: a number above 0 was required");
+        let refused = target("area_fraction=-1%").unwrap_err();
+        assert_eq!(refused, "area-fraction is -0.01: a number above 0 was required");
         assert!(target("area_fraction=120%").is_err());
         for bad in ["area", "aera=1e-6", "area=big", "area=1 N", "area_fraction=%", "area=nan"] {
             assert!(target(bad).is_err(), "{bad}");

@@ -2,6 +2,7 @@
 
 pub mod contact_map;
 pub mod fit_plot;
+pub mod fit_report;
 pub mod number;
 pub mod plot;
 pub mod table;

@@ -117,7 +117,8 @@ fn panels_against(
     Ok(draw(&Figure::new("", &[], panels), &String::from_utf8(csv)?)?)
 }
 
-fn place(table: &Table, name: &str) -> Result<usize> {
+/// The place of a column.
+pub fn place(table: &Table, name: &str) -> Result<usize> {
     let place = table.head.iter().position(|head| head == name);
     place.with_context(|| format!("the table has no column {name}"))
 }

@@ -22,6 +22,9 @@ fn the_list_of_models_is_what_is_printed() {
     assert!(run.messages.contains(why), "{}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt");
     assert_eq!(run.code, Some(1), "{}", run.messages);
+    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model cym");
+    let near = "the correlations are cmy, mikic (the nearest is \"cmy\")";
+    assert!(run.code == Some(2) && run.messages.contains(near), "{}", run.messages);
 }
 
 #[test]
@@ -106,6 +109,13 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
     assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
+    let elastic = "note: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
+    assert!(soft.messages.contains(elastic), "{}", soft.messages);
+    // The only one of the list is missed with its reason, also under --quiet.
+    let alone =
+        bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --model cmy --quiet");
+    let reason = "error: soft.toml: cmy: hardness is missing";
+    assert!(alone.code == Some(1) && alone.messages.contains(reason), "{}", alone.messages);
     let none = bench.run("conductance soft.toml --pressure 100");
     let rigid = "thermal_conductivity of a rigid counterface is unknown: use --conductivity";
     assert!(none.code == Some(1) && none.messages.contains(rigid), "{}", none.messages);
@@ -149,13 +159,30 @@ fn unlikely_numbers_are_named_with_their_unit() {
     let bench = Bench::new();
     let asked =
         "conductance scene.toml --conductivity 50 --pressure 1MPa --model cmy,ke --format csv";
-    let run = bench.run(&format!("{asked} --sigma 1.4 --mean-slope 14 --gas 26"));
+    for (given, wanted) in [
+        (
+            "--sigma 1.4 --mean-slope 0.1",
+            "error: --sigma is 1.4 m; 1.4 looks like um, written 1.4um",
+        ),
+        (
+            "--sigma 1um --mean-slope 14",
+            "error: --mean-slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent",
+        ),
+    ] {
+        let run = bench.run(&format!("{asked} {given}"));
+        assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    }
+    let run = bench.run(&format!("{asked} --conductivity 50000"));
+    assert_eq!(run.code, Some(2), "given twice: {}", run.messages);
+    let run = bench.run("conductance scene.toml --conductivity 50000 --pressure 1MPa");
+    let unusual =
+        "warning: thermal_conductivity is 50000 W/(m K) (usual: 0.01 to 3000): 50000 looks like mW";
+    assert!(run.messages.contains(unusual), "{}", run.messages);
+    let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 0.14 --gas 26"));
     for wanted in [
-        "--sigma is 1.4 m; 1.4 looks like um, written 1.4um",
-        "--mean-slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent",
         "--gas is 26 W/(m K); 26 looks like mW/(m K); 26 mW/(m K) is 0.026 W/(m K)",
         "cmy: correlations have no separation, so that gas and total are blank",
-        "note: cmy: sigma is 1.4 m and the mean slope m 14, as given",
+        "note: cmy: sigma is 1.4e-6 m and the mean slope m 0.14, as given",
     ] {
         assert!(run.messages.contains(wanted), "{}", run.messages);
     }

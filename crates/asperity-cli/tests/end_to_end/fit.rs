@@ -65,6 +65,12 @@ fn one_target_answers_the_inverse_question_or_says_why_not() {
     let check = "curve smooth.toml --model ke --pressure 5MPa --quantity area-fraction";
     let found = column(&bench.data(check), "area_fraction")[0];
     assert!((found / 0.004 - 1.0).abs() < 1e-8, "{found}");
+    // What is unusual at the nearest value says nothing of the target.
+    let gw = bench.run(
+        "fit scene.toml --free asperity_height_std --target area_fraction=60% --pressure 5MPa --model gw",
+    );
+    assert!(gw.code == Some(1) && gw.messages.contains("no model reaches"), "{}", gw.messages);
+    assert!(!gw.messages.contains("GW ignores yielding"), "{}", gw.messages);
     let run = ask("0.1%");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     assert!(run.messages.contains("no model reaches the target"), "{}", run.messages);

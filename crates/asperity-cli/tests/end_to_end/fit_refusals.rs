@@ -38,7 +38,7 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ),
         (
             "load_N,area_m2,area_m2_std\n1,1e-9,1e-10\n2,2e-9,\n",
-            "area_m2: line 3 has no standard deviation, but area_m2 has one",
+            "line 3 has no standard deviation of area_m2, but line 2 has one: give area_m2_std in every line, or in none",
         ),
         (
             "load_N,area_m2,tangent_N_per_m_std\n1,1e-9,1\n",
@@ -130,7 +130,7 @@ fn bad_parameters_are_refused_by_name() {
         ),
         (
             "asperity_radius,asperity_density,asperity_height_std",
-            "2 measured values for 3 free parameters: at least",
+            "error: data.csv: 2 measured values for 3 free parameters: at least",
         ),
         ("hardness --model bem", "bem: boundary elements are not fitted"),
         ("m0", "m0, m2 and m4 need a surface that is given by them"),
@@ -214,7 +214,7 @@ fn data_in_another_unit_are_an_error_with_the_unit() {
         );
         let run = bench.run(&format!("{fit},hardness --model ke"));
         assert_eq!(run.code, Some(1), "{}", run.messages);
-        let why = "error: data.csv: ke: no values within the bounds describe the data, which are off by a factor of ";
+        let why = "error: data.csv: ke: no values within the bounds describe the data: fitted values deviate by a factor of ";
         assert!(run.messages.contains(why) && run.messages.contains(wanted), "{}", run.messages);
         // The values mean nothing, so that no other message speaks of them.
         assert!(!run.messages.contains("warning"), "{}", run.messages);
@@ -239,8 +239,10 @@ fn one_line_that_the_others_contradict_is_named() {
         );
         let run = bench.run(fit);
         assert_eq!(run.code, Some(code), "{}", run.messages);
-        let line = format!("line 4 is off by a factor of {factor} (unloading_stiffness_N_per_m = ");
-        assert!(run.messages.contains(kind) && run.messages.contains(&line), "{}", run.messages);
+        let line = "line 4 (unloading_stiffness_N_per_m = ";
+        let by = format!(") deviates by a factor of {factor} from a fit to the other lines, which");
+        let named = [kind, line, &by].map(|text| run.messages.contains(text));
+        assert_eq!(named, [true; 3], "{}", run.messages);
         assert_eq!(column(&run.out, "value").len(), 1, "no line is left out silently");
     }
 }
@@ -252,4 +254,35 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
     let run = bench.run("fit scene.toml data.csv --free asperity_height_std --model gw");
     let yielding = "GW ignores yielding and underestimates the area at this load; use ke or jg";
     assert!(run.code == Some(0) && run.messages.contains(yielding), "{}", run.messages);
+}
+
+#[test]
+fn bounds_with_a_unit_are_in_no_other() {
+    let bench = Bench::new();
+    write_rows(&bench, stiffness_rows(&bench));
+    for free in
+        ["asperity_height_std=200um:2mm", "asperity_height_std,series_compliance=10nm/N:100nm/N"]
+    {
+        let run = bench.run(&format!("fit scene.toml data.csv --format csv --free {free}"));
+        assert!(!run.messages.contains("look like"), "{free}: {}", run.messages);
+        assert!(!column(&run.out, "value").is_empty(), "{free}: {}", run.messages);
+    }
+}
+
+#[test]
+fn a_free_nominal_area_takes_loads_or_pressures() {
+    let bench = Bench::new();
+    bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e6,5e-8\n");
+    let run = bench.run("fit scene.toml data.csv --free nominal_area");
+    let wanted = "error: data.csv: load_N and pressure_Pa: leave one of the two columns out, as nominal_area is free";
+    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+}
+
+#[test]
+fn data_that_a_model_does_not_have_are_named_by_their_file() {
+    let bench = Bench::new();
+    bench.write("data.csv", "load_N,thermal_conductance_W_per_K\n10,5\n100,50\n");
+    let run = bench.run("fit scene.toml data.csv --free asperity_height_std");
+    let wanted = "error: data.csv: ke has no value for the data at any start within the bounds";
+    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }

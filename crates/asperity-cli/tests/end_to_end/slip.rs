@@ -98,6 +98,9 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
         }
     }
     assert!(bench.read("losses.svg").contains("loss factor"));
+    let run = bench.run(&format!("{arguments} --load 100,200 --points 7"));
+    let note = "note: --points 7 is not used: several cycles have one row each";
+    assert!(run.messages.contains(note), "{}", run.messages);
     // One preload has its loop; unloading goes back from one place.
     assert!(bench.data(&format!("{arguments} --load 100 --points 3")).starts_with("model,shift_m"));
     let run = bench.run("unload scene.toml --model ke --load 100,200");
@@ -125,6 +128,10 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
         "{}",
         edge.messages
     );
+    // The load of a preload that is given by its closest approach is known where it slides.
+    let closest = bench.run(&format!("{arguments} --closest 2 --tangential-force 1N,1MN"));
+    let loads = column_of(&closest.out, "load_N");
+    assert!(loads[0].is_some() && loads[0] == loads[1], "{}", closest.out);
     let amplitudes = column_of(&run.out, "amplitude_m");
     assert!(amplitudes[2].is_none() && column_of(&run.out, "loss_J")[2].is_none());
     let joint = joint(&bench, "ke", At::Load(1000.0), UnloadingLaw::Hertz);

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::{At, ContactModel, Datum, Quantity, Request};
+use asperity_core::{At, ContactModel, Datum, Quantity, Request, Severity};
 use asperity_fit::{Data, Fit, FitError, MeasuredTable, Parameter, rank};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -119,34 +119,105 @@ fn one_line_that_the_others_contradict_is_named_and_kept() {
     let found = fitted(off, vec![2, 3, 5, 6, 7]);
     let outlier = found.outlier.unwrap();
     assert!(
-        outlier.starts_with("line 6 is off by a factor of 100 (tangent_N_per_m = "),
+        outlier.starts_with("line 6 (tangent_N_per_m = ")
+            && outlier.contains(" at load_N = 300) deviates by a factor of 100 from a fit"),
         "{outlier}"
     );
     let others =
-        "; the other lines agree within 3 % (root mean square); check this line, or remove it";
+        " to the other lines, which agree within 3 % (root mean square); check or remove it";
     assert!(outlier.ends_with(others), "{outlier}");
-    assert!(found.misfit.unwrap().ends_with(others));
+    let misfit = found.misfit.unwrap();
+    let size =
+        "no values within the bounds describe the data: fitted values deviate by a factor of 6";
+    assert!(misfit.starts_with(size) && misfit.ends_with(others), "{misfit}");
     assert_eq!(found.residuals.len(), 5);
     // Of arrays the row; a smaller error leaves data that are described.
     let found = fitted([1.01, 0.99, 2.0, 1.01, 0.99], vec![]);
     let outlier = found.outlier.unwrap();
-    assert!(outlier.starts_with("row 3 is off by a factor of 2 ("), "{outlier}");
+    let wanted = " deviates by a factor of 2 from a fit to the other rows";
+    assert!(outlier.starts_with("row 3 (") && outlier.contains(wanted), "{outlier}");
     assert_eq!(found.misfit, None);
     // Scatter is no outlier.
     assert_eq!(fitted([1.3, 0.8, 1.1, 0.7, 1.2], vec![]).outlier, None);
 }
 
-#[test]
-fn a_line_many_standard_deviations_off_is_named() {
+/// Tangents of KE whose first is twice the true one, with a standard deviation for each.
+fn doubled(std: impl Fn(f64) -> f64) -> asperity_fit::Fitted {
     let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
-    let std = columns[1].1.iter().map(|value| value.map(|value| 0.02 * value)).collect();
-    columns.push((format!("{}_std", columns[1].0), std));
     columns[1].1[0] = columns[1].1[0].map(|value| 2.0 * value);
+    let std = columns[1].1.iter().map(|value| value.map(&std)).collect();
+    columns.push((format!("{}_std", columns[1].0), std));
     let data = data(&columns);
     let scene = varied(&[2]);
     let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+    fit.run(&KogutEtsion).unwrap()
+}
+
+#[test]
+fn a_line_many_standard_deviations_off_is_named() {
+    for (share, far) in [(0.01, "50"), (0.03, "17")] {
+        let found = doubled(|value| share * value);
+        let outlier = found.outlier.as_deref().unwrap();
+        let wanted = format!(" deviates by {far} standard deviations from a fit to the other rows");
+        assert!(outlier.starts_with("row 1 (") && outlier.contains(&wanted), "{outlier}");
+        // One reason is enough: the line, or the standard deviations.
+        assert!(found.notes.is_empty() && found.misfit.is_none(), "{found:?}");
+        assert_eq!(found.remarks(), [(Severity::Warning, outlier)]);
+    }
+    let found = doubled(|value| 1e-3 * value);
+    let [outlier, misfit] = [found.outlier.as_deref(), found.misfit.as_deref()].map(Option::unwrap);
+    assert!(misfit.contains("times the standard deviations") && misfit.ends_with(outlier));
+    assert_eq!(found.remarks(), [(Severity::Warning, misfit)]);
+}
+
+#[test]
+fn a_stiffness_in_the_column_of_another_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::UnloadingStiffness]);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    assert_eq!(fitted(&columns).other_column, None);
+    columns[1].0 = Quantity::Tangent.column();
+    let found = fitted(&columns);
+    let other = found.other_column.as_deref().unwrap();
+    assert!(
+        other.starts_with("tangent_N_per_m deviates by ")
+            && other.contains(" if it is unloading_stiffness_N_per_m; name the column by"),
+        "{other}"
+    );
+    assert!(found.remarks().contains(&(Severity::Warning, other)), "{found:?}");
+}
+
+#[test]
+fn one_line_in_another_unit_is_named_among_three() {
+    let mut columns = columns(&KogutEtsion, &LOADS[..3], &[Quantity::Area]);
+    columns[1].1[1] = columns[1].1[1].map(|area| 1e6 * area);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+        fit.run(&KogutEtsion).unwrap().outlier
+    };
+    let outlier = fitted(&columns).unwrap();
+    assert!(outlier.starts_with("row 2 (area_m2 = "), "{outlier}");
+    assert!(outlier.contains(" looks like mm2; ") && outlier.ends_with(" m2"), "{outlier}");
+    // Three values that scatter contradict no line.
+    columns[1].1 = vec![Some(5e-9), Some(3e-8), Some(7e-7)];
+    assert_eq!(fitted(&columns), None);
+}
+
+#[test]
+fn a_share_deviates_by_a_difference() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::ElasticShare]);
+    columns[1].1[2] = columns[1].1[2].map(|share| share + 0.5);
+    let data = data(&columns);
+    let scene = varied(&[2]);
+    let fit = Fit::new(&data, parameters(&[2], 1.1), &scene).unwrap();
     let outlier = fit.run(&KogutEtsion).unwrap().outlier.unwrap();
-    assert!(outlier.starts_with("row 1 is off by 50 standard deviations ("), "{outlier}");
+    let wanted = "deviates by 0.5 from a fit to the other rows, which agree within 1e-8 (root";
+    assert!(outlier.contains(wanted), "{outlier}");
 }
 
 #[test]
@@ -230,6 +301,7 @@ fn standard_deviations_far_below_the_residuals_are_named() {
     let misfit = fitted(&|_| 3.0).misfit.unwrap();
     assert!(misfit.contains(" times the standard deviations (reduced chi squared "), "{misfit}");
     assert!(misfit.contains("tangent_N_per_m_std = 3 looks like per cent of the value; 3 % of "));
+    assert_eq!(fitted(&|_| 3.0).outlier, None);
     let good = fitted(&|value| 0.04 * value);
     assert!(good.misfit.is_none() && good.notes.is_empty(), "{good:?}");
     let small = fitted(&|value| 0.004 * value);

@@ -15,7 +15,6 @@ from asperity._arguments import one_scene
 from asperity._asperity import Engine, Scene, floats
 from asperity._model import Model
 from asperity._scene import Floats
-from asperity._warn import warn
 
 
 @dataclass(frozen=True)
@@ -62,6 +61,8 @@ class Fit:
     limits: tuple[str, ...]
     #: The line of the file, or the row, without which the misfit is less than a fifth.
     outlier: str | None
+    #: The column of another stiffness that describes the data far better than the one given.
+    other_column: str | None
     #: If no values within the bounds describe the data: by how much, and the line or the unit that
     #: explains it.
     misfit: str | None
@@ -141,7 +142,7 @@ def fit(
         By default ke, or gw without a hardness.
 
     A ``ContactWarning`` names data that cannot be reached or described, with the line or the unit
-    that explains them, an outlier, parameters at a bound, combinations of parameters that the data do
+    that explains them, an outlier, another stiffness than the column's, parameters at a bound, combinations of parameters that the data do
     not determine, searches that did not converge, and results outside the range of a model.
 
     >>> import asperity
@@ -167,18 +168,6 @@ def fit(
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
     fits = tuple(_fit(one, scene) for one in found["models"])
-    for one in fits:
-        if one.misfit is not None:
-            messages = [*one.unreachable, one.misfit]
-        else:
-            # The nearest value to an unreachable one is given with its place.
-            limits = () if one.unreachable else one.limits
-            outlier = () if one.outlier is None else (one.outlier,)
-            messages = [*one.unreachable, *outlier, *one.undetermined, *limits]
-        if not one.converged:
-            messages.append("the search did not converge: the values are the best that it found")
-        for text in messages:
-            warn(f"{one.model}: {text}", 1)
     return Fits(fits, found["summary"])
 
 
@@ -240,6 +229,7 @@ def _fit(found: dict[str, Any], scene: Scene) -> Fit:
         unreachable=tuple(found["unreachable"]),
         limits=tuple(found["limits"]),
         outlier=found["outlier"],
+        other_column=found["other_column"],
         misfit=found["misfit"],
         notes=tuple(found["notes"]),
         residuals=tuple(found["residuals"]),

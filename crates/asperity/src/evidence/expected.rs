@@ -259,9 +259,9 @@ impl Compared {
     }
 }
 
-/// Standard deviations of the process. Areas hardly depend on more of a spectrum than its bandwidth,
-/// stiffnesses and gaps do: on new families of broad spectra with a Hurst exponent of 0.3 they
-/// deviated by up to 17 %, with 0.9 by up to 10 %.
+/// Standard deviations of the process. Areas hardly depend on more of a spectrum than its
+/// bandwidth, stiffnesses and gaps do: on new families of broad spectra with a Hurst exponent of
+/// 0.3 they deviated by up to 17 %, with 0.9 by up to 10 %.
 fn spread(quantity: Compared) -> Spread {
     let [amplitude, spectrum] = match quantity {
         Compared::Area => [0.3, 0.0],

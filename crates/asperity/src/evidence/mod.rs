@@ -46,8 +46,8 @@ impl Evidence {
     pub const CSV: &'static str = include_str!("../../data/truth.csv");
 
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
-    /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the mean
-    /// planes, as the separations of models are, with the gaps of plastic pixels below 0.
+    /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
+    /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
     pub const COLUMNS: [&'static str; 16] = csv::COLUMNS;
 
     /// Root mean square gradient of the solved surfaces, to which stiffnesses are proportional.

@@ -38,8 +38,8 @@ pub fn usual_reference(scene: &Scene) -> &'static str {
 pub struct Comparison {
     /// The model.
     pub model: Model,
-    /// Largest relative deviation from the reference over all rows, for each requested quantity that
-    /// the model has; or the error of the model, if it has none.
+    /// Largest relative deviation from the reference over all rows, for each requested quantity
+    /// that the model has; or the error of the model, if it has none.
     pub deviations: Result<Vec<(Quantity, f64)>, ContactError>,
     /// The other quantities, if it has some, and why they have no value.
     pub lacking: Vec<(Quantity, ContactError)>,

@@ -157,8 +157,9 @@ impl ContactTable {
         text += &units.conductance_conversion("**");
         text += match (calculix, by_pressure) {
             (true, _) => "** constant beyond the last pair; the third number is a temperature, and of no effect
-** ccx 2.20 knows the pressure with *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR and SURFACE TO
-** SURFACE only: put that in place of the table above, after which no heat flows
+** with the table above no heat flows in ccx 2.20, which knows the pressure with
+** *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR and SURFACE TO SURFACE only: replace the table by
+** that if heat is needed
 *GAP CONDUCTANCE
 ",
             (_, true) => "** not verified: what Abaqus does beyond the last pair, and at clearances that carry pressure
