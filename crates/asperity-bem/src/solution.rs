@@ -88,6 +88,11 @@ impl Solution {
         let patches = patches(&touching, map.shape(), periodic);
         let force = pressures.iter().sum::<f64>();
         let mean_pressure = force / pixels;
+        let carried = match given {
+            LoadCase::MeanPressure(pressure) => pressure,
+            LoadCase::Load(load) => load / map.area(),
+            LoadCase::MeanGap(_) => mean_pressure,
+        };
         let at = match given {
             LoadCase::MeanPressure(pressure) => At::Pressure(pressure),
             LoadCase::Load(load) => At::Load(load),
@@ -98,7 +103,8 @@ impl Solution {
             given,
             mean_pressure,
             load: mean_pressure * map.area(),
-            area: corrected_area(count, edges, force, cap) / pixels,
+            // At least F/H to the last digit of the given load.
+            area: (corrected_area(count, edges, force, cap) / pixels).max(carried / cap),
             pixel_area: count as f64 / pixels,
             plastic_area: plastic as f64 / pixels,
             edges,

@@ -12,6 +12,8 @@ use crate::{BemError, Boundary, HeightMap, Solution, note};
 
 /// Trials for a mean gap.
 const MOST_TRIALS: usize = 60;
+/// Largest mean pressure over the modulus: beyond, heights are lost in the rounding of deflections.
+const HIGHEST: f64 = 1e6;
 /// Error of a mean gap, in tolerances of the residual times Sq.
 const GAP_ERROR: f64 = 10.0;
 
@@ -259,6 +261,10 @@ impl<'a> Run<'a> {
         let (cap, heights) = (self.setup.cap(), map.heights());
         if pressure >= cap {
             return Err(BemError::CannotBeCarried { pressure, hardness: cap });
+        }
+        if pressure > HIGHEST * self.setup.modulus {
+            let (field, required) = ("mean pressure", "at most 1e6 times the equivalent modulus");
+            return Err(BemError::OutOfRange { field, found: pressure, required });
         }
         let pixels = heights.len() as f64;
         let highest = map.highest();

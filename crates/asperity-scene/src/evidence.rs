@@ -4,7 +4,7 @@ use asperity::{
     ContactError, Evidence, Model, Recommendation, Request, SurfaceShape, Truth, beside_table,
     recommend_among, usual_reference,
 };
-use asperity_topography::Statistics;
+use asperity_topography::{PowerLaw, Spectra, Statistics};
 
 use crate::check::KURTOSIS;
 use crate::{Measured, SceneFile};
@@ -34,7 +34,7 @@ impl SceneFile {
         })
     }
 
-    /// The skewness and the ratio of slopes of the scan, for evidence from solved surfaces; `None`
+    /// The skewness, the ratio of slopes and the Hurst exponent of the scan, for evidence from solved surfaces; `None`
     /// without a scan.
     ///
     /// # Errors
@@ -52,7 +52,14 @@ impl SceneFile {
         }
         let along = statistics.moments.along_rows[0];
         let across = statistics.moments.along_columns.map_or(along, |[m2, _]| m2);
-        Ok(Some(SurfaceShape::new(ssk, [along, across].map(f64::sqrt))))
+        let shape = SurfaceShape::new(ssk, [along, across].map(f64::sqrt));
+        Ok(Some(shape.with_hurst(self.hurst())))
+    }
+
+    /// The Hurst exponent of the scan, if its spectrum follows a power law.
+    fn hurst(&self) -> Option<f64> {
+        let Spectra { radial, .. } = self.scan.as_deref()?.spectra().ok()?;
+        Some(PowerLaw::fit(&radial?).ok()?.hurst)
     }
 
     /// [`beside_table`] for the usual reference model: how far it is from boundary elements on the

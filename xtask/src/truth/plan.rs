@@ -86,6 +86,8 @@ const LIGHT_LOADS: &[f64] = LOADS.split_at(4).0;
 const HEAVY_LOADS: &[f64] = LOADS.split_at(4).1;
 /// One load of a decade.
 const DECADES: &[f64] = &[1e-5, 1e-4, 1e-3, 1e-2, 0.1];
+/// Where separations of yielded contacts change most between decades.
+const PLASTIC: &[f64] = &[0.03, 0.05];
 
 /// Most surfaces of a case.
 pub const MOST_SEEDS: u64 = 16;
@@ -107,6 +109,8 @@ pub const FULL: Scope = Scope {
         part(OTHERS, &[0.0, 2.0], DECADES.split_at(1).1),
         part(ISOTROPIC, &[1.0, 8.0], DECADES),
         part(FAMILIES.split_at(2).0, &[0.7], DECADES),
+        part(&[FAMILIES[3]], &[4.0], &[0.03]),
+        part(ISOTROPIC, &[8.0], PLASTIC),
     ],
 };
 

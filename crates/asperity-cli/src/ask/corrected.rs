@@ -56,10 +56,11 @@ impl Question<'_> {
         let _progress = progress(own);
         let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
         let compiled = shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
-        let id = format!("{}-corrected", model.id());
+        let id = format!("{own}-corrected");
+        let prefix = format!("{}-corrected: ", model.id());
         let without_id = |reason: ContactError| {
             let text = reason.to_string();
-            text.strip_prefix(&format!("{id}: ")).map_or(text.clone(), Into::into)
+            text.strip_prefix(&prefix).map_or(text.clone(), Into::into)
         };
         let rows = self.request.at.len();
         let lacks = |count: usize, what: &str, reason: ContactError| {
@@ -77,6 +78,13 @@ impl Question<'_> {
             Ok(corrected) => corrected,
             Err(reason) => {
                 self.lacking.push(lacks(rows, "value", reason));
+                let blank = |at: &At| {
+                    let mut row = vec![Cell::from(&*id)];
+                    row.extend(self.loads_at(*at).map(Cell::Number));
+                    row.resize_with(table.head.len(), || Cell::Number(None));
+                    row
+                };
+                table.rows.extend(self.request.at.iter().map(blank).collect::<Vec<_>>());
                 return;
             }
         };
@@ -87,7 +95,7 @@ impl Question<'_> {
             lighter.extend(extrapolated.map(CorrectedRow::basis));
             apart.extend(row.iter().filter_map(|row| row.separation().err()));
             least += row.iter().filter(|row| row.is_least_area()).count();
-            table.rows.push(self.corrected_row(&corrected, (at, had), &row, &mut reasons));
+            table.rows.push(self.corrected_row(&id, (at, had), &row, &mut reasons));
         }
         if let Some(basis) = lighter.first() {
             let count = lighter.len();
@@ -113,10 +121,17 @@ impl Question<'_> {
         }));
     }
 
+    /// Load and pressure, as far as the table has columns for them.
+    fn loads_at(&self, at: At) -> impl Iterator<Item = Option<f64>> {
+        let scene = &self.scene.file.scene;
+        let loads = self.head().head.len() - 3;
+        [at.load(scene), at.pressure(scene)].into_iter().take(loads)
+    }
+
     /// A row; values that the model does not `had` have no reason of their own.
     fn corrected_row(
         &self,
-        corrected: &Corrected,
+        id: &str,
         (at, had): (At, &[bool]),
         row: &Result<CorrectedRow<'_>, ContactError>,
         reasons: &mut Vec<(usize, Lacking<ContactError>)>,
@@ -129,10 +144,8 @@ impl Question<'_> {
         let separation = row.and_then(|row| row.separation().ok());
         let lengths = [SeparationUnit::Sigma, SeparationUnit::Metres]
             .map(|unit| Some(separation?.value.measured_in(unit, from, scene).ok()?.value));
-        let loads = self.head().head.len() - 3;
-        let given = [at.load(scene), at.pressure(scene)];
-        let mut cells = vec![Cell::from(corrected.id())];
-        cells.extend(given.into_iter().take(loads).chain(lengths).map(Cell::Number));
+        let mut cells = vec![Cell::from(id)];
+        cells.extend(self.loads_at(at).chain(lengths).map(Cell::Number));
         for (&quantity, had) in self.request.quantities.iter().zip(had) {
             let found = row.and_then(|row| match row.value(quantity) {
                 Ok(found) => Some([found.value, found.lower, found.upper]),

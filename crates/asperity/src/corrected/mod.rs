@@ -1,15 +1,15 @@
 //! Models divided by their expected ratio to boundary elements.
 
 use crate::bem::Bem;
-use crate::evidence::{Lacking, compile_known};
+use crate::evidence::{Counted, Lacking, compile_known};
 use crate::{
-    At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
-    Quantity, Request, Scene, Separation, SeparationUnit, SurfaceShape, usual_reference,
+    At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
+    Request, Scene, Separation, SeparationUnit, SurfaceShape,
 };
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
 /// its expected ratio, with the interval of that ratio, which holds nine of ten single surfaces
-/// with as many contacts as the model counts. Where there is no evidence, there is no value.
+/// with as many contacts as the usual reference counts, for all models alike. Where there is no evidence, there is no value.
 ///
 /// Every corrected model has nearly the same values: those that boundary elements are expected to
 /// give.
@@ -33,8 +33,7 @@ use crate::{
 pub struct Corrected {
     id: String,
     contact: Box<dyn Contact>,
-    /// Counts contacts: of the model, or of the usual reference for models without asperities.
-    counted: Option<Box<dyn Contact>>,
+    counted: Counted,
     lacking: Lacking,
     shape: Option<SurfaceShape>,
 }
@@ -101,13 +100,7 @@ impl Corrected {
             return Err(ContactError::Refused { model: id, reason: reason.into() });
         }
         let (contact, lacking) = compile_known(model, scene, request)?;
-        // With the force law, which finds the separation of a load.
-        let counts = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
-        let counted = match model.validity().asperities {
-            true => model.compile(scene, &counts).ok(),
-            false => usual_reference(scene).parse::<Model>()?.compile(scene, &counts).ok(),
-        };
-        Ok(Self { id, contact, counted, lacking, shape })
+        Ok(Self { id, contact, counted: Counted::on(scene)?, lacking, shape })
     }
 
     /// The id of the model with `-corrected`.
@@ -126,9 +119,7 @@ impl Corrected {
         let pressure = at.pressure(self.contact.scene()).ok_or_else(|| {
             self.refused("models are compared with boundary elements at equal loads; give a load or a pressure".into())
         })?;
-        let counted = self.counted.as_ref();
-        let contacts = counted.and_then(|c| c.evaluate(Quantity::Contacts, at).ok());
-        let contacts = contacts.map(|found| found.value());
+        let contacts = self.counted.at(pressure);
         let expected =
             Evidence::committed()?.expected(self.contact.scene(), self.shape, pressure, contacts);
         let expected = expected.map_err(|reason| match reason {

@@ -1,6 +1,7 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
 mod case;
+mod contacts;
 mod csv;
 mod expected;
 mod of_model;
@@ -13,6 +14,7 @@ use std::sync::OnceLock;
 use place::Place;
 use process::Process;
 
+pub(crate) use contacts::Counted;
 pub(crate) use of_model::{Lacking, compile, compile_known};
 
 use crate::ContactError;

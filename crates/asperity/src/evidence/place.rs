@@ -8,6 +8,8 @@ use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, 
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.15;
+/// ... and plasticity indices, which determine how much yields, beyond this one.
+const BEYOND_INDEX: f64 = 1.05;
 /// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below,
 /// the models themselves differ in how they change.
 const LIGHTER: f64 = 30.0;
@@ -28,12 +30,14 @@ pub struct SurfaceShape {
     pub skewness: f64,
     /// Rms slope across the lay over that along it, at least 1.
     pub slope_ratio: f64,
+    /// Hurst exponent of the spectrum, if it follows a power law and is known.
+    pub hurst: Option<f64>,
 }
 
 impl Default for SurfaceShape {
     /// Isotropic and Gaussian.
     fn default() -> Self {
-        Self { skewness: 0.0, slope_ratio: 1.0 }
+        Self { skewness: 0.0, slope_ratio: 1.0, hurst: None }
     }
 }
 
@@ -42,7 +46,14 @@ impl SurfaceShape {
     #[must_use]
     pub fn new(skewness: f64, slopes: [f64; 2]) -> Self {
         let ratio = slopes[0] / slopes[1];
-        Self { skewness, slope_ratio: ratio.max(ratio.recip()) }
+        Self { skewness, slope_ratio: ratio.max(ratio.recip()), hurst: None }
+    }
+
+    /// The shape with a Hurst exponent, where one was fitted. Stiffnesses and gaps of broad spectra
+    /// are refused where it is far from that of the solved surfaces, 0.8.
+    #[must_use]
+    pub fn with_hurst(self, hurst: Option<f64>) -> Self {
+        Self { hurst, ..self }
     }
 
     /// How it differs from an isotropic Gaussian surface: `skewness -1`, `slopes 2:1`.
@@ -60,6 +71,8 @@ impl SurfaceShape {
         Self {
             skewness: if self.skewness.abs() < GAUSSIAN { 0.0 } else { self.skewness },
             slope_ratio: if self.slope_ratio < ISOTROPIC { 1.0 } else { self.slope_ratio },
+            // Places of the table do not differ in it.
+            hurst: None,
         }
     }
 }
@@ -117,7 +130,7 @@ impl Place {
         let EvidenceCase { alpha, skewness, slope_ratio, plasticity_index: index, .. } = *case;
         let surfaces = case.surfaces.max(1) as f64;
         let contacts = CONTACTS_PER_PATCH * case.patches.max(1) as f64 / surfaces;
-        let shape = SurfaceShape { skewness, slope_ratio };
+        let shape = SurfaceShape { skewness, slope_ratio, hurst: None };
         let (strain, load) = (strain(alpha, index)?, case.load);
         Ok(Self { alpha, shape, index, strain, load, contacts, surfaces })
     }
@@ -135,19 +148,29 @@ impl Place {
 impl Evidence {
     /// Refuses a place outside the solved cases, with the property and its range.
     pub(crate) fn check(&self, place: &Place) -> Result<(), ContactError> {
-        let outside = |field: &str, value: f64, [low, high]: [f64; 2]| {
-            (value > 0.0 && !(low / BEYOND..=high * BEYOND).contains(&value)).then(|| {
+        let outside_by = |beyond: f64, field: &str, value: f64, [low, high]: [f64; 2]| {
+            let (least, most) = (low / beyond, high * beyond);
+            (value > 0.0 && !(least..=most).contains(&value)).then(|| {
                 let plain = |x: f64| match x {
                     small if small < 0.1 => format!("{small:.1e}"),
                     usual => format!("{usual:.1}"),
                 };
                 let solved = match low > 0.0 {
-                    true => format!("solved range {} to {}", plain(low), plain(high)),
-                    false => format!("solved up to {}", plain(high)),
+                    true => format!(
+                        "solved range {} to {}, used from {} to {}",
+                        plain(low),
+                        plain(high),
+                        plain(least),
+                        plain(most)
+                    ),
+                    false => {
+                        format!("solved up to {}, used up to {}", plain(high), plain(most))
+                    }
                 };
                 Self::none(format!("{field} = {}; {solved}", plain(value)))
             })
         };
+        let outside = |field: &str, value: f64, range| outside_by(BEYOND, field, value, range);
         let range = |of: fn(&Place) -> f64| {
             let known = self.places.iter().map(of);
             known.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
@@ -170,7 +193,7 @@ impl Evidence {
         let [lightest, load] = range(|place| place.load);
         let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
-            .or_else(|| outside(&plasticity, place.index, up_to(index)))
+            .or_else(|| outside_by(BEYOND_INDEX, &plasticity, place.index, up_to(index)))
             .or_else(|| outside("p/(E g)", place.load, up_to(load)))
             .or_else(|| outside("p/H", place.of_hardness(), up_to(hardness)))
             .or_else(|| {
@@ -244,6 +267,7 @@ mod tests {
         let shape = SurfaceShape::new(0.15, [0.1, 0.11]);
         assert_eq!(shape.rounded(), SurfaceShape::default());
         let ground = SurfaceShape::new(-0.7, [0.05, 0.2]);
-        assert_eq!(ground.rounded(), SurfaceShape { skewness: -0.7, slope_ratio: 4.0 });
+        let wanted = SurfaceShape { skewness: -0.7, slope_ratio: 4.0, hurst: None };
+        assert_eq!(ground.with_hurst(Some(0.5)).rounded(), wanted);
     }
 }

@@ -105,7 +105,8 @@ impl ExpectedContact {
             false => text += ", elastic",
         }
         text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
-        format!("{text}; boundary elements on {} surfaces", self.surfaces)
+        let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
+        format!("{text}; boundary elements on {} surfaces{hurst}", self.surfaces)
     }
 }
 

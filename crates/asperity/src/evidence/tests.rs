@@ -55,7 +55,7 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     let [mut areas, mut inside_area, mut stiffnesses, mut inside] = [0.0; 4];
     for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
         let scene = scene(case.alpha, case.plasticity_index);
-        let shape = SurfaceShape { skewness: 0.0, slope_ratio: case.slope_ratio };
+        let shape = SurfaceShape { skewness: 0.0, slope_ratio: case.slope_ratio, hurst: None };
         let pressure = case.load * unit();
         let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
         let area = found.estimate(Compared::Area).unwrap();
@@ -92,7 +92,7 @@ fn outside_there_is_no_evidence() {
     for (found, field) in [
         (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6; solved range 3.1 to 76.9"),
         (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 76.9"),
-        (refused(8.0, 40.0, 0.01), "plasticity_index = 40.0; solved up to"),
+        (refused(8.0, 9.0, 0.01), "plasticity_index = 9.0; solved up to 8.0, used up to 8.4"),
         (refused(8.0, 2.0, 0.7), "p/(E g) = 0.7; solved up to"),
         (refused(3.2, 5.5, 0.3), "p/H = "),
         (refused(8.0, 2.0, 1e-7), "p/(E g) = 1.0e-7; solved down to 1e-5, and extrapolated"),
@@ -107,12 +107,37 @@ fn outside_there_is_no_evidence() {
     let found = evidence.expected(&exponential, None, 0.01 * unit(), None).unwrap_err();
     assert!(found.to_string().contains("not Gaussian"), "{found}");
     // With a shape from a scan there is.
-    let shape = SurfaceShape { skewness: -0.9, slope_ratio: 1.0 };
+    let shape = SurfaceShape { skewness: -0.9, slope_ratio: 1.0, hurst: None };
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap();
     assert!(found.basis().contains(", psi 2, skewness -0.9; boundary"), "{}", found.basis());
-    let shape = SurfaceShape { skewness: -4.0, slope_ratio: 1.0 };
+    let shape = SurfaceShape { skewness: -4.0, slope_ratio: 1.0, hurst: None };
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap_err();
     assert!(found.to_string().contains("skewness = -4.0; solved range -2 to 1"), "{found}");
+}
+
+#[test]
+fn rough_broad_spectra_have_areas_only() {
+    let evidence = Evidence::committed().unwrap();
+    let known = |alpha: f64, hurst: Option<f64>| {
+        let shape = SurfaceShape::default().with_hurst(hurst);
+        let found = evidence.expected(&scene(alpha, 2.0), Some(shape), 0.01 * unit(), None);
+        found.unwrap()
+    };
+    let rough = known(23.0, Some(0.4));
+    assert!(rough.estimate(Compared::Area).is_some());
+    for quantity in [Compared::Stiffness, Compared::UnloadingStiffness, Compared::MeanGap] {
+        assert!(rough.estimate(quantity).is_none(), "{quantity:?}");
+    }
+    assert_eq!(
+        rough.undetermined(Compared::Stiffness),
+        "the Hurst exponent of the scan is 0.4; solved surfaces have 0.8, and stiffness depends on it at a bandwidth of 23"
+    );
+    for (alpha, hurst) in [(5.0, Some(0.4)), (23.0, Some(0.8)), (23.0, None)] {
+        let found = known(alpha, hurst);
+        assert!(found.estimate(Compared::Stiffness).is_some(), "{alpha} {hurst:?}");
+        let said = found.basis().ends_with("surfaces, for a Hurst exponent near 0.8");
+        assert_eq!(said, hurst.is_none(), "{}", found.basis());
+    }
 }
 
 /// Peaks carry light loads, and few of them differ from surface to surface.
@@ -120,7 +145,7 @@ fn outside_there_is_no_evidence() {
 fn surfaces_of_peaks_have_wider_intervals_under_light_loads_and_then_none() {
     let evidence = Evidence::committed().unwrap();
     let half = |skewness: f64, load: f64| {
-        let shape = SurfaceShape { skewness, slope_ratio: 1.0 };
+        let shape = SurfaceShape { skewness, slope_ratio: 1.0, hurst: None };
         let found = evidence.expected(&scene(7.5, 0.0), Some(shape), load * unit(), None);
         found.ok()?.estimate(Compared::Area).map(|area| (area.high / area.low).ln() / 2.0)
     };

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::evidence::Counted;
 use crate::{
     At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
     Quantity, Ratio, Request, SurfaceShape,
@@ -101,7 +102,7 @@ impl Deviation {
 }
 
 /// The evidence at the places of a request, and the reference relative to it. At separations, the
-/// pressure is that of the reference, which also counts the contacts.
+/// pressure is that of the reference.
 pub(crate) fn evidence_of(
     reference: &Model,
     contact: &dyn Contact,
@@ -114,15 +115,13 @@ pub(crate) fn evidence_of(
         reference.compile(scene, &asked.at(request.at.iter().copied()))
     };
     let pressed = of_reference(Quantity::Pressure)?;
-    let counted = of_reference(Quantity::Contacts).ok();
+    let counted = Counted::on(scene)?;
     let expected = |at: At| {
-        let contacts = counted.as_ref().and_then(|c| c.evaluate(Quantity::Contacts, at).ok());
-        let contacts = contacts.map(|contacts| contacts.value());
         let pressure = match at.pressure(scene) {
             Some(pressure) => pressure,
             None => pressed.evaluate(Quantity::Pressure, at)?.value(),
         };
-        Evidence::committed()?.expected(scene, shape, pressure, contacts)
+        Evidence::committed()?.expected(scene, shape, pressure, counted.at(pressure))
     };
     let place = |&at: &At| {
         let mut place = EvidenceAt { at, expected: expected(at), ratios: vec![] };

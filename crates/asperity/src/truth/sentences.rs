@@ -9,6 +9,8 @@ use crate::{
 
 /// Codes of notes on loads that few pixels or patches carry.
 const FEW: [&str; 2] = ["few-pixels", "few-patches"];
+/// Rounding of ratios that are equal.
+const SAME: f64 = 1e-9;
 /// Code of a note on a grid too coarse for the shortest waves.
 const COARSE: [&str; 1] = ["short-waves"];
 
@@ -128,11 +130,19 @@ pub fn beside_table(
             Some((truth.ratio(model.id(), quantity)?, place.ratio(model.id(), quantity)?))
         };
         let both: Vec<(Ratio, Ratio)> = covered.iter().filter_map(both).collect();
-        let same = both.iter().all(|(scan, table)| (table.low..=table.high).contains(&scan.ratio));
+        // An area of F/H is an end of its interval.
+        let inside = |(scan, table): &&(Ratio, Ratio)| {
+            (table.low - SAME..=table.high + SAME).contains(&scan.ratio)
+        };
+        let (all, different) = (both.len(), both.iter().filter(|pair| !inside(pair)).count());
         let (scan, table) =
             both.into_iter().reduce(|(a, b), (c, d)| (a.with(c, quantity), b.with(d, quantity)))?;
         let (name, scan, table) = (model.name(), scan.words(quantity), table.words(quantity));
-        let verdict = if same { "the solved surfaces agree" } else { "the solved surfaces differ" };
+        let verdict = match different {
+            0 => "the solved surfaces agree".into(),
+            some if some == all => "the solved surfaces differ".into(),
+            some => format!("the solved surfaces differ at {some} of {all} loads"),
+        };
         let basis = first.basis();
         Some(format!("{name} {scan} on this scan; {verdict}: {name} {table} ({basis})"))
     };
