@@ -29,10 +29,10 @@ impl BoundaryElements {
     /// -dp/d(mean gap) of first loading \[Pa/m\].
     ///
     /// Where nothing yields it is the slope of the [fixed contact](BoundaryElements::fixed_contact)
-    /// over the mean gap, which with a free boundary exceeds that over the approach. Otherwise it is
-    /// between pressures 5 % to either side of that of `solution`, or nearer where the hardness
-    /// carries less: of a gap that falls with the logarithm of the pressure that difference is 0.1 %
-    /// off; where few pixels touch it is a mean over that range.
+    /// over the mean gap, which with a free boundary exceeds that over the approach. Otherwise it
+    /// is between pressures 5 % to either side of that of `solution`, or nearer where the hardness
+    /// carries less: of a gap that falls with the logarithm of the pressure that difference is 0.1
+    /// % off; where few pixels touch it is a mean over that range.
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]

@@ -34,8 +34,8 @@ impl SceneFile {
         })
     }
 
-    /// The skewness, the ratio of slopes and the Hurst exponent of the scan, for evidence from solved surfaces; `None`
-    /// without a scan.
+    /// The skewness, the ratio of slopes and the Hurst exponent of the scan, for evidence from
+    /// solved surfaces; `None` without a scan.
     ///
     /// # Errors
     /// [`ContactError::Refused`] with the reason why no solved surface is like the scan.

@@ -34,8 +34,8 @@ impl SceneFile {
     ///
     /// # Errors
     /// Those of [`inputs`](Self::inputs), and [`SceneError::Fit`] for bounds that are out of order
-    /// or those of another unit, a number without a value or bounds, and a parameter of the rig that
-    /// the data do not contain.
+    /// or those of another unit, a number without a value or bounds, and a parameter of the rig
+    /// that the data do not contain.
     pub fn free_parameters(
         &self,
         free: &[Free],

@@ -251,8 +251,8 @@ impl SceneFile {
     }
 }
 
-/// The error about a number that another one replaces; a number of the interface that bodies have as
-/// well is given there.
+/// The error about a number that another one replaces; a number of the interface that bodies have
+/// as well is given there.
 fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
     let of_body = |known: &&str| known.starts_with("body") && known.ends_with(&format!("_{name}"));
     let instead: Vec<&str> = known.iter().map(|(known, _)| &**known).filter(of_body).collect();

@@ -32,8 +32,9 @@ pub fn unit_of(key: &str) -> Option<&'static str> {
 /// The reason against a load of 0.
 pub const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)";
 
-/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, N/m, m/N, 1/m, 1/m^2, W/(m K), W/K, W/m2/K, S,
-/// S/m2 or ohm m), plain or with another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, N/m, m/N, 1/m, 1/m^2, W/(m K), W/K, W/m2/K,
+/// S, S/m2 or ohm m), plain or with another unit of the same dimension: `"5 MPa"`, `"0.2mm"`.
+/// Rounded once.
 ///
 /// ```
 /// assert_eq!(asperity_scene::quantity("2.5 kN", "N").unwrap(), 2500.0);

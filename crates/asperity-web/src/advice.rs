@@ -22,8 +22,8 @@ const COMPARED: [Quantity; 3] =
 /// Which model to trust, and on what evidence.
 #[derive(Debug, Serialize)]
 pub(crate) struct Advice {
-    /// Sentences, the best evidence first: the contact that was solved, solved surfaces like it, or,
-    /// without either, the models compared with each other.
+    /// Sentences, the best evidence first: the contact that was solved, solved surfaces like it,
+    /// or, without either, the models compared with each other.
     pub(crate) summary: Vec<String>,
 }
 

@@ -153,7 +153,8 @@ pub(crate) struct ScanShown {
     pub(crate) columns: usize,
     /// Why boundary elements cannot solve it here.
     pub(crate) refused: Option<String>,
-    /// Mean pressures over the range of the slider to solve it at \[Pa\], each with its load in words.
+    /// Mean pressures over the range of the slider to solve it at \[Pa\], each with its load in
+    /// words.
     pub(crate) pressures: Vec<(f64, String)>,
 }
 

@@ -17,8 +17,8 @@ pub struct Report<'r> {
 }
 
 impl Report<'_> {
-    /// Notes on bounds that are not given, and remarks on each model; the misfit of the first one is
-    /// left to the error where no model describes the data.
+    /// Notes on bounds that are not given, and remarks on each model; the misfit of the first one
+    /// is left to the error where no model describes the data.
     pub fn print_notes(&self, free: &[Free]) {
         let all = &self.ranking.models;
         let usual = all.first().map(|one| self.scene.file.notes_on_bounds(free, one));

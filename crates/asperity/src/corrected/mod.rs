@@ -9,7 +9,8 @@ use crate::{
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
 /// its expected ratio, with the interval of that ratio, which holds nine of ten single surfaces
-/// with as many contacts as the usual reference counts, for all models alike. Where there is no evidence, there is no value.
+/// with as many contacts as the usual reference counts, for all models alike. Where there is no
+/// evidence, there is no value.
 ///
 /// Every corrected model has nearly the same values: those that boundary elements are expected to
 /// give.
@@ -142,7 +143,8 @@ impl CorrectedRow<'_> {
         self.expected.extrapolated
     }
 
-    /// Whether the area is F/H, the least that carries the load, and its interval extends above only.
+    /// Whether the area is F/H, the least that carries the load, and its interval extends above
+    /// only.
     #[must_use]
     pub fn is_least_area(&self) -> bool {
         self.expected.estimate(Compared::Area).is_some_and(|area| area.value <= area.low)

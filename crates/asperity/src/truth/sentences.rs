@@ -55,7 +55,8 @@ impl Unranked {
     }
 }
 
-/// Whether models are not ranked on solutions of a scan whose notes have these codes, a list a load.
+/// Whether models are not ranked on solutions of a scan whose notes have these codes, a list a
+/// load.
 #[must_use]
 pub fn unranked(codes: &[Vec<&str>]) -> Option<Unranked> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
