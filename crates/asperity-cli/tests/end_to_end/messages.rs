@@ -255,7 +255,7 @@ fn recommendations_and_tables_have_warnings() {
     };
     let heavy = arguments("recommend scene.toml --load 3e5");
     // 3 GPa on bodies of 2 GPa: no model holds.
-    for text in ["KE", ": area_fraction is ", "above the hardness (2e9 Pa)", "no valid model is"] {
+    for text in ["KE", "error: ", ": area_fraction is "] {
         assert!(heavy.contains(text), "{heavy}");
     }
     let none = arguments("recommend scene.toml --load 100 --model gw,ceb --within 0.01");

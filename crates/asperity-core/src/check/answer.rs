@@ -172,8 +172,12 @@ impl Check {
         }
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
-        check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
-        check.extend(beyond_full_contact(model, scene, at, [force / scene.nominal_area, fraction]));
+        // One finding for a load that is too large: contacts merge before they cover everything.
+        let merging = crowded(model, at, fraction).filter(|_| model.validity().asperities);
+        let pressure = force / scene.nominal_area;
+        check.extend(
+            merging.or_else(|| beyond_full_contact(model, scene, at, [pressure, fraction])),
+        );
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.add_number("contacts", contacts, "", "asperities that touch");

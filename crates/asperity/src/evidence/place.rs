@@ -153,6 +153,7 @@ impl Evidence {
             (value > 0.0 && !(least..=most).contains(&value)).then(|| {
                 let plain = |x: f64| match x {
                     small if small < 0.1 => format!("{small:.1e}"),
+                    below_one if below_one < 1.0 => format!("{below_one:.2}"),
                     usual => format!("{usual:.1}"),
                 };
                 let solved = match low > 0.0 {
