@@ -172,12 +172,13 @@ impl Check {
         }
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
-        // One finding for a load that is too large: contacts merge before they cover everything.
         let merging = crowded(model, at, fraction).filter(|_| model.validity().asperities);
-        let pressure = force / scene.nominal_area;
-        check.extend(
-            merging.or_else(|| beyond_full_contact(model, scene, at, [pressure, fraction])),
-        );
+        // More area than there is says as much.
+        if merging.is_none() || fraction <= 1.0 {
+            let pressure = force / scene.nominal_area;
+            check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
+        }
+        check.extend(merging);
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.add_number("contacts", contacts, "", "asperities that touch");
