@@ -7,7 +7,8 @@ use asperity::{Diagnostic, Surface};
 use crate::Roughness;
 use crate::notation::with_decimal_point;
 
-/// The units, SI first, in which instruments report numbers of a surface; slopes have none.
+/// The units, SI first, in which instruments report numbers of a surface, the usual ones second;
+/// slopes have none.
 fn units_of(key: &str) -> &'static [(&'static str, f64)] {
     match key {
         "sq" | "surface_height_std" => &[("m", 1.0), ("um", 1e-6), ("nm", 1e-9)],
@@ -38,7 +39,8 @@ pub(crate) fn likely_units(
     let (keys, given) = (roughness.keys(), roughness.numbers());
     // Indices of units; one of them is tried for a number without a unit only.
     let triples = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9]);
-    let si = |units: &[usize; 3]| units.iter().filter(|k| **k == 0).count();
+    // The fewest changes first, then the units that instruments prefer.
+    let likeliest = |units: &[usize; 3]| [0, 1].map(|k| units.iter().filter(|u| **u == k).count());
     let converted = |units: &[usize; 3], k: usize| {
         let (key, index, value) = (*keys.get(k)?, *units.get(k)?, *given.get(k)?);
         let (unit, factor) = units_of(key).get(index)?;
@@ -53,7 +55,7 @@ pub(crate) fn likely_units(
             surface.findings().is_empty() && (from..=to).contains(&surface.roughness_parameter())
         })
     };
-    let units = triples.filter(usual).max_by_key(si)?;
+    let units = triples.filter(usual).max_by_key(likeliest)?;
     let changed = (0..3).filter(|k| units.get(*k).is_some_and(|index| *index > 0));
     let changed: Vec<_> = changed.filter_map(|k| converted(&units, k)).collect();
     let (key, value, ..) = *changed.first()?;

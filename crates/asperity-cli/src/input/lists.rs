@@ -153,7 +153,7 @@ pub fn turning_loads(text: &str) -> Result<Numbers, String> {
 /// Refuses a value that follows itself, at which a joint would not turn.
 pub fn refuse_repeated(values: &[f64], unit: &str, what: &str) -> Result<(), String> {
     // 0 and -0 are one place.
-    match values.windows(2).find(|pair| pair[0] == pair[1]) {
+    match values.windows(2).find(|pair| pair[1] - pair[0] == 0.0) {
         Some(pair) => {
             let value = format!("{} {unit}", shortest_digits(pair[0]));
             let value = value.trim_end();

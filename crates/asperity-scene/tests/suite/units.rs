@@ -201,6 +201,10 @@ fn numbers_of_a_surface_are_named_as_they_were_given() {
             "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units; spc = 5 looks like 1/mm; 5 1/mm is 5000 in SI units",
         ),
         (
+            "sq = 1.1\nspd = 200\nspc = 5",
+            "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units; spd = 200 looks like 1/mm2; 200 1/mm2 is 2e8 in SI units; spc = 5 looks like 1/mm; 5 1/mm is 5000 in SI units",
+        ),
+        (
             "sq = 1.1\nspd = 2e8\nsdq = 0.058",
             "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units",
         ),
