@@ -56,10 +56,14 @@ impl SceneFile {
         Ok(Some(shape.with_hurst(self.hurst())))
     }
 
-    /// The Hurst exponent of the scan, if its spectrum follows a power law.
+    /// The Hurst exponent of the scan, if its spectrum follows a power law. Fitted once: of 1024 x
+    /// 1024 points it takes a tenth of a second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
-        let Spectra { radial, .. } = self.scan.as_deref()?.spectra().ok()?;
-        Some(PowerLaw::fit(&radial?).ok()?.hurst)
+        let fit = || {
+            let Spectra { radial, .. } = self.scan.as_deref()?.spectra().ok()?;
+            Some(PowerLaw::fit(&radial?).ok()?.hurst)
+        };
+        *self.hurst.get_or_init(fit)
     }
 
     /// [`beside_table`] for the usual reference model: how far it is from boundary elements on the

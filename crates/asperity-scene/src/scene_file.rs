@@ -54,6 +54,8 @@ pub struct SceneFile {
     pub(crate) read: Option<Arc<Read>>,
     /// The spectrum of the scan, computed on first use.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
+    /// The Hurst exponent of the scan, fitted on first use.
+    pub(crate) hurst: Arc<OnceLock<Option<f64>>>,
 }
 
 /// Reads a scene file and the files that it names.
@@ -249,6 +251,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         stated: document.stated.clone(),
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
+        hurst: Arc::default(),
     })
 }
 
@@ -289,6 +292,7 @@ impl From<Scene> for SceneFile {
             stated: vec![],
             read: None,
             spectrum: Arc::default(),
+            hurst: Arc::default(),
         }
     }
 }

@@ -265,6 +265,7 @@ impl SceneFile {
             warnings: _,
             read: _,
             spectrum: _,
+            hurst: _,
         } = self;
         let offset = |scene: &Scene| scene.mean_plane_offset.map(f64::to_bits);
         let points = |table: &Option<TabulatedHeights>| table.as_ref().map(|t| bits(t.points()));
