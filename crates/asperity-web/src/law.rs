@@ -28,7 +28,7 @@ pub(crate) struct Law {
     pub(crate) axis: &'static str,
     /// What the law holds for.
     pub(crate) range: String,
-    /// The asperity of the scene, in words and numbers.
+    /// Radius, modulus and hardness of the scene's asperity, as a sentence.
     pub(crate) asperity: String,
     /// The page of the guide with its equations.
     pub(crate) guide: String,
@@ -99,14 +99,14 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     kinks.dedup();
     let (citation, validity) = (model.citation(), model.validity());
     let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
-    let words = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
+    let stated = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
     let defect = validity.known_defect.map(|defect| defect.summary.to_string());
     Ok(Law {
         svg: draw(&figure, &csv)?,
         source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
         kinks,
         axis,
-        range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
+        range: stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
         asperity: asperity_sentence(file),
         guide: guide(id),
     })
@@ -162,8 +162,9 @@ mod tests {
             (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
         );
         assert!(found.source.contains("(2002)"), "{}", found.source);
-        let (words, end) = found.asperity.split_once(", critical interference w_c = ").unwrap();
-        assert!(words.ends_with("H = 2 GPa") && end.ends_with("m."), "{}", found.asperity);
+        let (before, critical) =
+            found.asperity.split_once(", critical interference w_c = ").unwrap();
+        assert!(before.ends_with("H = 2 GPa") && critical.ends_with("m."), "{}", found.asperity);
         assert!(
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );
