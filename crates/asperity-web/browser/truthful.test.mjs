@@ -70,7 +70,7 @@ test("a scene of asperities with different radii opens with the models for them"
   assert.deepEqual(await ticks(), [false, false]);
   await choose(["ke-random"]);
   await page.browser.until(SETTLED);
-  assert.match(await page.text("curve"), /^ke-random has no unloading stiffness here: .*; KE random cannot give contact radii, which need asperities of one radius; set asperities = "equal"/);
+  assert.match(await page.text("curve"), /^ke-random has no unloading stiffness here: .*; ke-random cannot give contact radii, which need asperities of one radius; set asperities = "equal"/);
   await pressTry(1);
   assert.deepEqual([await ticks(), await page.run("return Boolean(document.querySelector('#curve svg'))")], [[true, true], true]);
   await page.change(["#example", "ground-steel"]);
@@ -186,8 +186,8 @@ test("boundary elements and models have one name, and variants their own sentenc
   await page.browser.until(SETTLED);
   const titles = await page.run("return Object.fromEntries([...document.querySelectorAll('#models label')].map((label) => [label.textContent.trim(), label.title]))");
   for (const id of ["persson-fudge", "ke-random", "at-additive", "at-overlap", "jg-cosine-random"]) assert.ok(id in titles, `${id}: ${Object.keys(titles)}`);
-  assert.match(titles["ke-random"], /^KE random: Kogut & Etsion \(2002\); averaged over asperities whose heights and radii differ/);
-  assert.equal(await page.run("return document.querySelector('#answers tbody th:first-child[title^=\"KE random\"]').textContent"), "ke-random");
+  assert.match(titles["ke-random"], /^ke-random: Kogut & Etsion \(2002\); averaged over asperities whose heights and radii differ/);
+  assert.equal(await page.run("return document.querySelector('#answers tbody th:first-child[title^=\"ke-random\"]').textContent"), "ke-random");
   await page.change(["#example", "made-here"]);
   await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the solved load", 60);
   assert.deepEqual([(await lines("#answers tbody th")).at(-1), /boundary elements/.test(await page.text("curve"))], ["boundary elements", true]);

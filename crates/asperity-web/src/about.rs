@@ -2,6 +2,8 @@
 
 use asperity::{Described, Model};
 
+use crate::names::with_ids;
+
 /// What tells variants from the model before the dash.
 const VARIANTS: [(&str, &str); 6] = [
     ("additive", "every contact counts once in the sums"),
@@ -18,7 +20,8 @@ const VARIANTS: [(&str, &str); 6] = [
 /// Name, source and range of a model, and what tells a variant from its base.
 pub(crate) fn about(model: &Model) -> String {
     let (citation, validity) = (model.citation(), model.validity());
-    let mut sentence = format!("{}: {} ({})", model.name(), citation.authors, citation.year);
+    let name = with_ids(model.name());
+    let mut sentence = format!("{name}: {} ({})", citation.authors, citation.year);
     let variant = |part: &str| VARIANTS.iter().find(|(name, _)| *name == part);
     for (_, difference) in model.id().split('-').skip(1).filter_map(variant) {
         sentence += &format!("; {difference}");

@@ -5,6 +5,7 @@ use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
+use crate::names::with_ids;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 
@@ -103,7 +104,7 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     let defect = validity.known_defect.map(|defect| defect.summary.to_string());
     Ok(Law {
         svg: draw(&figure, &csv)?,
-        source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
+        source: format!("{}: {} ({})", with_ids(model.name()), citation.authors, citation.year),
         kinks,
         axis,
         range: stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
@@ -169,7 +170,7 @@ mod tests {
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );
         let error = law(&file(), "ke-random").unwrap_err();
-        assert_eq!(error.message, "KE random has no law of a single asperity");
+        assert_eq!(error.message, "ke-random has no law of a single asperity");
         for (id, page) in
             [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
         {

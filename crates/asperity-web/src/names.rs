@@ -1,8 +1,10 @@
 //! Messages with the names of the tables and fields of the page, in place of the keys of scene
 //! files, the options of the program and Greek letters in Latin.
 
+use std::sync::LazyLock;
+
 use asperity::recommended::YIELDING;
-use asperity::{Described, Diagnostic, Diagnostics, Quantity, Severity};
+use asperity::{Described, Diagnostic, Diagnostics, Model, Quantity, Severity};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
@@ -32,6 +34,15 @@ const PROGRAM: [(&str, &str); 5] = [
     ("with `asperity surface --scales`", "in the table of slopes and curvatures"),
     (" (--despike)", ""),
 ];
+/// Names and ids of the variants of models, the longest first.
+static VARIANTS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
+    let names = |model: &Model| (model.name().to_string(), model.id().to_string());
+    let mut all: Vec<_> = Model::named().iter().map(names).collect();
+    all.retain(|(_, id)| id.contains('-'));
+    all.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
+    all
+});
+
 /// A finding as the page shows it.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct FindingShown {
@@ -68,9 +79,15 @@ pub(crate) fn quantity_name(quantity: Quantity) -> String {
     }
 }
 
-/// A message without commands of the program; keys stay.
+/// A message without commands of the program, with models as legends have them; keys stay.
 pub(crate) fn without_commands(message: &str) -> String {
-    PROGRAM.iter().fold(message.to_string(), |text, (from, to)| text.replace(from, to))
+    let text = PROGRAM.iter().fold(message.to_string(), |text, (from, to)| text.replace(from, to));
+    with_ids(&text)
+}
+
+/// A text with variants of models by their ids, as legends have them: `persson-fudge`.
+pub(crate) fn with_ids(text: &str) -> String {
+    VARIANTS.iter().fold(text.to_string(), |text, (name, id)| text.replace(name, id))
 }
 
 /// A message with names in place of keys and Greek letters; a key that is assigned stays.
@@ -204,6 +221,10 @@ mod tests {
             ("body[1].hardness or yield_strength.", "hardness of body 1 or yield strength."),
             ("is close: plasticity_index = 14.5", "is close: plasticity index = 14.5"),
             ("(alpha 8, psi 2)", "(α 8, ψ 2)"),
+            (
+                "(likewise Persson fudge, JG cosine random)",
+                "(likewise persson-fudge, jg-cosine-random)",
+            ),
         ] {
             assert_eq!(readable(message), wanted);
         }

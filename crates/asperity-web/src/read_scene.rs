@@ -7,7 +7,7 @@ use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
 
 use crate::about::about;
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
-use crate::names::readable;
+use crate::names::{readable, with_ids};
 use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::{answer, fields, names, press, surface_keys};
@@ -61,7 +61,7 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
     let shown = |model: &Model, reason: Option<String>| {
         ModelShown {
             id: model.id().into(),
-            name: model.name().into(),
+            name: with_ids(model.name()),
             about: about(model),
             // Averages over contact angles take seconds to prepare.
             slow: model.validity().angles,
