@@ -26,4 +26,5 @@ mod sweeps;
 mod tangents;
 mod tidy;
 mod truth;
+mod waves;
 mod work;

@@ -37,7 +37,7 @@ pub enum BemError {
         found: f64,
     },
     /// An input is out of range.
-    #[error("{field} is {found}: {required} was required")]
+    #[error("{field} is {}: {required} was required", plain(*found))]
     OutOfRange {
         /// Name of the field.
         field: &'static str,
@@ -83,6 +83,17 @@ pub enum BemError {
         "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load, or a free boundary if the map is periodic"
     )]
     FullContact,
+    /// Every pixel is in contact at a neighbouring pressure, between which and another the slope of
+    /// loading is a difference.
+    #[error(
+        "mean pressure is {pressure:e} Pa: every pixel is in contact at the neighbouring pressure {neighbour:e} Pa, from which the slope of loading follows; use a smaller load"
+    )]
+    FullContactBeside {
+        /// Mean pressure \[Pa\].
+        pressure: f64,
+        /// The neighbouring pressure \[Pa\].
+        neighbour: f64,
+    },
     /// The gap does not fall between pressures to either side of this one.
     #[error(
         "mean pressure is {pressure:e} Pa: the mean gap does not fall between pressures 5 % to either side, and the slope of loading is unknown; use another load"
@@ -115,4 +126,10 @@ pub enum BemError {
     /// The caller's progress function requested a stop, at this load or an earlier one.
     #[error("the solution was stopped by the caller")]
     Cancelled,
+}
+
+/// A number with a power of ten where it has many zeros.
+fn plain(number: f64) -> String {
+    let few_zeros = number == 0.0 || (1e-5..1e7).contains(&number.abs());
+    if few_zeros { number.to_string() } else { format!("{number:e}") }
 }

@@ -36,7 +36,8 @@ impl BoundaryElements {
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
-    /// where every pixel touches, [`BemError::Slope`] where the gap does not fall, and those of
+    /// where every pixel touches, [`BemError::FullContactBeside`] where every pixel does at one of
+    /// those pressures, [`BemError::Slope`] where the gap does not fall, and those of
     /// [`solve`](Self::solve).
     pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
         let found = self.pixels_of(solution)?;
@@ -48,12 +49,13 @@ impl BoundaryElements {
             let fixed = self.fixed_contact(solution)?;
             return Ok(fixed.stiffness / (1.0 - fixed.mean_deflection));
         }
-        let [lighter, heavier] = self.pressures_around(solution.mean_pressure);
+        let middle = solution.mean_pressure;
+        let [lighter, heavier] = self.pressures_around(middle);
         let mut run = Run::after(self, solution);
         let mut gap = |pressure: f64| -> Result<f64, BemError> {
             let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;
             match fields.pressures.iter().all(|pressure| *pressure > 0.0) {
-                true => Err(BemError::FullContact),
+                true => Err(BemError::FullContactBeside { pressure: middle, neighbour: pressure }),
                 false => Ok(fields.gaps.iter().sum::<f64>() / found as f64),
             }
         };
@@ -61,7 +63,7 @@ impl BoundaryElements {
         let slope = (heavier - lighter) / (more - less);
         match slope.is_finite() && slope > 0.0 {
             true => Ok(slope),
-            false => Err(BemError::Slope { pressure: solution.mean_pressure }),
+            false => Err(BemError::Slope { pressure: middle }),
         }
     }
 }

@@ -61,7 +61,7 @@ pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::Scene;
 pub use scene::asperity::Asperity;
-pub use scene::body::{Body, HARDNESS_OVER_YIELD};
+pub use scene::body::{Body, HARDNESS_OVER_YIELD, hardness_of_vickers};
 pub use scene::interface::Interface;
 pub use scene::surface::{ProfileMoments, Surface};
 pub use text::{nearest_hint, nearest_name, shortest_digits};

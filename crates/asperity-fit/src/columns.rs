@@ -1,5 +1,7 @@
 //! The columns of a table of measurements by their meaning.
 
+use std::borrow::Cow;
+
 use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
 
 use crate::observation::{LOAD, PRESSURE, SEPARATION, position};
@@ -21,9 +23,60 @@ enum Kind {
     Quantity(Quantity),
 }
 
+/// Other names of columns, in lower case, before a blank or a unit.
+const OTHER_NAMES: [(&str, &str); 12] = [
+    ("normal_force", "load"),
+    ("preload", "load"),
+    ("f", "load"),
+    ("nominal_pressure", "pressure"),
+    ("p", "pressure"),
+    ("contact_area", "area"),
+    ("real_area", "area"),
+    ("a", "area"),
+    ("area_percent", "area_fraction"),
+    ("gap", "separation"),
+    ("distance", "separation"),
+    ("contact_stiffness", "stiffness"),
+];
+
+/// The name with the usual word for a quantity: separation_um for gap_um.
+fn usual_name(name: &str) -> Cow<'_, str> {
+    let lower = name.to_ascii_lowercase().replace(' ', "_");
+    let known = OTHER_NAMES.into_iter().find_map(|(other, usual)| {
+        let rest = lower.strip_prefix(other)?;
+        // One letter has many meanings without its unit.
+        let is_name =
+            if rest.is_empty() { other.len() > 1 } else { rest.starts_with(['_', '[', '(']) };
+        // Units keep their case.
+        is_name.then(|| format!("{usual}{}", name.get(other.len()..).unwrap_or_default()))
+    });
+    known.map_or(name.into(), Cow::Owned)
+}
+
+/// Names of displacements, which no model has.
+const DISPLACEMENTS: [&str; 5] =
+    ["displacement", "approach", "indentation", "compression", "closure"];
+
+/// An error of the column of a standard deviation, by its own name.
+fn of_deviation(error: FitError, given: &str) -> FitError {
+    match error {
+        FitError::UnknownColumn { near, known, .. } => {
+            let near = near.map(|near| near + STD);
+            FitError::UnknownColumn { name: given.into(), near, known }
+        }
+        error => error,
+    }
+}
+
 /// A place, or the measured quantity, of a column's name.
 fn kind(name: &str) -> Result<Kind, FitError> {
-    let plain = name.trim();
+    let plain = &*usual_name(name.trim());
+    if DISPLACEMENTS.iter().any(|other| plain.to_ascii_lowercase().starts_with(other)) {
+        let reason = format!(
+            "a displacement grows where the separation falls: name the column {SEPARATION}, change the sign of its values, in m, and fit separation_offset"
+        );
+        return Err(FitError::Column { column: name.into(), reason });
+    }
     let places = [LOAD, PRESSURE, SEPARATION];
     let columns = Quantity::ALL.map(Quantity::column);
     // Pressure is a place and a quantity.
@@ -42,16 +95,17 @@ fn kind(name: &str) -> Result<Kind, FitError> {
     let begun = || known.iter().copied().find(|known| known.starts_with(plain) && plain.len() > 2);
     // Pressure_Pa, or pressure [Pa].
     let letters = |name: &str| -> String {
-        name.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect()
+        let name = name.to_lowercase().replace('\u{b2}', "2").replace('/', "per");
+        name.chars().filter(char::is_ascii_alphanumeric).collect()
     };
     let same = known.iter().copied().find(|known| letters(known) == letters(plain));
     let per_area = || {
-        let (name, column) = (plain.into(), per_area(plain, &known)?.into());
+        let (name, column) = (name.into(), per_area(plain, &known)?.into());
         Some(FitError::PerArea { name, column, nominal_area: None })
     };
-    found(plain).ok_or_else(|| match in_other_unit(plain, &known) {
+    found(name.trim()).ok_or_else(|| match in_other_unit(plain, &known) {
         Some(OtherUnit { column, unit, si, factor }) => {
-            FitError::ColumnUnit { name: plain.into(), column: column.into(), unit, si, factor }
+            FitError::ColumnUnit { name: name.into(), column: column.into(), unit, si, factor }
         }
         None => per_area().unwrap_or_else(|| FitError::UnknownColumn {
             name: name.into(),
@@ -62,6 +116,14 @@ fn kind(name: &str) -> Result<Kind, FitError> {
             known: known.join(", "),
         }),
     })
+}
+
+/// Whether a fit reads the column of this name, or ignores it as one of `asperity curve`.
+#[must_use]
+pub fn is_column(name: &str) -> bool {
+    let name = name.trim();
+    let values = name.strip_suffix(STD).unwrap_or(name);
+    IGNORED.contains(&name) || kind(name).is_ok() || kind(values).is_ok()
 }
 
 /// The columns of a table by their meaning.
@@ -105,7 +167,10 @@ impl<'c> Columns<'c> {
                 continue;
             }
             match (name.strip_suffix(STD), kind(name)) {
-                (Some(of), Err(_)) => found.deviations.push((kind(of)?, column)),
+                (Some(of), Err(_)) => {
+                    let kind = kind(of).map_err(|error| of_deviation(error, name))?;
+                    found.deviations.push((kind, column));
+                }
                 (_, kind) => match kind? {
                     Kind::Quantity(quantity) => found.quantities.push((quantity, column)),
                     place => found.places.push((place, column)),
@@ -121,7 +186,17 @@ impl<'c> Columns<'c> {
         }
         // At separations, a load is what was measured.
         if found.places.is_empty() {
-            let needed = format!("a column {LOAD}, {PRESSURE} or {SEPARATION} was required");
+            let loads = [Quantity::Force, Quantity::Pressure];
+            let load = found.quantities.iter().find(|(quantity, _)| loads.contains(quantity));
+            let renamed = load.map(|(_, (column, _))| {
+                format!(
+                    "; name {} {LOAD} if the other values were measured under it",
+                    column.trim()
+                )
+            });
+            let renamed = renamed.unwrap_or_default();
+            let needed =
+                format!("a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}");
             return Err(FitError::NoData { missing: "load or separation", needed });
         }
         let known = |kind: &Kind| match kind {

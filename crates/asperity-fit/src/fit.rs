@@ -1,28 +1,18 @@
-//! A fit of one model: search, spread, and what to say about them.
+//! A fit of one model: data, free parameters and the search.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactModel, short};
+use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::combinations::undetermined;
-use crate::deviations::Deviations;
+use crate::describe::describe;
 use crate::forward::Forward;
 use crate::likely_unit::likely_unit;
-use crate::limits::limits;
-use crate::misfit::{misfit, rms};
-use crate::other_stiffness::other_stiffness;
-use crate::outlier::outlier;
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
-use crate::reach::unreachable;
-use crate::remark::{Remark, concerns, sentences};
-use crate::search::{Found, search};
+use crate::search::search;
 use crate::spread::Spread;
-use crate::{Data, Estimate, FitError, Fitted, Parameter, Residual};
-
-/// Residuals below this, relative, are errors of the values: they read 0 and rank no model.
-const ACCURACY: f64 = 1e-12;
+use crate::{Data, FitError, Fitted, Parameter};
 
 /// The state of a running fit.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -127,152 +117,9 @@ impl<'f> Fit<'f> {
             found => found?,
         };
         found.best = near_the_start(&problem, found.best)?;
-        let mut fitted = self.describe(&problem, &found)?;
+        let mut fitted = describe(&problem, &found)?;
         fitted.evaluations = watch.state.borrow().evaluations;
         Ok(fitted)
-    }
-
-    fn describe(&self, problem: &Problem<'_>, found: &Found) -> Result<Fitted, FitError> {
-        let best = &found.best;
-        let no_start = |reason| FitError::NoStart { model: problem.model.id().into(), reason };
-        let values = problem.predicted(&best.coordinates).map_err(no_start)?;
-        let (scene, _) = problem.at(&best.coordinates).map_err(no_start)?;
-        let residuals = problem.residuals(&best.coordinates)?;
-        let spread = Spread::new(problem, best)?;
-        let mut estimates = vec![];
-        for (place, parameter) in self.parameters.iter().enumerate() {
-            let interval = match &spread {
-                Some(spread) => spread.interval(problem, best, place)?,
-                None => [None, None],
-            };
-            let [lower, upper] = interval.map(|end| end.map(|end| parameter.value(end)));
-            estimates.push(Estimate {
-                name: parameter.name.clone(),
-                value: parameter.value(best.coordinates[place]),
-                lower,
-                upper,
-                unit: parameter.unit.clone(),
-                bounds: parameter.bounds,
-            });
-        }
-        let count = 0..self.parameters.len();
-        let correlation = |a: usize| {
-            let with = |b: usize| spread.as_ref().and_then(|spread| spread.correlation(a, b));
-            count.clone().map(with).collect()
-        };
-        let free =
-            spread.as_ref().map(|spread| undetermined(&self.parameters, &spread.free_directions()));
-        let rank = spread.as_ref().map_or(self.parameters.len(), Spread::rank);
-        let freedom = self.data.len().saturating_sub(rank);
-        let chi = squares(&residuals) / freedom as f64;
-        let limits = limits(problem, best);
-        let mut undetermined = free.unwrap_or_default();
-        let others = if undetermined.is_empty() { &found.others[..] } else { &[] };
-        let mut notes = self.notes(others, freedom);
-        if freedom > 0 || self.data.has_std() {
-            let open = self.without_interval(&estimates, &[&limits[..], &undetermined].concat());
-            undetermined.extend(open);
-        }
-        let rms = rms(self.data, &values);
-        // As many parameters as values: each value is reached, or named as unreachable.
-        let is_exact = self.data.len() == self.parameters.len();
-        let deviations = Deviations::new(self.data, &values, freedom);
-        let outlier = match deviations.as_ref().is_some_and(Deviations::is_in_percent) {
-            true => None,
-            false => outlier(problem, best, &residuals)?,
-        };
-        let doubted = outlier.as_deref();
-        let misfit = match is_exact {
-            true => None,
-            false => misfit(problem, &values, doubted, &limits)?,
-        };
-        let misfit = misfit.or_else(|| deviations.as_ref()?.misfit(doubted));
-        let other_column = match is_exact || outlier.is_some() || misfit.is_some() {
-            true => None,
-            false => other_stiffness(problem, best, &values)?,
-        };
-        notes.extend(deviations.and_then(|deviations| deviations.note(doubted)));
-        Ok(Fitted {
-            model: problem.model.id().into(),
-            converged: best.converged,
-            rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
-            outlier,
-            other_column,
-            misfit,
-            reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
-            bic: self.bic(squares(&residuals), rank),
-            correlation: count.clone().map(correlation).collect(),
-            parameters: estimates,
-            condition: spread.as_ref().and_then(Spread::condition),
-            undetermined: sentences(undetermined),
-            unreachable: unreachable(problem, best, &scene, &values),
-            limits: sentences(limits),
-            notes,
-            residuals: self.residuals(&values, &residuals),
-            evaluations: 0,
-        })
-    }
-
-    fn residuals(&self, values: &[f64], residuals: &[f64]) -> Vec<Residual> {
-        let each = self.data.iter().zip(values.iter().zip(residuals));
-        each.map(|(one, (fitted, residual))| Residual {
-            row: one.row,
-            column: one.measured.column(),
-            measured: one.value,
-            fitted: *fitted,
-            residual: *residual,
-        })
-        .collect()
-    }
-
-    /// The Bayesian information criterion, for normal residuals of known or unknown deviation.
-    fn bic(&self, squares: f64, rank: usize) -> Option<f64> {
-        let count = self.data.len() as f64;
-        // One value ranks no model, also where no parameter changes it.
-        if self.data.len() <= rank.max(1) {
-            return None;
-        }
-        let misfit = match self.data.has_std() {
-            true => squares,
-            false => count * (squares / count).max(ACCURACY * ACCURACY).ln(),
-        };
-        Some(misfit + rank as f64 * count.ln())
-    }
-
-    /// Remarks on parameters without an interval that no other remark explains.
-    fn without_interval(&self, estimates: &[Estimate], explained: &[Remark]) -> Vec<Remark> {
-        let open =
-            self.parameters.iter().zip(estimates).enumerate().filter(|(place, (_, found))| {
-                found.lower.is_none() && found.upper.is_none() && !concerns(explained, *place)
-            });
-        let remark = |(place, (parameter, _)): (usize, (&Parameter, &Estimate))| Remark {
-            parameters: vec![place],
-            sentence: format!(
-                "{} is not determined: 95 % intervals include all values from {} to {}",
-                parameter.name,
-                short(parameter.bounds[0]),
-                parameter.shown(parameter.bounds[1])
-            ),
-        };
-        open.map(remark).collect()
-    }
-
-    /// Notes on missing intervals, and on other minima.
-    fn notes(&self, others: &[Minimum], freedom: usize) -> Vec<String> {
-        let mut notes = vec![];
-        if freedom == 0 && !self.data.has_std() {
-            notes.push(
-                "no intervals: as many parameters as measured values, without standard deviations"
-                    .into(),
-            );
-        }
-        let other = |other: &Minimum| {
-            let each = self.parameters.iter().zip(&other.coordinates);
-            let each = each.map(|(p, x)| format!("{} = {}", p.name, p.shown(p.value(*x))));
-            format!("{} fits the data as well", each.collect::<Vec<_>>().join(", "))
-        };
-        notes.extend(others.iter().map(other));
-        notes
     }
 }
 

@@ -34,8 +34,8 @@ pub struct Fitted {
     pub unreachable: Vec<String>,
     /// Bounds, and ends of the range with values of scene and model, at which parameters stop.
     pub limits: Vec<String>,
-    /// The line (of arrays the row) without which the misfit is less than a fifth, and how far it
-    /// is from a fit to the others. The values here are fitted to all.
+    /// The line (of arrays the row) that the others contradict, or two of more than six, and how
+    /// far they are from a fit to the others. The values here are fitted to all.
     pub outlier: Option<String>,
     /// The column of another stiffness that describes the data far better than the one given.
     pub other_column: Option<String>,

@@ -3,7 +3,9 @@
 mod columns;
 mod combinations;
 mod data;
+mod describe;
 mod deviations;
+mod distance;
 mod error;
 mod fit;
 mod fitted;
@@ -23,6 +25,7 @@ mod search;
 mod spread;
 mod units;
 
+pub use columns::is_column;
 pub use data::Data;
 pub use error::FitError;
 pub use fit::{Fit, Progress};

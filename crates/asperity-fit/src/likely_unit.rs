@@ -2,8 +2,8 @@
 
 use asperity_core::{Quantity, short};
 
+use crate::distance::distance;
 use crate::forward::Forward;
-use crate::misfit::distance;
 use crate::observation::{LOAD, PRESSURE};
 use crate::problem::Problem;
 use crate::search::search;
@@ -34,7 +34,7 @@ pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<Str
     }
     let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
     let nominal_area = problem.at(&given).ok().map(|(scene, _)| scene.nominal_area);
-    // Without contact in the unit given, the start says little, and any contact says much.
+    // Separations in a wrong unit may leave no contact at the start, where a search cannot move.
     let has_separations = problem.data.iter().any(|one| one.measured.is_difference());
     let more_starts = usize::from(here.is_infinite() || has_separations);
     let most = if here.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * here) };

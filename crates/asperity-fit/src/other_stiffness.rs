@@ -2,8 +2,8 @@
 
 use asperity_core::Quantity;
 
+use crate::distance::rms;
 use crate::forward::Forward;
-use crate::misfit::rms;
 use crate::outlier::rounded;
 use crate::problem::{Minimum, Problem};
 use crate::{FitError, Measured, Observation};

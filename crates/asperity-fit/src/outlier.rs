@@ -1,22 +1,28 @@
-//! A line of the data that the others contradict.
+//! One or two lines of the data that the others contradict.
 
 use asperity_core::short;
 
+use crate::distance::mean_square;
 use crate::forward::Forward;
 use crate::likely_unit::unit_of_value;
-use crate::misfit::mean_square;
 use crate::problem::{Minimum, Problem};
 use crate::{FitError, Observation};
 
 /// No line is doubted where the residuals are smaller (root mean square): as logarithms, and as
 /// multiples of the standard deviations.
 const SMALL: [f64; 2] = [0.05, 5.0];
-/// A line is an outlier if the fit to the others leaves less than this share of the misfit,
-const SHARE: f64 = 0.2;
-/// or than this share, where the others have one value more than parameters, which agree easily,
-const SHARE_OF_FEW: f64 = 0.02;
-/// and is this far from the line: as a logarithm, and in standard deviations.
+/// A line is an outlier if it is this far from a fit to the others, as a logarithm and in standard
+/// deviations, and that fit leaves less than `SHARE` of the misfit,
 const FAR: [f64; 2] = [0.4, 10.0];
+const SHARE: f64 = 0.2;
+/// or the line is this many times as far from the fit as the others are (root mean square), since
+/// among many lines the share of one is small.
+const TIMES: f64 = 10.0;
+/// Where the others have one value more than parameters, they agree easily, and the share counts
+/// alone.
+const SHARE_OF_FEW: f64 = 0.02;
+/// Two lines are doubted among more than this many.
+const LINES_FOR_TWO: usize = 6;
 /// Lines agree no better than values are computed.
 const ACCURACY: f64 = 1e-8;
 /// The lines of the largest residuals are tried, at most this many.
@@ -24,15 +30,18 @@ const MOST: usize = 10;
 /// Evaluations for each free parameter before the search without a line gives up.
 const PATIENCE: usize = 60;
 
-/// The data without one line, and the fit to these.
+/// A fit without some lines.
 struct Without {
-    row: usize,
+    rows: Vec<usize>,
     /// Root mean square of the residuals of the other lines.
     misfit: f64,
-    best: Minimum,
+    /// The residuals of all lines.
+    residuals: Vec<f64>,
+    /// Whether the other lines have at most one value more than parameters.
+    is_few: bool,
 }
 
-/// A sentence about the line without which the misfit is far smaller.
+/// A sentence about the lines without which the misfit is far smaller, at most two.
 pub(crate) fn outlier(
     problem: &Problem<'_>,
     best: &Minimum,
@@ -40,59 +49,114 @@ pub(crate) fn outlier(
 ) -> Result<Option<String>, FitError> {
     let kind = usize::from(problem.data.has_std());
     let misfit = mean_square(residuals);
-    if misfit.is_nan() || misfit < SMALL[kind] {
+    let largest = residuals.iter().fold(0.0, |most: f64, residual| most.max(residual.abs()));
+    if misfit.is_nan() || misfit < SMALL[kind] && largest < FAR[kind] {
         return Ok(None);
     }
+    let order = by_residual(problem, residuals);
+    let mut alone: Vec<Without> = vec![];
+    for row in order.iter().take(MOST) {
+        alone.extend(without(problem, best, &[*row])?);
+    }
+    let found = contradicted(problem, &alone, misfit);
+    let mut pairs: Vec<Without> = vec![];
+    if order.len() > LINES_FOR_TWO {
+        // Beside one outlier, the second is the line that is farthest from the fit to the others.
+        for first in found.map_or(&alone[..], std::slice::from_ref) {
+            let second = by_residual(problem, &first.residuals);
+            let second = second.into_iter().find(|row| !first.rows.contains(row));
+            let mut rows: Vec<usize> = first.rows.iter().copied().chain(second).collect();
+            rows.sort_unstable();
+            if pairs.iter().all(|pair| pair.rows != rows) {
+                pairs.extend(without(problem, best, &rows)?);
+            }
+        }
+    }
+    let two = contradicted(problem, &pairs, found.map_or(misfit, |found| found.misfit));
+    Ok(two.or(found).map(|found| found.sentence(problem)))
+}
+
+/// The rows of the data, that of the largest residual first.
+fn by_residual(problem: &Problem<'_>, residuals: &[f64]) -> Vec<usize> {
     let mut order: Vec<(usize, f64)> =
         problem.data.iter().zip(residuals).map(|(one, r)| (one.row, r.abs())).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut rows: Vec<usize> = vec![];
     for (row, _) in order {
-        if rows.len() < MOST && !rows.contains(&row) {
+        if !rows.contains(&row) {
             rows.push(row);
         }
     }
-    let mut found: Option<Without> = None;
-    for row in rows {
-        let others = problem.data.iter().filter(|one| one.row != row).count();
-        let is_few = others < problem.parameters.len() + 2;
-        let share = if is_few { SHARE_OF_FEW } else { SHARE };
-        let least = found.as_ref().map_or(share * misfit, |found| found.misfit);
-        found = without(problem, best, row)?.filter(|one| one.misfit < least).or(found);
+    rows
+}
+
+/// The fit with the least misfit, if its other lines contradict those left out.
+fn contradicted<'w>(
+    problem: &Problem<'_>,
+    fits: &'w [Without],
+    misfit: f64,
+) -> Option<&'w Without> {
+    let kind = usize::from(problem.data.has_std());
+    let is_outlier = |fit: &&Without| {
+        let nearest = fit.worst(problem).iter().map(|(_, r)| r.abs()).fold(f64::INFINITY, f64::min);
+        let share = if fit.is_few { SHARE_OF_FEW } else { SHARE };
+        let stands_out = !fit.is_few && nearest > TIMES * fit.misfit;
+        nearest > FAR[kind] && (fit.misfit < share * misfit || stands_out)
+    };
+    fits.iter().filter(is_outlier).min_by(|a, b| a.misfit.total_cmp(&b.misfit))
+}
+
+impl Without {
+    /// The value of each line left out that is farthest from the fit, with its residual.
+    fn worst<'p>(&self, problem: &'p Problem<'_>) -> Vec<(&'p Observation, f64)> {
+        let of = |row: &usize| {
+            let line = problem.data.iter().zip(&self.residuals).filter(|(one, _)| one.row == *row);
+            line.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, r)| (one, *r))
+        };
+        self.rows.iter().filter_map(of).collect()
     }
-    let Some(found) = found else { return Ok(None) };
-    let all = problem.residuals(&found.best.coordinates)?;
-    let line = problem.data.iter().zip(&all).filter(|(one, _)| one.row == found.row);
-    let worst = line.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    let Some((one, residual)) = worst.filter(|(_, residual)| residual.abs() > FAR[kind]) else {
-        return Ok(None);
-    };
-    let (position, column) = (problem.data.position(one), one.measured.column());
-    let lines = position.split_whitespace().next().unwrap_or_default();
-    let (far, agree) = (residual.abs(), found.misfit.max(ACCURACY));
-    // Residuals of shares and logarithms are differences.
-    let is_difference = |one: &Observation| one.measured.is_difference();
-    let by = match (kind, is_difference(one)) {
-        (0, true) => rounded(far),
-        (0, false) => format!("a factor of {}", rounded(far.exp())),
-        _ => format!("{} standard deviations", rounded(far)),
-    };
-    let agree = match kind {
-        0 if problem.data.iter().all(is_difference) => rounded(agree),
-        0 => format!("{} %", rounded(100.0 * agree)),
-        _ => format!("{} standard deviations", rounded(agree)),
-    };
-    let predicted = match one.std {
-        Some(std) => one.value + residual * std,
-        None if is_difference(one) => one.value + residual,
-        None => one.value * residual.exp(),
-    };
-    let advice = unit_of_value(one, predicted).unwrap_or("check or remove it".into());
-    let (place, at) = one.place();
-    let [value, at] = [one.value, at].map(short);
-    Ok(Some(format!(
-        "{position} ({column} = {value} at {place} = {at}) deviates by {by} from a fit to the other {lines}s, which agree within {agree} (root mean square); {advice}"
-    )))
+
+    fn sentence(&self, problem: &Problem<'_>) -> String {
+        let has_std = problem.data.has_std();
+        let is_difference = |one: &Observation| one.measured.is_difference();
+        let agree = rounded(self.misfit.max(ACCURACY));
+        let agree = match has_std {
+            true => format!("{agree} standard deviations"),
+            false if problem.data.iter().all(is_difference) => agree,
+            false => format!("{} %", rounded(100.0 * self.misfit.max(ACCURACY))),
+        };
+        let (mut lines, mut sizes, mut units) = (vec![], vec![], vec![]);
+        for (one, residual) in self.worst(problem) {
+            let (position, column) = (problem.data.position(one), one.measured.column());
+            let (place, at) = one.place();
+            let [value, at] = [one.value, at].map(short);
+            lines.push(format!("{position} ({column} = {value} at {place} = {at})"));
+            let far = residual.abs();
+            // Residuals of shares and logarithms are differences.
+            sizes.push(match (has_std, is_difference(one)) {
+                (false, true) => rounded(far),
+                (false, false) => format!("a factor of {}", rounded(far.exp())),
+                _ => format!("{} standard deviations", rounded(far)),
+            });
+            let predicted = match one.std {
+                Some(std) => one.value + residual * std,
+                None if is_difference(one) => one.value + residual,
+                None => one.value * residual.exp(),
+            };
+            units.extend(unit_of_value(one, predicted));
+        }
+        let [deviates, remove] = match lines.len() == 1 {
+            true => ["deviates", "check or remove it"],
+            false => ["deviate", "check or remove them"],
+        };
+        let advice = if units.len() == lines.len() { units.join("; ") } else { remove.into() };
+        let kind = lines.first().and_then(|line| line.split_whitespace().next());
+        let kind = kind.unwrap_or("line").to_string();
+        let [lines, sizes] = [lines, sizes].map(|texts| texts.join(" and "));
+        format!(
+            "{lines} {deviates} by {sizes} from a fit to the other {kind}s, which agree within {agree} (root mean square); {advice}"
+        )
+    }
 }
 
 /// A number of two digits.
@@ -100,25 +164,33 @@ pub(crate) fn rounded(value: f64) -> String {
     short(format!("{value:.1e}").parse().unwrap_or(value))
 }
 
-/// The fit without a line; `None` where the others are too few to contradict it.
-fn without(problem: &Problem<'_>, best: &Minimum, row: usize) -> Result<Option<Without>, FitError> {
-    let others = problem.data.iter().filter(|one| one.row != row).copied().collect();
+/// The fit without these rows; `None` where the others are too few to contradict them.
+fn without(
+    problem: &Problem<'_>,
+    best: &Minimum,
+    rows: &[usize],
+) -> Result<Option<Without>, FitError> {
+    let others = problem.data.iter().filter(|one| !rows.contains(&one.row)).copied().collect();
     let data = problem.data.with(others);
-    if data.len() < problem.parameters.len() + 1 {
+    let (count, parameters) = (data.len(), problem.parameters.len());
+    if count < parameters + 1 {
         return Ok(None);
     }
     let Ok(forward) = Forward::new(problem.model, &data) else { return Ok(None) };
     let other = Problem { data: &data, forward: &forward, ..*problem };
-    let all: Vec<usize> = (0..problem.parameters.len()).collect();
+    let all: Vec<usize> = (0..parameters).collect();
     let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
-    // The line may have drawn the fit to a bound, from which a search does not return.
+    // The lines may have drawn the fit to a bound, from which a search does not return.
     let mut minima = vec![];
     for start in [&best.coordinates, &given] {
         minima.push(other.minimise(start, &all, PATIENCE)?);
     }
-    let best = minima.into_iter().min_by(|a, b| a.squares.total_cmp(&b.squares));
-    Ok(best.map(|best| {
-        let misfit = (best.squares / data.len() as f64).sqrt();
-        Without { row, misfit, best }
+    let least = minima.into_iter().min_by(|a, b| a.squares.total_cmp(&b.squares));
+    let Some(least) = least else { return Ok(None) };
+    Ok(Some(Without {
+        rows: rows.to_vec(),
+        misfit: (least.squares / count as f64).sqrt(),
+        residuals: problem.residuals(&least.coordinates)?,
+        is_few: count < parameters + 2,
     }))
 }

@@ -51,7 +51,7 @@ pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUn
             let unit = written(unit.trim_end_matches([']', ')']));
             format!("{}_{unit}", name.trim().to_lowercase().replace(' ', "_"))
         }
-        None => name.into(),
+        None => written(name),
     };
     known.iter().find_map(|column| {
         // Of m and N_per_m, the longer one is the unit.

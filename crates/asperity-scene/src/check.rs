@@ -9,6 +9,7 @@ use asperity::{
 use asperity_topography::Statistics;
 
 use crate::SceneFile;
+use crate::iso_units::{LikelyUnits, likely_units};
 
 /// Statistics of a scan beyond its asperities.
 #[derive(Debug, Clone)]
@@ -71,13 +72,36 @@ impl SceneFile {
         let stands_in =
             |field: &str| self.no_asperities.is_some() && ASPERITY_FIELDS.contains(&field);
         let of_interface = of_interface.filter(|found| !stands_in(&found.field));
+        let mut of_interface: Vec<Diagnostic> = of_interface.collect();
+        if let Some(typed) = self.in_another_unit(&of_interface) {
+            of_interface.retain(|found| !ASPERITY_FIELDS.contains(&&*found.field));
+            of_interface.push(typed);
+        }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
-        let found = of_interface.chain(of_bodies.clone()).chain(self.missing_hardness());
+        let found =
+            of_interface.into_iter().chain(of_bodies.clone()).chain(self.missing_hardness());
         // Consequences of findings about the bodies are not repeated.
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));
         found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// The error for numbers of the surface as they were given, in place of errors of the asperities
+    /// that follow from them, if another unit explains these.
+    fn in_another_unit(&self, found: &[Diagnostic]) -> Option<Diagnostic> {
+        let roughness = self.roughness?;
+        let is_wrong = |found: &Diagnostic| {
+            found.severity == Severity::Error && ASPERITY_FIELDS.contains(&&*found.field)
+        };
+        // The moments of two surfaces together are not given.
+        let is_given = roughness.keys().iter().all(|key| self.has_surface_key(key));
+        if !is_given || !found.iter().any(is_wrong) {
+            return None;
+        }
+        let is_stated = |key: &str| self.stated.contains(&format!("surface.{key}"));
+        let LikelyUnits { key, value, hint } = likely_units(&roughness, is_stated)?;
+        Some(Diagnostic::error("unusual-size", key, value).fact(hint))
     }
 
     /// The finding without a likely unit if the number was given with its unit.

@@ -249,20 +249,39 @@ fn other_notation(line: &str) -> Option<String> {
     notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }
 
-/// The text of a file; `place` gives its place in an error.
-pub(crate) fn read_text(path: &Path, place: impl FnOnce() -> Place) -> Result<String, SceneError> {
+/// What to do with a spreadsheet in place of a table.
+pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv";
+
+/// The text of a file; `place` gives its place in an error, and `advice` the remedy for a file that
+/// is no text.
+pub(crate) fn read_text(
+    path: &Path,
+    advice: &str,
+    place: impl FnOnce() -> Place,
+) -> Result<String, SceneError> {
     let mut bytes = vec![];
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-    let reason = match read.map(|count| (count as u64, String::from_utf8(bytes))) {
+    let reason = match read {
         Err(error) => error.to_string(),
-        Ok((count, _)) if count > MOST_BYTES => {
+        Ok(_) if is_binary(&bytes) => format!("the file is not a text file; {advice}"),
+        Ok(count) if count as u64 > MOST_BYTES => {
             format!("more than {MOST_BYTES} bytes; leave out rows or digits")
         }
-        // Text in UTF-16 has zeros, too.
-        Ok((_, Ok(text))) if !text.contains('\0') => return Ok(text),
-        Ok(_) => "the file is not UTF-8 text; save it as UTF-8 (from a spreadsheet: as csv)".into(),
+        Ok(_) => match String::from_utf8(bytes) {
+            // Text in UTF-16 has zeros.
+            Ok(text) if !text.contains('\0') => return Ok(text),
+            _ => "the text is not in UTF-8; save it as UTF-8".into(),
+        },
     };
     Err(SceneError::Unreadable { at: Box::new(place()), reason })
+}
+
+/// Whether bytes are no text in UTF-8, UTF-16 or an 8-bit encoding: archives, as spreadsheets are,
+/// and other files with control characters.
+fn is_binary(bytes: &[u8]) -> bool {
+    let is_control = |byte: &u8| matches!(byte, 1..=8 | 14..=31);
+    let is_utf_16 = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
+    !is_utf_16 && bytes.iter().take(4096).any(is_control)
 }
 
 /// The first 60 characters of a text.
@@ -302,7 +321,7 @@ mod tests {
         let path = folder.path().join("scene.toml");
         // The limit lies within a character.
         std::fs::write(&path, format!("#{}", "\u{b5}".repeat(1 << 19))).unwrap();
-        let refused = read_text(&path, || Place::field("scene")).unwrap_err().to_string();
+        let refused = read_text(&path, "", || Place::field("scene")).unwrap_err().to_string();
         assert_eq!(
             refused,
             "scene cannot be read: more than 1048576 bytes; leave out rows or digits"

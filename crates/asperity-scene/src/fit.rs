@@ -12,7 +12,7 @@ use crate::free::other_unit;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input, unit_of_free};
 
 impl SceneFile {
-    /// The measured values of a table; its separations are from this scene's plane.
+    /// The measured values of a table, whose separations are measured from the plane of this scene.
     ///
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.

@@ -68,6 +68,9 @@ impl std::str::FromStr for Free {
                     _ => Ok(bounds),
                 }
             }
+            None if number(bounds).is_ok() => Err(format!(
+                "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
+            )),
             None => {
                 Err(format!("{bounds:?} are no bounds: write {name}=low:high, with decimal points"))
             }

@@ -1,9 +1,6 @@
 //! Hardnesses on the scales of indentation tests.
 
-use asperity::{HARDNESS_OVER_YIELD, short};
-
-/// The standard acceleration of gravity: 1 kgf in N.
-const KILOGRAM_FORCE: f64 = 9.80665;
+use asperity::{HARDNESS_OVER_YIELD, hardness_of_vickers, short};
 
 /// What a stress of a scene file is, as far as a hardness may be given for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,13 +27,10 @@ impl Stress {
 
 /// How a hardness such as `120 HV` is given instead, behind the text in a message; `None` for other
 /// texts.
-///
-/// Vickers hardness is the load over the area of the facets of a pyramid of 136°; the contact
-/// hardness of models is the mean pressure on the projected area, which is smaller by sin 68°.
 pub(crate) fn hardness(text: &str, stress: Stress) -> Option<String> {
     let scale = |name: &str| of_scale(text, name);
     let vickers = scale("HV").map(|vickers| {
-        let contact = 1e6 * KILOGRAM_FORCE * vickers / 68f64.to_radians().sin();
+        let contact = hardness_of_vickers(vickers);
         [contact, contact / HARDNESS_OVER_YIELD]
             .map(|pascal| format!("{}GPa", short(1e-9 * pascal)))
     });

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity::{ContactError, Datum, Diagnostic, TabulatedHeights};
 use serde::Deserialize;
 
-use crate::document::{Document, read_text, shorten};
+use crate::document::{Document, SAVE_AS_CSV, read_text, shorten};
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
@@ -108,7 +108,7 @@ fn read_heights(document: &Document<'_>, file: &Path) -> Result<TabulatedHeights
     if let Some(bytes) = document.handed("surface.heights.file", file)? {
         return table(&String::from_utf8_lossy(bytes), &path);
     }
-    let text = read_text(&path, || {
+    let text = read_text(&path, SAVE_AS_CSV, || {
         let at = document.place("surface.heights.file");
         Place { field: format!("{} = {path:?}", at.field), ..*at }
     })?;

@@ -49,12 +49,12 @@ impl Document<'_> {
             "floating-point number overflowed" => "a number of at most 1.8e308".into(),
             names => names.replace('`', "\"").into(),
         };
-        let words = needed.to_string();
+        let allowed = needed.to_string();
         // A number in quotes is an example, not a name.
-        let names = words.split('"').skip(1).step_by(2);
+        let names = allowed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
         let near = nearest_name(found.trim_matches('"'), names);
-        let near = near.map(Into::into).or_else(|| near_table(&found, &words));
+        let near = near.map(Into::into).or_else(|| near_table(&found, &allowed));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 
@@ -114,12 +114,18 @@ fn section_and_name(path: &str) -> (&str, &str) {
 }
 
 /// The key for a synonym, and how it differs.
-fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
+pub(crate) fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
     let inverse = "it is 1/conductivity, in ohm m; ";
     Some(match name.to_lowercase().as_str() {
         "electrical_conductivity" | "electric_conductivity" => ("electrical_resistivity", inverse),
         "resistivity" | "electric_resistivity" => ("electrical_resistivity", ""),
         "conductivity" | "heat_conductivity" => ("thermal_conductivity", ""),
+        "h" | "vickers" | "brinell" => ("hardness", ""),
+        "r" | "radius" | "tip_radius" => ("asperity_radius", ""),
+        "eta" | "density" => ("asperity_density", ""),
+        "sigma" | "sigma_z" | "roughness" => ("asperity_height_std", ""),
+        "psi" => ("plasticity_index", ""),
+        "a_n" | "area" => ("nominal_area", ""),
         "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
         "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
         "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),

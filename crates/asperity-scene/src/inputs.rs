@@ -7,6 +7,7 @@ use asperity::{
     Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_name,
 };
 
+use crate::hints::synonym;
 use crate::{SceneError, SceneFile};
 
 /// A number field of a struct: its key, and functions that read and set it.
@@ -154,9 +155,10 @@ impl SceneFile {
             }
             _ => "",
         };
+        let synonym = synonym(name).map(|(key, _)| key).filter(|key| names.contains(key));
         SceneError::UnknownInput {
             name: name.into(),
-            near: nearest_name(name, names.iter().copied()).map(Into::into),
+            near: synonym.or_else(|| nearest_name(name, names.iter().copied())).map(Into::into),
             known: names.join(", "),
             reason,
         }

@@ -1,52 +1,70 @@
-//! Likely units of parameters of ISO 25178 and of slopes that are given without one.
+//! Likely units of numbers of a surface that are given without one.
 
 use std::f64::consts::FRAC_PI_2;
 
 use asperity::{Diagnostic, Surface};
 
-use crate::document::Document;
+use crate::Roughness;
 use crate::notation::with_decimal_point;
 
-/// The units, SI first, in which instruments report ISO 25178 parameters.
-const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
-    ("sq", [("m", 1.0), ("um", 1e-6), ("nm", 1e-9)]),
-    ("spd", [("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)]),
-    ("spc", [("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)]),
-];
+/// The units, SI first, in which instruments report numbers of a surface, the usual ones second;
+/// slopes have none.
+fn units_of(key: &str) -> &'static [(&'static str, f64)] {
+    match key {
+        "sq" | "surface_height_std" => &[("m", 1.0), ("um", 1e-6), ("nm", 1e-9)],
+        "asperity_radius" => &[("m", 1.0), ("um", 1e-6), ("mm", 1e-3)],
+        "spd" | "asperity_density" => &[("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)],
+        "spc" => &[("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)],
+        "m0" => &[("m2", 1.0), ("um2", 1e-12), ("nm2", 1e-18)],
+        "m4" => &[("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)],
+        _ => &[("", 1.0)],
+    }
+}
 
-/// The units in which ISO 25178 parameters that were given without one describe a usual surface.
+/// A number of a surface in a unit that makes the surface usual.
+pub(crate) struct LikelyUnits {
+    /// The first key whose number is in another unit.
+    pub(crate) key: &'static str,
+    /// Its number as given.
+    pub(crate) value: f64,
+    /// All such numbers, as given and in SI units.
+    pub(crate) hint: String,
+}
+
+/// The units in which numbers that were given without one describe a usual surface.
 pub(crate) fn likely_units(
-    document: &Document<'_>,
-    section: &str,
-    given: [f64; 3],
-) -> Option<String> {
+    roughness: &Roughness,
+    is_stated: impl Fn(&str) -> bool,
+) -> Option<LikelyUnits> {
+    let (keys, given) = (roughness.keys(), roughness.numbers());
     // Indices of units; one of them is tried for a number without a unit only.
     let triples = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9]);
-    let si = |[a, b, c]: &[usize; 3]| [*a, *b, *c].iter().filter(|k| **k == 0).count();
+    // The fewest changes first, then the units that instruments prefer.
+    let likeliest = |units: &[usize; 3]| [0, 1].map(|k| units.iter().filter(|u| **u == k).count());
     let converted = |units: &[usize; 3], k: usize| {
-        let (key, known) = ISO_UNITS.get(k)?;
-        let (index, value) = (*units.get(k)?, *given.get(k)?);
-        let (unit, factor) = known.get(index)?;
-        let stated = document.stated.contains(&format!("{section}.{key}"));
-        (index == 0 || !stated).then_some((*key, value, *unit, value * factor))
+        let (key, index, value) = (*keys.get(k)?, *units.get(k)?, *given.get(k)?);
+        let (unit, factor) = units_of(key).get(index)?;
+        (index == 0 || !is_stated(key)).then_some((key, value, *unit, value * factor))
     };
     let [from, to] = Surface::USUAL_ASPERITY_ROUGHNESS;
     let usual = |units: &[usize; 3]| {
         let number = |k| converted(units, k).map(|(.., meant)| meant);
         let numbers = number(0).zip(number(1)).zip(number(2));
-        let surface = numbers.map(|((sq, spd), spc)| Surface::from_iso25178(sq, spd, spc));
+        let surface = numbers.map(|((a, b), c)| roughness.with([a, b, c]).surface());
         surface.and_then(Result::ok).is_some_and(|surface| {
             surface.findings().is_empty() && (from..=to).contains(&surface.roughness_parameter())
         })
     };
-    let units = triples.filter(usual).max_by_key(si)?;
+    let units = triples.filter(usual).max_by_key(likeliest)?;
     let changed = (0..3).filter(|k| units.get(*k).is_some_and(|index| *index > 0));
+    let changed: Vec<_> = changed.filter_map(|k| converted(&units, k)).collect();
+    let (key, value, ..) = *changed.first()?;
     let hint = |(key, value, unit, meant): (&str, f64, &str, f64)| {
         let [value, meant] = [value, meant].map(asperity::short);
         format!("{key} = {value} looks like {unit}; {value} {unit} is {meant} in SI units")
     };
-    let hints: Vec<String> = changed.filter_map(|k| converted(&units, k)).map(hint).collect();
-    Some(hints.join("; "))
+    let hint = changed.into_iter().map(hint).collect::<Vec<_>>().join("; ");
+    Some(LikelyUnits { key, value, hint })
 }
 
 /// The gradient above which it is probably in degrees or per cent: 45 degrees.

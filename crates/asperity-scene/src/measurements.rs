@@ -4,8 +4,9 @@ use std::path::Path;
 
 use asperity::fit::{DataColumn, MeasuredTable};
 
-use crate::document::{read_text, shorten};
-use crate::notation::{notation_hint, with_decimal_point};
+use crate::cells::{beside_commas, delimiter, delimiter_hint, number, quoted, share_hint};
+use crate::document::{SAVE_AS_CSV, read_text, shorten};
+use crate::notation::notation_hint;
 use crate::{Place, SceneError, is_unit};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
@@ -19,7 +20,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let place = |line: Option<usize>, field: &str| {
         Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
     };
-    let text = read_text(path, || *place(None, "the data"))?;
+    let text = read_text(path, SAVE_AS_CSV, || *place(None, "the data"))?;
     // A spreadsheet's mark of UTF-8.
     let text = text.trim_start_matches('\u{feff}');
     let delimiter = delimiter(text);
@@ -91,7 +92,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                                 let found = quoted(given);
                                 SceneError::Notation { at, found, hint }
                             }
-                            None => SceneError::value(at, shorten(given), "a number, or nothing"),
+                            None => SceneError::value(at, shorten(given), &needed(name)),
                         }
                     })?)
                 }
@@ -108,6 +109,14 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     }
     columns.retain(|(name, _)| name != "model" && name != "separation_over_sigma");
     Ok(MeasuredTable { columns, lines })
+}
+
+/// What a cell of this column needs.
+fn needed(column: &str) -> String {
+    match asperity::fit::is_column(column) {
+        true => "a number, or nothing".into(),
+        false => "a number, or a table without this column (no fit reads it)".into(),
+    }
 }
 
 /// The line and the reason where the lines at the top are no header and rows of numbers.
@@ -131,63 +140,6 @@ fn refuse_preamble(text: &str, head: &csv::StringRecord) -> Result<(), (usize, S
         true => Err((line, "the row has units; remove it, and give the values in SI units".into())),
         false => Ok(()),
     }
-}
-
-/// The beginning of a text in quotes, with its narrow blanks as they are.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", shorten(text).replace(char::is_control, " "))
-}
-
-/// How to write a number with a point where other cells have decimal commas.
-fn beside_commas(given: &str) -> String {
-    let (decimal, joined) = (given.replacen('.', ",", 1), given.replace('.', ""));
-    let is_group = given.rsplit('.').next().is_some_and(|last| last.len() == 3);
-    let how = if is_group { format!("{decimal} or {joined}") } else { decimal };
-    format!("has a point where other cells have decimal commas; write {how}")
-}
-
-/// How to write a number in per cent.
-fn share_hint(name: &str, given: &str, delimiter: u8) -> Option<String> {
-    let number = given.strip_suffix('%')?.trim();
-    let number: f64 = with_decimal_point(number).unwrap_or(number.into()).parse().ok()?;
-    Some(match name.strip_suffix("_std") {
-        Some(of) => format!("is a share of {of}; write the standard deviation in the unit of {of}"),
-        None => {
-            let plain = asperity::short(0.01 * number);
-            let has_comma = delimiter != b',' && given.contains(',');
-            let plain = if has_comma { plain.replace('.', ",") } else { plain };
-            format!("has a per cent sign; write {plain}")
-        }
-    })
-}
-
-/// Advice for a row with more cells than columns.
-fn delimiter_hint(delimiter: u8) -> &'static str {
-    match delimiter {
-        b',' => {
-            "; numbers with decimal commas are read where semicolons or tabs separate the columns"
-        }
-        _ => "",
-    }
-}
-
-/// The delimiter of the header, the first line that is no comment.
-fn delimiter(text: &str) -> u8 {
-    let head = text.lines().find(|line| !line.is_empty() && !line.starts_with('#'));
-    let has = |delimiter: char| head.is_some_and(|head| head.contains(delimiter));
-    match (has(';'), has('\t')) {
-        (true, _) => b';',
-        (_, true) => b'\t',
-        _ => b',',
-    }
-}
-
-/// A number; its comma is a decimal comma where commas do not separate cells.
-fn number(text: &str, delimiter: u8) -> Option<f64> {
-    text.parse().ok().or_else(|| {
-        let is_decimal = delimiter != b',' && text.matches(',').count() == 1 && !text.contains('.');
-        is_decimal.then(|| text.replace(',', ".").parse().ok()).flatten()
-    })
 }
 
 #[cfg(test)]
@@ -275,6 +227,10 @@ mod tests {
     fn everything_else_is_refused_with_its_line_and_column() {
         for (text, wanted) in [
             (
+                "load_N,area_m2,comment\n1,2,first\n",
+                ":2: comment is \"first\": a number, or a table without this column (no fit reads it)",
+            ),
+            (
                 "load_N,area_m2\n1,two\n",
                 ":2: area_m2 is \"two\": a number, or nothing was required",
             ),
@@ -301,14 +257,19 @@ mod tests {
             assert!(refused.starts_with(wanted), "{refused}");
         }
         let folder = tempfile::tempdir().unwrap();
-        for bytes in [&b"PK\x03\x04\x14\x00"[..], b"\xff\xfel\0o\0", b"l\0o\0a\0d\0"] {
+        let binary = "the file is not a text file; save the sheet as csv";
+        let other = "the text is not in UTF-8; save it as UTF-8";
+        for (bytes, wanted) in [
+            (&b"PK\x03\x04\x14\x00"[..], binary),
+            (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", binary),
+            (b"\xff\xfel\0o\0", other),
+            (b"l\0o\0a\0d\0", other),
+            (b"load_N,area_\xb5m2\n1,2\n", other),
+        ] {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path).unwrap_err().to_string();
-            assert!(
-                refused.contains("cannot be read: the file is not UTF-8 text; save it"),
-                "{refused}"
-            );
+            assert!(refused.ends_with(&format!("cannot be read: {wanted}")), "{refused}");
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

@@ -78,7 +78,8 @@ pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, Sc
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
     let read = || {
-        let text = read_text(path, named)?;
+        let advice = "a scene is a text in TOML, of which `asperity init` writes an example";
+        let text = read_text(path, advice, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };

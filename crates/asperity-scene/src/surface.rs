@@ -215,7 +215,10 @@ fn numbers(
     let slope = [(GRADIENT, keys.sdq), (MEAN_SLOPE, keys.mean_slope)];
     let slope = slope.into_iter().find_map(|(key, value)| likely_angle(key, value?));
     let plain = |key: &str| !document.stated.contains(&at(key));
-    let curvature = || keys.spc.filter(|_| plain("spc")).and_then(likely_curvature);
+    let units = roughness.and_then(|roughness| likely_units(&roughness, |key| !plain(key)));
+    // An error names the unit of the curvature together with those of other numbers.
+    let curvature =
+        || keys.spc.filter(|_| plain("spc") && units.is_none()).and_then(likely_curvature);
     let unit = slope.or_else(curvature);
     // Of two surfaces, each warning has its place.
     let is_pair = document.has(COUNTERFACE);
@@ -229,10 +232,9 @@ fn numbers(
     let surface = match (roughness, way) {
         (Some(roughness), _) => {
             let surface = roughness.surface();
-            if let (Err(_), Roughness::Iso25178(numbers)) = (&surface, roughness)
-                && let Some(units) = likely_units(document, section, numbers)
-            {
-                return Err(SceneError::Measured { at: document.place(section), reason: units });
+            if let (Err(_), Some(units)) = (&surface, &units) {
+                let (at, reason) = (document.place(section), units.hint.clone());
+                return Err(SceneError::Measured { at, reason });
             }
             if let Err(ContactError::OutOfRange { field: BANDWIDTH, .. }) = &surface
                 && let Some((key, slope, hint)) = too_steep(&roughness)

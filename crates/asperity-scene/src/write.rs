@@ -61,6 +61,12 @@ enum HeightsIn<'a> {
 }
 
 impl SceneFile {
+    /// Whether the file as read has this key of its surface.
+    pub(crate) fn has_surface_key(&self, key: &str) -> bool {
+        let table = self.read.as_ref().and_then(|read| read.table.get("surface")?.as_table());
+        table.is_some_and(|keys| keys.contains_key(key))
+    }
+
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
     /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface

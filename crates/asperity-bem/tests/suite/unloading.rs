@@ -147,6 +147,21 @@ fn slopes_of_loading_are_differences_of_solutions() {
     let solver = BoundaryElements::new(rough(64, 1), MODULUS).unwrap();
     let full = solver.solve(LoadCase::MeanPressure(3.0 * UNIT)).unwrap();
     assert_eq!(solver.loading_stiffness(&full), Err(BemError::FullContact));
+    // Almost at the hardness a neighbouring load closes the last gap.
+    let hardness = 0.5 * UNIT;
+    let solver = solver.clone().hardness(hardness).unwrap();
+    let closes = (1..40).map(|k| 1.0 - 0.5f64.powi(k)).find_map(|share| {
+        let solution = solver.solve(LoadCase::MeanPressure(share * hardness)).unwrap();
+        solver.loading_stiffness(&solution).err().map(|error| (solution, error))
+    });
+    let (solution, error) = closes.unwrap();
+    assert!(solution.pixel_area < 1.0, "{}", solution.pixel_area);
+    let BemError::FullContactBeside { pressure, neighbour } = error else { panic!("{error}") };
+    close(pressure, solution.mean_pressure, 1e-12);
+    assert!(neighbour > pressure && neighbour < hardness, "{neighbour:e} {pressure:e}");
+    let printed =
+        format!("every pixel is in contact at the neighbouring pressure {neighbour:e} Pa");
+    assert!(error.to_string().contains(&printed), "{error}");
     // Under the lightest loads one pixel touches: as stiff as under any other.
     let single = [1e-300, 1e-9].map(|p| {
         let solution = solver.solve(LoadCase::MeanPressure(p)).unwrap();
@@ -154,6 +169,22 @@ fn slopes_of_loading_are_differences_of_solutions() {
         solver.loading_stiffness(&solution).unwrap()
     });
     close(single[0], single[1], 1e-12);
+}
+
+/// A plateau of a soft material: the deflections of all loads vanish in the rounding of its height.
+#[test]
+fn a_slope_that_is_lost_in_rounding_is_refused() {
+    let inside = |k: usize| (4..10).contains(&(k / 64)) && (4..10).contains(&(k % 64));
+    let heights = (0..64 * 64).map(|k| if inside(k) { 1.0 } else { 0.0 }).collect();
+    let map = HeightMap::new(heights, [64, 64], [1e-3; 2]).unwrap();
+    let hardness = 1e-15 * MODULUS;
+    let solver = BoundaryElements::new(map, MODULUS).unwrap().hardness(hardness).unwrap();
+    let pressure = 0.9 * hardness * 36.0 / (64.0 * 64.0);
+    let solution = solver.solve(LoadCase::MeanPressure(pressure)).unwrap();
+    assert!(solution.plastic_area > 0.0 && solution.pixel_area < 0.01, "{}", solution.pixel_area);
+    let refused = solver.loading_stiffness(&solution).unwrap_err();
+    assert!(matches!(refused, BemError::Slope { .. }), "{refused}");
+    assert!(refused.to_string().contains("the mean gap does not fall"), "{refused}");
 }
 
 /// An elastic contact unloads as it loads: the slope of pressure over mean gap.

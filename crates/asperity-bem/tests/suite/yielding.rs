@@ -17,6 +17,9 @@ fn surface(n: usize) -> HeightMap {
 fn carries(solution: &Solution, hardness: f64) {
     let least = solution.mean_pressure / hardness;
     assert!(solution.area >= least * (1.0 - 1e-12), "{} < {least}", solution.area);
+    if let LoadCase::MeanPressure(pressure) = solution.given {
+        assert!(solution.area >= pressure / hardness, "{} {pressure}", solution.area);
+    }
     assert!(solution.area <= solution.pixel_area * (1.0 + 1e-12));
     assert!(solution.plastic_area <= solution.area * (1.0 + 1e-12));
 }
@@ -37,6 +40,34 @@ fn yielded_contacts_keep_the_area_of_finer_grids() {
         for (n, within) in [(128, 0.02), (256, 0.015)] {
             close(solve(n).area, fine, within);
         }
+    }
+}
+
+/// F/H to the last digit of the given load, though pressures sum to a little less.
+#[test]
+fn nearly_full_plastic_contacts_carry_their_load() {
+    let hardness = 0.05 * UNIT;
+    let solver = BoundaryElements::new(surface(64), MODULUS).unwrap().hardness(hardness).unwrap();
+    let shares = (0..16).map(|k| 0.9 + 0.006 * f64::from(k));
+    let given: Vec<_> = shares.map(|share| LoadCase::MeanPressure(share * hardness)).collect();
+    let solved = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
+    solved.into_iter().for_each(|solution| carries(&solution.unwrap(), hardness));
+}
+
+/// Deflections of such loads hide the heights: refused, and the other loads of a list as alone.
+#[test]
+fn loads_far_above_the_modulus_are_refused() {
+    let solver = BoundaryElements::new(surface(64), MODULUS).unwrap();
+    let given = [0.01 * UNIT, 1e100, 0.02 * UNIT].map(LoadCase::MeanPressure);
+    let solved = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
+    let refused = solver.solve(given[1]).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "mean pressure is 1e100: at most 1e6 times the equivalent modulus was required"
+    );
+    assert_eq!(solved[1].as_ref().unwrap_err(), &refused);
+    for k in [0, 2] {
+        close(solved[k].as_ref().unwrap().area, solver.solve(given[k]).unwrap().area, 1e-3);
     }
 }
 

@@ -98,17 +98,24 @@ impl Question<'_> {
             table.rows.push(self.corrected_row(&id, (at, had), &row, &mut reasons));
         }
         if let Some(basis) = lighter.first() {
-            let count = lighter.len();
+            let loads = match (lighter.len(), rows) {
+                (1, 1) => "the load is".into(),
+                (count, rows) => format!("{count} of {rows} loads are"),
+            };
             let text = format!(
-                "{id}: {count} of {rows} loads are below the lightest solved one, whose ratios are used ({basis})"
+                "{id}: {loads} below the lightest solved one, whose ratios are used ({basis})"
             );
             print_message("note", &text);
         }
         let of_area =
             |q: &asperity::Quantity| matches!(Compared::behind(*q), Some((Compared::Area, _)));
         if least > 0 && self.request.quantities.iter().any(of_area) {
+            let at = match rows {
+                1 => String::new(),
+                _ => format!("at {least} of {rows} loads "),
+            };
             let text = format!(
-                "{id}: at {least} of {rows} loads the area is F/H, the least that carries the load, and its interval extends above only"
+                "{id}: {at}the area is F/H, the least that carries the load, and its interval extends above only"
             );
             print_message("note", &text);
         }

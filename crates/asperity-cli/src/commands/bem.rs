@@ -49,10 +49,10 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
-    /// Add tangent (or stiffness, the same: the slope of first loading, where contacts yield by two
-    /// more solutions),
-    /// quantities of joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
-    /// electrical-conductance, -per-area), or any other that follows from load and area
+    /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
+    /// chord between pressures 5 % to either side, by two more solutions), quantities of joints
+    /// (unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance,
+    /// -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Add the results on every second pixel, to show their dependence on the grid

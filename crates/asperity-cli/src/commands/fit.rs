@@ -48,8 +48,8 @@ do not fix that end within the bounds), unit, rms (relative) and bic. Models are
 BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
 condition, undetermined combinations, limits at which parameters stop, residuals,
 unreachable data, an outlier and another stiffness that fits. If no model describes the
-data, or none reaches the target, the exit code is 1; the line or the unit that explains
-the data is named. No line is left out.
+data, or none reaches the target, the exit code is 1; the line, or two of more than six, or the
+unit that explains the data is named. No line is left out.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 

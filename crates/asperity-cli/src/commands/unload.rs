@@ -10,7 +10,7 @@ use clap::error::ErrorKind;
 
 use crate::commands::{history, unload_bem};
 use crate::input::args::{Closed, DrawnArgs, separation_unit, tolerance};
-use crate::input::distances::{Distances, warn_unit};
+use crate::input::distances::{Distances, turning_separations, warn_unit};
 use crate::input::lists::{Numbers, turning_loads};
 use crate::joints::{COLUMNS, READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
@@ -68,6 +68,7 @@ pub struct Unload {
     unit: SeparationUnit,
     /// Turning points as separations, in sigma, or with a unit, for example 2um
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
+    #[arg(value_parser = turning_separations)]
     history: Option<Distances>,
     /// Turning points as loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]

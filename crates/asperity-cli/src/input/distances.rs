@@ -5,7 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
-use crate::input::lists::{Numbers, Span, have_units};
+use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};
 use crate::input::numbers::{number, of_unit};
 use crate::output::print_message;
 
@@ -90,6 +90,13 @@ impl FromStr for DistanceSpan {
     }
 }
 
+/// Separations at which a joint turns.
+pub fn turning_separations(text: &str) -> Result<Distances, String> {
+    let found: Distances = text.parse()?;
+    refuse_repeated(&found.values, if found.metres { "m" } else { "" }, "separations")?;
+    Ok(found)
+}
+
 /// A length in m, or with its unit.
 fn metre(text: &str) -> Result<f64, String> {
     of_unit(text, "m")
@@ -132,6 +139,13 @@ mod tests {
         ] {
             assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));
         }
+        for (same, wanted) in [
+            ("2,1,1", "1 follows 1; a joint turns at separations that differ"),
+            ("2um,2um", "2e-6 m follows 2e-6 m; a joint turns at separations that differ"),
+        ] {
+            assert_eq!(turning_separations(same).unwrap_err(), wanted);
+        }
+        assert_eq!(turning_separations("2,1,2").unwrap().values, [2.0, 1.0, 2.0]);
         let one: Distance = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
         assert!("1,2".parse::<Distance>().is_err() && "1um,2um".parse::<Distance>().is_err());

@@ -146,12 +146,20 @@ pub fn turning_loads(text: &str) -> Result<Numbers, String> {
         load => positive(load),
     }
     })?;
-    match found.0.windows(2).find(|pair| pair[0].total_cmp(&pair[1]).is_eq()) {
+    refuse_repeated(&found.0, "N", "loads")?;
+    Ok(found)
+}
+
+/// Refuses a value that follows itself, at which a joint would not turn.
+pub fn refuse_repeated(values: &[f64], unit: &str, what: &str) -> Result<(), String> {
+    // 0 and -0 are one place.
+    match values.windows(2).find(|pair| pair[1] - pair[0] == 0.0) {
         Some(pair) => {
-            let load = shortest_digits(pair[0]);
-            Err(format!("{load} N follows {load} N; a joint turns at loads that differ"))
+            let value = format!("{} {unit}", shortest_digits(pair[0]));
+            let value = value.trim_end();
+            Err(format!("{value} follows {value}; a joint turns at {what} that differ"))
         }
-        None => Ok(found),
+        None => Ok(()),
     }
 }
 

@@ -202,10 +202,17 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(run.messages.contains("mean pressure is 6e9 Pa: less than the hardness, 5e9 Pa"));
     assert_eq!(cells(&run.out, "area_fraction")[1], "");
+    let run = bench.run("bem scan.toml --elastic --pressure 1e8,1e100 --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let beyond = "at most 1e6 times the equivalent modulus was required";
+    assert!(run.messages.contains(beyond), "{}", run.messages);
+    let areas = cells(&run.out, "area_fraction");
+    assert!(!areas[0].is_empty() && areas[1].is_empty(), "{}", run.out);
     bench.write("none.toml", NO_SHEAR);
     bench.write("flat.toml", &SCAN.replace("0.5\n", "0.5\nlevel = \"none\"\n"));
     for (arguments, printed) in [
         ("bem scan.toml --pressure 6e9", "no load was solved"),
+        ("bem scan.toml --elastic --pressure 1e100", beyond),
         ("bem scan.toml --gap 1", "nothing touches"),
         ("bem none.toml --pressure 1e6", "surface.file is missing: boundary elements (bem) need"),
         ("curve none.toml --model bem --pressure 1e6", "surface.file is missing"),

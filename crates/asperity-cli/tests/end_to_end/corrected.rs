@@ -66,3 +66,65 @@ fn without_evidence_the_models_stand_as_they_are() {
     let advice = "use tangent (first loading) or unloading-stiffness";
     assert!(stiffness.messages.contains(advice), "{}", stiffness.messages);
 }
+
+#[test]
+fn areas_of_the_least_that_carries_the_load_have_a_note() {
+    let bench = Bench::new();
+    let soft = crate::bench::NEGATIVE.replace("index = 2.0", "index = 8.0");
+    bench.write("soft.toml", &soft);
+    let note = "the area is F/H, the least that carries the load, and its interval extends above";
+    for (loads, counted) in [
+        ("3e6,3e8", Some("note: ke-corrected: at 1 of 2 loads the area is F/H")),
+        ("3e8", Some("note: ke-corrected: the area is F/H")),
+        ("3e6", None),
+    ] {
+        let asked = format!("curve soft.toml --model ke --corrected --pressure {loads}");
+        let run = bench.run(&format!("{asked} --quantity area,area-fraction --format csv"));
+        assert_eq!(run.messages.contains(note), counted.is_some(), "{loads}: {}", run.messages);
+        assert!(counted.is_none_or(|text| run.messages.contains(text)), "{}", run.messages);
+        // Of what was not asked for there is no note.
+        let other = bench.run(&format!("{asked} --quantity unloading-stiffness --format csv"));
+        assert!(!other.messages.contains(note), "{}", other.messages);
+        // F/H to the last digit.
+        let fractions = cells(&run.out, "area_fraction");
+        let pressures = cells(&run.out, "pressure_Pa");
+        for (fraction, pressure) in fractions.iter().zip(pressures).skip(fractions.len() / 2) {
+            let [fraction, pressure] = [*fraction, pressure].map(|x| x.parse::<f64>().unwrap());
+            assert!(fraction >= pressure / 1.12e9, "{fraction:e} at {pressure:e}");
+        }
+    }
+}
+
+#[test]
+fn light_loads_have_a_note_with_their_number() {
+    let bench = Bench::new();
+    let asked = "curve scene.toml --model ke --corrected --quantity area --format csv";
+    for (loads, counted) in [("1.5,1e3", "1 of 2 loads are below"), ("1.5", "the load is below")] {
+        let run = bench.run(&format!("{asked} --load {loads}"));
+        let note = format!("note: ke-corrected: {counted} the lightest solved one");
+        assert!(run.messages.contains(&note), "{}", run.messages);
+    }
+}
+
+/// Rows of all loads, blank, with the reason once.
+#[test]
+fn scans_unlike_the_solved_surfaces_have_blank_rows() {
+    let bench = crate::bem::bench();
+    let scan = bench.read("scan.txt");
+    // A groove and a ridge, five times as high as the waves.
+    let line = |(k, line): (usize, &str)| match k {
+        40 => line.split(' ').map(|_| "-9").collect::<Vec<_>>().join(" "),
+        50 => line.split(' ').map(|_| "9").collect::<Vec<_>>().join(" "),
+        _ => line.to_string(),
+    };
+    bench.write("scan.txt", &scan.lines().enumerate().map(line).collect::<Vec<_>>().join("\n"));
+    let asked = "curve scan.toml --model ke --corrected --pressure 1e7,1e8 --quantity area,tangent";
+    let run = bench.run(&format!("{asked} --format csv"));
+    assert_eq!(cells(&run.out, "model"), ["ke", "ke", "ke-corrected", "ke-corrected"]);
+    assert_eq!(cells(&run.out, "pressure_Pa")[2..], ["10000000", "100000000"], "{}", run.out);
+    for name in ["area_m2", "area_lower", "tangent_N_per_m", "separation_m", "separation_upper_m"] {
+        assert_eq!(cells(&run.out, name)[2..], ["", ""], "{name}: {}", run.out);
+    }
+    let reason = "warning: ke-corrected: no value in 2 of 2 rows, first: no boundary-element solution is close: measured_kurtosis is ";
+    assert_eq!(run.messages.matches(reason).count(), 1, "{}", run.messages);
+}

@@ -3,7 +3,15 @@
 use crate::bench::{Bench, cells, column};
 use crate::fit::{stiffness_rows, write_rows};
 
-const AREAS: &str = "load_N,area_m2\n10,5e-9\n100,5e-8\n";
+pub const AREAS: &str = "load_N,area_m2\n10,5e-9\n100,5e-8\n";
+
+/// Runs `fit`, which must end with an error that contains the text and print no result.
+pub fn refused(bench: &Bench, arguments: &str, wanted: &str) {
+    let run = bench.run(&format!("fit scene.toml {arguments}"));
+    assert_eq!(run.code, Some(1), "{arguments}: {}", run.messages);
+    assert!(run.messages.contains(wanted), "{arguments}: {}", run.messages);
+    assert!(run.out.is_empty(), "{}", run.out);
+}
 
 #[test]
 fn bad_data_are_refused_with_their_row_and_column() {
@@ -86,10 +94,7 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ("", "data.csv:1: the header is \"\": a header, for example load_N"),
     ] {
         bench.write("data.csv", text);
-        let run = bench.run("fit scene.toml data.csv --free hardness");
-        assert_eq!(run.code, Some(1), "{text}: {}", run.messages);
-        assert!(run.messages.contains(wanted), "{text}: {}", run.messages);
-        assert!(run.out.is_empty(), "{}", run.out);
+        refused(&bench, "data.csv --free hardness", wanted);
     }
 }
 
@@ -135,16 +140,14 @@ fn bad_parameters_are_refused_by_name() {
         ("hardness --model bem", "bem: boundary elements are not fitted"),
         ("m0", "m0, m2 and m4 need a surface that is given by them"),
     ] {
-        let run = bench.run(&format!("fit scene.toml data.csv --free {free}"));
-        assert_eq!(run.code, Some(1), "{free}: {}", run.messages);
-        assert!(run.messages.contains(wanted), "{free}: {}", run.messages);
+        refused(&bench, &format!("data.csv --free {free}"), wanted);
     }
-    let run = bench.run("fit scene.toml none.csv --free hardness");
-    assert!(run.code == Some(1) && run.messages.contains("none.csv: the data cannot be read"));
+    refused(&bench, "none.csv --free hardness", "none.csv: the data cannot be read");
     std::fs::write(bench.path("table.xlsx"), b"PK\x03\x04\x14\x00\x06\x00").unwrap();
-    let run = bench.run("fit scene.toml table.xlsx --free hardness");
-    let binary =
-        "table.xlsx: the data cannot be read: the file is not UTF-8 text; save it as UTF-8";
+    let binary = "table.xlsx: the data cannot be read: the file is not a text file; save the sheet";
+    refused(&bench, "table.xlsx --free hardness", binary);
+    let run = bench.run("check table.xlsx");
+    let binary = "table.xlsx: the scene file cannot be read: the file is not a text file; a scene is a text in TOML, of which `asperity init`";
     assert!(run.code == Some(1) && run.messages.contains(binary), "{}", run.messages);
     let run = bench.run("fit scene.toml data.csv");
     let keys = "--free is missing; name the numbers to fit, for example --free asperity_height_std (of scene.toml: equivalent_modulus, poissons_ratio, hardness,";
@@ -189,9 +192,8 @@ fn a_model_without_the_quantity_is_left_out_among_others() {
 fn loads_and_pressures_of_one_row_must_agree() {
     let bench = Bench::new();
     bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e5,5e-8\n");
-    let run = bench.run("fit scene.toml data.csv --free asperity_height_std");
     let wanted = "error: data.csv: line 3: load_N = 100 and pressure_Pa = 1e5 contradict each other: on the nominal area of 1e-4 m2 this pressure is a load of 10 N;";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    refused(&bench, "data.csv --free asperity_height_std", wanted);
 }
 
 #[test]
@@ -259,9 +261,8 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
 #[test]
 fn a_target_above_the_nominal_area_is_refused() {
     let bench = Bench::new();
-    let run = bench.run("fit scene.toml --free asperity_height_std --target area=5 --load 1kN");
     let wanted = "error: --target: area is 5 m2, above the nominal area of 1e-4 m2";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    refused(&bench, "--free asperity_height_std --target area=5 --load 1kN", wanted);
 }
 
 #[test]
@@ -281,16 +282,14 @@ fn bounds_with_a_unit_are_in_no_other() {
 fn a_free_nominal_area_takes_loads_or_pressures() {
     let bench = Bench::new();
     bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e6,5e-8\n");
-    let run = bench.run("fit scene.toml data.csv --free nominal_area");
     let wanted = "error: data.csv: load_N and pressure_Pa: leave one of the two columns out, as nominal_area is free";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    refused(&bench, "data.csv --free nominal_area", wanted);
 }
 
 #[test]
 fn data_that_a_model_does_not_have_are_named_by_their_file() {
     let bench = Bench::new();
     bench.write("data.csv", "load_N,thermal_conductance_W_per_K\n10,5\n100,50\n");
-    let run = bench.run("fit scene.toml data.csv --free asperity_height_std");
     let wanted = "error: data.csv: ke has no value for the data at any start within the bounds";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    refused(&bench, "data.csv --free asperity_height_std", wanted);
 }

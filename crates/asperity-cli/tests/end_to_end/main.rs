@@ -12,6 +12,7 @@ mod curve_messages;
 mod export;
 mod files;
 mod fit;
+mod fit_mistypes;
 mod fit_refusals;
 mod generate;
 mod help;

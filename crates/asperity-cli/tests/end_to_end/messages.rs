@@ -119,6 +119,10 @@ fn the_recommendation_reports_evidence_or_its_absence() {
         .filter(|line| line.contains("KE ") && line.contains("the area"))
         .collect();
     assert_eq!(lines.len(), 1, "{lines:?}");
+    // Only what was asked for; the columns of the table are always the same.
+    for other in ["stiffness in first loading", "stiffness of first loading", "mean gap"] {
+        assert!(!run.messages.contains(other), "{}", run.messages);
+    }
     let (head, rows) = csv(&run.out);
     let columns =
         ["area_off_bem", "area_off_bem_spread", "stiffness_off_bem", "stiffness_off_bem_spread"];
@@ -134,7 +138,8 @@ fn the_recommendation_reports_evidence_or_its_absence() {
 #[test]
 fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
     let bench = Bench::new();
-    let run = bench.run("recommend scene.toml --load 1e-9,19000,20000 --format csv");
+    let run = bench
+        .run("recommend scene.toml --load 1e-9,19000,20000 --quantity area,tangent --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(
         run.messages

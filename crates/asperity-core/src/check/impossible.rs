@@ -28,6 +28,9 @@ impl Check {
         pressure: f64,
         area_fraction: f64,
     ) -> Option<Diagnostic> {
+        if area_fraction.is_nan() || area_fraction <= 1.0 {
+            return None;
+        }
         let found = Diagnostic::error("above-nominal", "area_fraction", area_fraction)
             .usual([0.0, CROWDED[0]])
             .of_model(model.name())
@@ -36,7 +39,7 @@ impl Check {
             .advice(format!(
                 "check the units of modulus and load; at such loads use {FULL_CONTACT}"
             ));
-        (area_fraction > 1.0).then_some(found)
+        Some(found)
     }
 }
 
@@ -63,6 +66,9 @@ pub(super) fn beyond_full_contact(
             "small strains do not hold; check the units of load, nominal area and modulus",
         ),
     };
+    if value.is_nan() || value <= limit {
+        return None;
+    }
     let [area, name] = names;
     let fact = format!(
         "the mean pressure on the {area} area is {} Pa, above the {name} ({} Pa)",
@@ -76,5 +82,5 @@ pub(super) fn beyond_full_contact(
         .at(at)
         .fact(fact)
         .advice(advice);
-    (value > limit).then_some(found)
+    Some(found)
 }

@@ -2,7 +2,7 @@
 
 use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, likely, likely_unit};
 use crate::diagnostic::short;
-use crate::{Body, Diagnostic, Diagnostics, Interface, Severity};
+use crate::{Body, Diagnostic, Diagnostics, Interface, Severity, hardness_of_vickers};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -10,6 +10,11 @@ const MODULUS: [f64; 2] = [3e4, 1.3e12];
 const HARDNESS: [f64; 2] = [1e5, 1.5e11];
 /// H/E: from indium and lead to ceramics and hard plastics.
 const RATIO: [f64; 2] = [3e-4, 0.3];
+/// Modulus \[Pa\] from which a metal is stiffer than tin, and
+const STIFF: f64 = 6e10;
+/// the least H/E of such a body: the softest annealed metals (copper, gold, aluminium) have 1/300
+/// to 1/500, indium and tin 1/1000 below that modulus. \[recalled\]
+const SOFTEST: f64 = 1.5e-3;
 /// H/E of a stiff material above which the hardness is probably a modulus.
 const NO_HARDNESS: f64 = 2.0 * RATIO[1];
 /// Modulus \[Pa\] below which materials do not yield and the hardness may be any number near E.
@@ -28,6 +33,8 @@ const ADHESION: [f64; 2] = [1e-3, 5.0];
 const CONDUCTIVITY: [f64; 2] = [0.01, 3000.0];
 /// ρ \[Ω m\] of conductors, from cold copper to carbon and composites.
 const RESISTIVITY: [f64; 2] = [1e-9, 1e-2];
+/// Vickers hardnesses, from lead to sintered carbides.
+const VICKERS: [f64; 2] = [4.0, 3000.0];
 /// S = 0.454 + 0.41 ν.
 const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
 
@@ -107,7 +114,9 @@ fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagno
 impl Material {
     fn findings(&self) -> Diagnostics {
         let mut found: Diagnostics = self.sizes().into_iter().collect();
+        // A finding about the hardness already explains the ratio.
         if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
+            && found.is_empty()
             && !within(h / y, YIELD_RATIO)
         {
             let usual = [h / YIELD_RATIO[1], h / YIELD_RATIO[0]];
@@ -115,6 +124,27 @@ impl Material {
             found.push(unusual("yield_strength", y, usual).unit("Pa").advice(advice));
         }
         found
+    }
+
+    /// A warning for a hardness in Pa below that of any metal as stiff.
+    fn too_soft(&self) -> Option<Diagnostic> {
+        let (_, modulus) = self.modulus;
+        let hardness = self.hardness.filter(|h| modulus >= STIFF && *h < SOFTEST * modulus)?;
+        let usual = [SOFTEST, RATIO[1]].map(|ratio| ratio * modulus);
+        let advice = format!(
+            "hardness over modulus is {}, where the softest metals have {}; {CHECK_UNIT}",
+            short(hardness / modulus),
+            short(1.0 / 500.0)
+        );
+        let found = Diagnostic::warning("unusual-size", "hardness", hardness);
+        Some(found.usual(usual).unit("Pa").advice(advice))
+    }
+
+    /// The modulus \[Pa\], in the unit in which it is plausible.
+    fn modulus_meant(&self) -> f64 {
+        let (_, modulus) = self.modulus;
+        let unit = meant(modulus, self.hardness.or(self.yield_strength)).and_then(|(e, _)| e);
+        unit.map_or(modulus, |(_, factor)| factor * modulus)
     }
 
     /// Findings of modulus and hardness, each by itself and in proportion to the other.
@@ -125,7 +155,7 @@ impl Material {
             (None, yields) => ("yield_strength", yields),
         };
         if plausible(modulus, strength) {
-            return vec![];
+            return self.too_soft().into_iter().collect();
         }
         let ratio = strength.unwrap_or(0.0) / modulus;
         let found = |field, value: f64, usual: [f64; 2], unit: Option<Unit>| {
@@ -152,7 +182,10 @@ impl Material {
             match unit {
                 Some(unit) => unusual(field, value, usual)
                     .advice(format!("{meaning}; {CHECK_UNIT}"))
-                    .likely_unit(likely(value, unit, "Pa")),
+                    .likely_unit(match field {
+                        "hardness" => likely_hardness(value, unit, self.modulus_meant()),
+                        _ => likely(value, unit, "Pa"),
+                    }),
                 None if stiff => {
                     let usual = by_ratio.map(|r| r * modulus);
                     let advice = format!("{} times the modulus looks like a modulus", short(ratio));
@@ -175,6 +208,23 @@ impl Material {
                 e.into_iter().chain(if odd { of_strength(None) } else { None }).collect()
             }
         }
+    }
+}
+
+/// "200 looks like HV or MPa; 200 HV is 2.115e9 Pa, 200 MPa is 2e8 Pa", where a number of that
+/// size is a Vickers hardness as well.
+fn likely_hardness(value: f64, unit: Unit, modulus: f64) -> String {
+    let vickers = hardness_of_vickers(value);
+    let is_vickers = within(value, VICKERS)
+        && modulus >= PLASTIC
+        && within(vickers / modulus, [SOFTEST, RATIO[1]]);
+    let (name, factor) = unit;
+    let [given, meant, vickers] = [value, factor * value, vickers].map(short);
+    match is_vickers {
+        true => format!(
+            "{given} looks like HV or {name}; {given} HV is {vickers} Pa, {given} {name} is {meant} Pa"
+        ),
+        false => likely(value, unit, "Pa"),
     }
 }
 

@@ -10,6 +10,8 @@ pub const TRUTH: [f64; 4] = [2e-4, 2e8, 1e-6, 2e9];
 pub const NAMES: [&str; 4] =
     ["asperity_radius", "asperity_density", "asperity_height_std", "hardness"];
 
+pub const LOADS: [f64; 5] = [1.0, 10.0, 100.0, 300.0, 1000.0];
+
 pub fn scene([radius, density, height_std, hardness]: [f64; 4]) -> Scene {
     let mut interface = Interface::new(115e9, 0.3, hardness);
     interface.thermal_conductivity = Some(50.0);

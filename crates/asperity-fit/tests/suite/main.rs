@@ -3,5 +3,8 @@
 
 mod coverage;
 mod kit;
+mod limits;
+mod messages;
+mod outliers;
+mod ranking;
 mod recovery;
-mod words;

@@ -59,7 +59,7 @@ class Fit:
     unreachable: tuple[str, ...]
     #: Bounds, and ends of the range of scene and model, at which parameters stop.
     limits: tuple[str, ...]
-    #: The line of the file, or the row, without which the misfit is less than a fifth.
+    #: The line of the file, or the row, that the others contradict, or two of more than six.
     outlier: str | None
     #: The column of another stiffness that describes the data far better than the one given.
     other_column: str | None
@@ -142,8 +142,9 @@ def fit(
         By default ke, or gw without a hardness.
 
     A ``ContactWarning`` names data that cannot be reached or described, with the line or the unit
-    that explains them, an outlier, another stiffness than the column's, parameters at a bound, combinations of parameters that the data do
-    not determine, searches that did not converge, and results outside the range of a model.
+    that explains them, at most two outliers, another stiffness than the column's, parameters at a
+    bound, combinations of parameters that the data do not determine, searches that did not
+    converge, and results outside the range of a model.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())

@@ -37,19 +37,26 @@ pub(crate) fn corrected<'py>(
     let rows = &rows.view()?;
     let model = engine.on_all(&rows.files)?;
     let request = request_of(&names, rtol)?;
-    let found = py.detach(|| answer(&model, rows, unit, &request));
+    let asked = engine.id_asked(&model);
+    let found = py.detach(|| answer((&model, &asked), rows, unit, &request));
     let arrays = |column: [Vec<f64>; 3]| column.map(|numbers| PyArray1::from_vec(py, numbers));
     let columns = found.columns.into_iter().map(arrays).collect();
     let raised = |rows: Vec<(usize, ContactError)>| {
         let raised = rows.into_iter().map(|(row, error)| (row, engine.raise(py, error)));
         failures(py, raised.collect())
     };
-    let id = format!("{}-corrected", asperity::Described::id(&model));
+    let id = format!("{asked}-corrected");
     let (refused, apart) = (raised(found.refused), raised(found.apart));
     Ok((id, columns, arrays(found.separations), refused, apart))
 }
 
-fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Request) -> Found {
+/// The answers of a model under the id by which it was asked for.
+fn answer(
+    (model, id): (&asperity::Model, &str),
+    rows: &View<'_>,
+    unit: Axis,
+    request: &Request,
+) -> Found {
     let mut columns: Vec<[Vec<f64>; 3]> =
         request.quantities.iter().map(|_| [const { vec![] }; 3]).collect();
     let mut separations = [const { vec![] }; 3];
@@ -64,7 +71,8 @@ fn answer(model: &asperity::Model, rows: &View<'_>, unit: Axis, request: &Reques
         let compiled = match prepared.take() {
             Some((known, compiled)) if known == place => compiled,
             _ => rows.file_of(row).and_then(|file| {
-                Corrected::new(model, &file.scene, file.surface_shape()?, request)
+                let corrected = Corrected::new(model, &file.scene, file.surface_shape()?, request)?;
+                Ok(corrected.named(id))
             }),
         };
         let at = compiled.as_ref().map_err(Clone::clone).and_then(|found| found.at(rows.at(row)));

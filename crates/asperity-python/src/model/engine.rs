@@ -121,6 +121,15 @@ impl Engine {
         }
     }
 
+    /// The id by which the model was asked for: that of `model`, unless the options of a scene make
+    /// another of it.
+    pub(crate) fn id_asked(&self, model: &Model) -> String {
+        match &self.0 {
+            Kind::Named { id, .. } => id.trim().to_ascii_lowercase(),
+            Kind::Python { .. } => model.id().to_string(),
+        }
+    }
+
     /// The model's id and its own options: options of other models may differ between scenes.
     fn variant(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
         let (model, all) = (self.with(options, None)?, self.options(options)?);

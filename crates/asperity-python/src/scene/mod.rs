@@ -1,5 +1,6 @@
 //! `Scene`: the contact of two bodies, as described by a scene file.
 
+mod arguments;
 mod heights;
 pub(crate) mod inputs;
 
@@ -8,17 +9,16 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Datum, SeparationUnit};
-use asperity_scene::ModelOptions;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyTuple};
+use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 
 use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
 use crate::convert::objects::object;
 use crate::reading::found;
-use crate::records::{Asperity, Body, Interface, Record, Surface, instance, shown};
+use crate::records::{Asperity, Interface, Surface, instance};
 use heights::Heights;
 pub(crate) use heights::OptionValue;
 use inputs::{inputs, inputs_in_si};
@@ -270,19 +270,7 @@ impl SceneFile {
     /// The arguments of this scene, with dicts of numbers for the interface and the surface, and
     /// for the numbers from which these follow.
     fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let fields = self.arguments(py)?;
-        fields.set_item("interface", self.interface().fields(py)?)?;
-        fields.set_item("surface", self.surface().fields(py)?)?;
-        let bodies = self.0.bodies.iter().map(|body| Body(*body, ()).fields(py));
-        let bodies = bodies.collect::<PyResult<Vec<_>>>()?;
-        if !bodies.is_empty() {
-            fields.set_item("bodies", bodies)?;
-        }
-        if let Some(roughness) = self.0.roughness {
-            let numbers: Vec<_> = roughness.keys().iter().zip(roughness.numbers()).collect();
-            fields.set_item("roughness", numbers.into_py_dict(py)?)?;
-        }
-        Ok(fields)
+        self.fields(py)
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
@@ -300,23 +288,7 @@ impl SceneFile {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let given = self.arguments(py)?;
-        for (name, usual) in [("heights", "gaussian"), ("separation_from", "asperity-mean")] {
-            if given.get_item(name)?.is_some_and(|value| value.eq(usual).unwrap_or(false)) {
-                given.del_item(name)?;
-            }
-        }
-        if self.0.options == ModelOptions::default() {
-            given.del_item("options")?;
-        }
-        let text = shown("Scene", &given)?;
-        Ok(match &self.0.table {
-            None => text,
-            Some(table) => {
-                let points = format!("<table of {} points>", table.points().len());
-                text.replace(&self.heights(py)?.repr()?.to_string(), &points)
-            }
-        })
+        self.shown(py)
     }
 
     fn __reduce__<'py>(
@@ -335,19 +307,6 @@ impl SceneFile {
         let file = read.map_err(value_error)?;
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
-    }
-
-    /// The arguments of this scene, in the order of the signature.
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let arguments = PyDict::new(py);
-        arguments.set_item("interface", self.interface())?;
-        arguments.set_item("surface", self.surface())?;
-        arguments.set_item("nominal_area", self.nominal_area())?;
-        arguments.set_item("heights", self.heights(py)?)?;
-        arguments.set_item("separation_from", self.separation_from(py)?)?;
-        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
-        arguments.set_item("options", self.options(py)?)?;
-        Ok(arguments)
     }
 }
 

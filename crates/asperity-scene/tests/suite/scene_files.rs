@@ -109,10 +109,12 @@ fn every_way_gives_the_surface_of_the_library() {
     assert!(off(found.asperity_density, 1.11e8) < 1e-12, "{found:?}");
     // Findings name the keys of the file.
     let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
-    let (whole, keys) = (found[0].message(), "asperities from sq, spd, spc: ");
-    assert!(whole.contains("looks like um") && whole.starts_with(keys), "{whole}");
+    let wanted = "sq = 1 looks like um; 1 um is 1e-6 in SI units";
+    assert_eq!(found[0].message(), wanted);
     let blunt = gradient.replace("\"1 um\"", "1.0");
-    let found = read(&text("", INTERFACE, &blunt)).unwrap().findings();
+    assert_eq!(read(&text("", INTERFACE, &blunt)).unwrap().findings()[0].message(), wanted);
+    let far = gradient.replace("\"1 um\"", "\"1 m\"");
+    let found = read(&text("", INTERFACE, &far)).unwrap().findings();
     assert!(found.iter().any(|one| one.message().starts_with("asperities from sq, spd, sdq: ")));
     // Degrees or per cent, refused and warned of.
     let angle = |sdq: &str, sq: &str| {

@@ -176,6 +176,53 @@ fn a_likely_unit_is_within_the_usual_range_beside_it() {
 }
 
 #[test]
+fn a_hardness_without_a_unit_looks_like_vickers_or_megapascals() {
+    let body = |hardness: &str| format!("{STEEL}\nhardness = {hardness}");
+    let found = findings(&body("200"), "1e-4", GROUND);
+    let wanted = "200 looks like HV or MPa; 200 HV is 2.115e9 Pa, 200 MPa is 2e8 Pa";
+    assert!(found.len() == 1 && found[0].ends_with(wanted), "{found:?}");
+    // 2 HV is softer than lead.
+    let found = findings(&body("2"), "1e-4", GROUND);
+    assert!(found.len() == 1 && found[0].ends_with("2 looks like GPa; 2 GPa is 2e9 Pa"));
+    let found = findings(&body("\"200 MPa\""), "1e-4", GROUND);
+    let wanted = "hardness over modulus is 9.524e-4, where the softest metals have 0.002; check the number and its unit";
+    assert!(found.len() == 1 && found[0].ends_with(wanted), "{found:?}");
+    // Annealed copper.
+    assert!(asperity::Body::new(120e9, 0.34, 400e6).findings().is_empty());
+}
+
+#[test]
+fn numbers_of_a_surface_are_named_as_they_were_given() {
+    for (surface, wanted) in [
+        ("sq = 1.1\nspd = 2e8\nspc = 5e3", "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units"),
+        ("sq = 1.1e-6\nspd = 2e8\nspc = 5", "spc = 5 looks like 1/mm; 5 1/mm is 5000 in SI units"),
+        (
+            "sq = 1.1\nspd = 2e8\nspc = 5",
+            "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units; spc = 5 looks like 1/mm; 5 1/mm is 5000 in SI units",
+        ),
+        (
+            "sq = 1.1\nspd = 200\nspc = 5",
+            "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units; spd = 200 looks like 1/mm2; 200 1/mm2 is 2e8 in SI units; spc = 5 looks like 1/mm; 5 1/mm is 5000 in SI units",
+        ),
+        (
+            "sq = 1.1\nspd = 2e8\nsdq = 0.058",
+            "sq = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units",
+        ),
+        (
+            "asperity_radius = 2e-4\nasperity_density = 2e8\nsurface_height_std = 1.1",
+            "surface_height_std = 1.1 looks like um; 1.1 um is 1.1e-6 in SI units",
+        ),
+        (
+            "sq = 1.1e-6\nspd = 200\nsdq = 0.058",
+            "spd = 200 looks like 1/mm2; 200 1/mm2 is 2e8 in SI units",
+        ),
+    ] {
+        let found = findings(STEEL, "1e-4", surface);
+        assert!(found.len() == 1 && found[0].ends_with(wanted), "{surface}: {found:?}");
+    }
+}
+
+#[test]
 fn commas_brackets_and_other_units_are_explained() {
     for (from, to, wanted) in [
         ("0.3", "0,31", "0,31 has a decimal comma; write 0.31; "),

@@ -104,6 +104,13 @@ impl Corrected {
         Ok(Self { id, contact, counted: Counted::on(scene)?, lacking, shape })
     }
 
+    /// The same under the id by which the model was asked for, as `ke`, which the options of a scene
+    /// may make `ke-random`.
+    #[must_use]
+    pub fn named(self, id: &str) -> Self {
+        Self { id: format!("{id}-corrected"), ..self }
+    }
+
     /// The id of the model with `-corrected`.
     #[must_use]
     pub fn id(&self) -> &str {
@@ -188,7 +195,39 @@ impl CorrectedRow<'_> {
         let of = |ratio: f64| value / ratio.powf(power);
         let ends = [of(ratio.low), of(ratio.high)];
         let [lower, upper] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        Ok(CorrectedValue { value: of(ratio.ratio), lower, upper })
+        self.within_limits(quantity, CorrectedValue { value: of(ratio.ratio), lower, upper })
+    }
+
+    /// A value within its limits to the last digit, of which dividing by a ratio can leave it short:
+    /// the area is at least F/H, and the unloading stiffness at least the tangent.
+    fn within_limits(
+        &self,
+        quantity: Quantity,
+        found: CorrectedValue,
+    ) -> Result<CorrectedValue, ContactError> {
+        let scene = self.of.contact.scene();
+        let hardness = || scene.asperity().ok()?.hardness;
+        let all = |number: f64| CorrectedValue { value: number, lower: number, upper: number };
+        let least = match quantity {
+            Quantity::Area => hardness().zip(self.at.load(scene)).map(|(h, load)| all(load / h)),
+            Quantity::AreaFraction => {
+                hardness().zip(self.at.pressure(scene)).map(|(h, p)| all(p / h))
+            }
+            Quantity::UnloadingStiffness => self.value(Quantity::Tangent).ok(),
+            _ => None,
+        };
+        let Some(least) = least else { return Ok(found) };
+        if found.upper < least.lower && self.is_extrapolated() {
+            return Err(self.of.refused(format!(
+                "the {quantity} extrapolated from the lightest solved load would be below {:e}, the least that is possible",
+                least.lower
+            )));
+        }
+        Ok(CorrectedValue {
+            value: found.value.max(least.value),
+            lower: found.lower.max(least.lower),
+            upper: found.upper.max(least.upper),
+        })
     }
 
     /// The separation of the model less the expected difference of mean gaps, with its interval, in

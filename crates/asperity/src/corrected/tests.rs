@@ -72,7 +72,11 @@ fn few_contacts_scatter() {
     let relative = (persson.upper / persson.lower) / (same.upper / same.lower);
     assert!((relative - 1.0).abs() < 0.02, "{persson:?} {same:?}");
     // Asperities on asperities are many, but no better a sample.
-    let many = area("at");
+    let solved = |id: &str| {
+        let row = corrected(id, &scene);
+        row.at(At::Load(10.0)).unwrap().value(Quantity::Area).unwrap()
+    };
+    let (same, many) = (solved("ke"), solved("at"));
     let relative = (many.upper / many.lower) / (same.upper / same.lower);
     assert!((relative - 1.0).abs() < 0.02, "{many:?} {same:?}");
     for id in ["ke", "at", "gao"] {
@@ -129,4 +133,56 @@ fn what_is_undetermined_near_the_hardness_has_its_reason() {
     let reason = row.value(Quantity::Tangent).unwrap_err().to_string();
     let wanted = "the tangent here: it is interpolated up to 0.3 H, and the pressure is 0.40 H";
     assert!(reason.ends_with(wanted), "{reason}");
+}
+
+/// To the last digit, though values are quotients.
+#[test]
+fn areas_carry_the_load_and_contacts_unload_at_least_as_stiff() {
+    // Where most of the contact flows the area is F/H.
+    let (mut soft, mut elastic) = (scene(1.2e8), scene(3e8));
+    let hardness = 7e9 * soft.plasticity_index().unwrap() / 8.0;
+    soft.interface.hardness = Some(hardness);
+    elastic.interface.hardness = None;
+    let asked =
+        [Quantity::Area, Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
+    let (mut least, mut stiff) = (0, 0);
+    for (id, scene) in [("ke", &soft), ("jg", &soft), ("gw", &elastic), ("ke-random", &soft)] {
+        let model: Model = id.parse().unwrap();
+        let corrected = Corrected::new(&model, scene, None, &Request::new(asked)).unwrap();
+        for step in 1..=40 {
+            let load = hardness * 1e-4 * 0.015 * f64::from(step);
+            let Ok(row) = corrected.at(At::Load(load)) else { break };
+            let value = |quantity| row.value(quantity);
+            if let Some(hardness) = scene.interface.hardness {
+                let area = value(Quantity::Area).unwrap();
+                assert!(area.value >= area.lower && area.lower >= load / hardness, "{area:?}");
+                let fraction = value(Quantity::AreaFraction).unwrap();
+                let carried = load / scene.nominal_area / hardness;
+                assert!(fraction.value >= fraction.lower && fraction.lower >= carried);
+                if row.is_least_area() {
+                    least += 1;
+                    assert!(area.value <= load / hardness * (1.0 + 1e-12), "{area:?} {load}");
+                }
+            }
+            let stiffnesses = [Quantity::Tangent, Quantity::UnloadingStiffness].map(value);
+            if let [Ok(tangent), Ok(unloading)] = stiffnesses {
+                stiff += 1;
+                assert!(tangent.value <= unloading.value, "{id} {load}: {tangent:?} {unloading:?}");
+                assert!(tangent.lower <= unloading.lower && tangent.upper <= unloading.upper);
+            }
+        }
+    }
+    assert!(least > 0 && stiff > 30, "{least} {stiff}");
+}
+
+#[test]
+fn a_corrected_model_has_the_id_by_which_it_was_asked_for() {
+    let scene = scene(3e8);
+    let model: Model = "ke-random".parse().unwrap();
+    let corrected = Corrected::new(&model, &scene, None, &Request::new(ASKED)).unwrap();
+    assert_eq!(corrected.id(), "ke-random-corrected");
+    let corrected = corrected.named("ke");
+    assert_eq!(corrected.id(), "ke-corrected");
+    let refused = corrected.at(At::Pressure(1e100)).unwrap_err().to_string();
+    assert!(refused.starts_with("ke-corrected: no boundary-element solution"), "{refused}");
 }

@@ -4,6 +4,7 @@ mod case;
 mod contacts;
 mod csv;
 mod expected;
+mod interval;
 mod of_model;
 mod place;
 mod process;

@@ -27,6 +27,20 @@ impl Compared {
         }
     }
 
+    /// The compared quantities that tell of these: a force at a separation errs as the mean gap does
+    /// at a load. All, if none does.
+    pub(crate) fn telling_of(asked: &[Quantity]) -> Vec<Self> {
+        let of = |quantity: &Quantity| match quantity {
+            Quantity::Force | Quantity::Pressure => Some(Self::MeanGap),
+            Quantity::Stiffness => Some(Self::Stiffness),
+            other => Self::behind(*other).map(|(compared, _)| compared),
+        };
+        let asked: Vec<Self> = asked.iter().filter_map(of).collect();
+        let mut all = Self::ALL.to_vec();
+        all.retain(|compared| asked.is_empty() || asked.contains(compared));
+        all
+    }
+
     /// The compared quantity to which a quantity at a load is proportional, with the sign of the
     /// power: the mean pressure falls as the area grows.
     #[must_use]

@@ -249,3 +249,32 @@ fn a_ratio_compares_a_model_with_the_estimate() {
     let ratio = found.ratio(Compared::MeanGap, gap.value + 0.1 * found.rms_height).unwrap();
     assert!((ratio.ratio - 0.1).abs() < 1e-12, "{ratio:?}");
 }
+
+/// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.
+#[test]
+fn the_unloading_stiffness_is_at_least_the_tangent() {
+    let evidence = Evidence::committed().unwrap();
+    let [mut compared, mut crossed] = [0; 2];
+    for alpha in [3.2, 8.0, 20.0, 60.0] {
+        for index in [0.2, 0.5, 0.8, 2.0] {
+            for load in [1e-4, 1e-3, 1e-2, 0.1] {
+                let scene = scene(alpha, index);
+                let Ok(found) = evidence.expected(&scene, None, load * unit(), None) else {
+                    continue;
+                };
+                let both = [Compared::Stiffness, Compared::UnloadingStiffness];
+                let [Some(tangent), Some(unloading)] = both.map(|q| found.estimate(q)) else {
+                    continue;
+                };
+                assert!(tangent.value <= unloading.value, "{tangent:?} {unloading:?}");
+                assert!(tangent.low <= unloading.low && tangent.high <= unloading.high);
+                compared += 1;
+                let mut place = Place::of_scene(&scene, None, load * unit()).unwrap();
+                place.contacts = f64::INFINITY;
+                let [tangent, unloading] = both.map(|q| evidence.interval(q, &place).unwrap());
+                crossed += usize::from(unloading.iter().zip(tangent).any(|(u, t)| *u < t));
+            }
+        }
+    }
+    assert!(compared > 40 && crossed > 0, "{compared} {crossed}");
+}

@@ -78,6 +78,10 @@ pub struct Recommendation {
     pub comparisons: Vec<Comparison>,
     /// The finding that contacts of that model merge, if they do.
     pub merging: Option<Diagnostic>,
+    /// The compared quantities of which the request tells, the only ones in
+    /// [`summary`](Self::summary) and [`expectations`](Self::expectations).
+    #[serde(skip)]
+    pub compared: Vec<Compared>,
     /// For each separation or load, and for 24 of them if there are more, the models relative to
     /// boundary elements, or why that is not known.
     pub evidence: Vec<EvidenceAt>,
@@ -202,7 +206,8 @@ pub fn recommend_among(
     let merging = simplest.as_ref().and_then(|model| merging(model, scene, &request.at));
     let comparisons = comparisons.into_iter().map(|(found, _)| found).collect();
     let reference = reference.clone();
-    Ok(Recommendation { reference, within, simplest, merging, comparisons, evidence })
+    let compared = Compared::telling_of(&request.quantities);
+    Ok(Recommendation { reference, within, simplest, merging, comparisons, compared, evidence })
 }
 
 #[cfg(test)]

@@ -29,10 +29,11 @@ impl Recommendation {
 
     /// The evidence in lines: the separations or loads without any, and which of these models are
     /// expected to be nearest to boundary elements, a line for area and one for stiffness in first
-    /// loading.
+    /// loading, if requested.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
-        self.summary_named(&ranking::NAMES)
+        let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
+        self.summary_named(&asked.collect::<Vec<_>>())
     }
 
     /// The lines of [`Recommendation::summary`] with other names of the quantities.
@@ -51,7 +52,7 @@ impl Recommendation {
         let mut lines: Vec<String> = groups.iter().map(|group| self.without(group)).collect();
         let known = self.evidence.iter().filter(|place| place.expected.is_ok());
         let known: Vec<&EvidenceAt> = known.collect();
-        if let [first, ..] = known[..] {
+        if let ([first, ..], [_, ..]) = (&known[..], names) {
             let off = |id: &str, quantity| {
                 let of = |place: &&EvidenceAt| Some(place.ratio(id, quantity)?.deviation(quantity));
                 known.iter().map(of).collect()
@@ -84,7 +85,7 @@ impl Recommendation {
     /// part.
     fn expectation(&self, model: &Model) -> Option<String> {
         let mut parts: Vec<(usize, Vec<String>)> = vec![];
-        for quantity in Compared::ALL {
+        for &quantity in &self.compared {
             let ratios = self.evidence.iter().filter_map(|e| e.ratio(model.id(), quantity));
             let ratios: Vec<Ratio> = ratios.collect();
             let widest = ratios.iter().copied().reduce(|a, b| a.with(b, quantity));

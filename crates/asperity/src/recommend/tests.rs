@@ -64,7 +64,8 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     let scene = Scene::new(interface, surface, 3e-5);
     let unit = 116e9 * surface.rms_slope();
     let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 1e-1].map(|p| At::Pressure(p * unit));
-    let request = Request::new([Quantity::Area]).at(pressures);
+    let asked = [Quantity::Force, Quantity::Area, Quantity::Tangent];
+    let request = Request::new(asked).at(pressures);
     let ke: Model = "ke".parse().unwrap();
     let models = vec![ke.clone(), "jg".parse().unwrap()];
     let advice = recommend_among(models, &scene, None, &request, &ke, 0.1).unwrap();
@@ -89,6 +90,32 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     assert!(ke.contains("% of Sq (alpha 4.8, psi 2; boundary elements on "), "{ke}");
     assert!(lines.len() <= 2 && lines.iter().all(|line| line.matches("the area").count() == 1));
     assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_some()));
+}
+
+#[test]
+fn sentences_are_about_the_quantities_asked_for() {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let text = |asked: Quantity| {
+        let request = Request::new([asked]).at([At::Pressure(1e8)]);
+        let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.05).unwrap();
+        [advice.summary(), advice.expectations()].concat().join("\n")
+    };
+    let said = |text: &str| {
+        ["the area", "stiffness of first loading", "unloading stiffness", "the mean gap"]
+            .map(|words| text.contains(words))
+    };
+    let area = text(Quantity::Area);
+    assert_eq!(said(&area), [true, false, false, false], "{area}");
+    assert!(area.contains("in area") && !area.contains("in stiffness"), "{area}");
+    let tangent = text(Quantity::Tangent);
+    assert_eq!(said(&tangent), [false, true, false, false], "{tangent}");
+    assert!(tangent.contains("in stiffness") && !tangent.contains("in area"), "{tangent}");
+    assert_eq!(said(&text(Quantity::UnloadingStiffness)), [false, false, true, false]);
+    assert_eq!(said(&text(Quantity::Force)), [false, false, false, true]);
+    // Contacts have no counterpart; what is known is said.
+    assert_eq!(said(&text(Quantity::Contacts)), [true; 4]);
 }
 
 #[test]

@@ -1,0 +1,123 @@
+//! What data do not determine, what they cannot be, and what is refused.
+
+use std::ops::ControlFlow;
+
+use asperity_core::{ContactModel, Quantity};
+use asperity_fit::{Fit, FitError, Parameter};
+use asperity_gw::GreenwoodWilliamson;
+use asperity_jg::JacksonGreen;
+use asperity_ke::KogutEtsion;
+
+use crate::kit::{LOADS, NAMES, TRUTH, columns, data, parameters, varied};
+
+#[test]
+fn stiffness_against_load_fixes_one_group_of_gw() {
+    let data = data(&columns(&GreenwoodWilliamson, &LOADS, &[Quantity::Tangent]));
+    let scene = varied(&[0, 1]);
+    let fit = Fit::new(&data, parameters(&[0, 1], 1.7), &scene).unwrap();
+    let fitted = fit.run(&GreenwoodWilliamson).unwrap();
+    let wanted = "only asperity_density x asperity_radius^0.5 is determined";
+    assert_eq!(fitted.undetermined, [wanted]);
+    assert!(fitted.condition.is_none() && fitted.converged, "{fitted:?}");
+    assert_eq!(fitted.correlation[0][1], None);
+    let [radius, density] = [0, 1].map(|k| fitted.parameters[k].value);
+    let group = density * radius.sqrt() / (TRUTH[1] * TRUTH[0].sqrt());
+    assert!((group - 1.0).abs() < 1e-8, "{group}");
+    assert!(fitted.parameters.iter().all(|p| p.lower.is_none() && p.upper.is_none()));
+    // Of the values that fit, those nearest to the start: 1.7 times the truth, less the part that
+    // the data do not allow, which is shared by the exponents 1/2 and 1.
+    let excess = 1.7f64.ln() * 1.5 / 1.25;
+    for (found, exponent) in [(radius / TRUTH[0], 0.5), (density / TRUTH[1], 1.0)] {
+        let wanted = 1.7 * (-excess * exponent).exp();
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{found} {wanted}");
+    }
+}
+
+#[test]
+fn a_number_without_effect_is_named() {
+    let data = data(&columns(&GreenwoodWilliamson, &LOADS, &[Quantity::Tangent]));
+    let scene = varied(&[2, 3]);
+    let fit = Fit::new(&data, parameters(&[2, 3], 1.7), &scene).unwrap();
+    let fitted = fit.run(&GreenwoodWilliamson).unwrap();
+    assert_eq!(fitted.undetermined, ["hardness is not determined: it does not change the data"]);
+    let std = fitted.parameters[0].value;
+    assert!((std / TRUTH[2] - 1.0).abs() < 1e-8, "{std}");
+}
+
+fn inverse(value: f64, model: &dyn ContactModel, free: &[usize]) -> asperity_fit::Fitted {
+    let columns = [("pressure_Pa", 5e6), ("area_fraction", value)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    let data = data(&columns);
+    let scene = varied(free);
+    Fit::new(&data, parameters(free, 1.0), &scene).unwrap().run(model).unwrap()
+}
+
+#[test]
+fn an_area_below_load_over_hardness_is_refused_with_the_hardness_it_needs() {
+    let found = inverse(0.001, &KogutEtsion, &[2]);
+    let wanted = "an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
+    assert_eq!(found.unreachable, [wanted]);
+    // Those of JG as well, within 2 %.
+    let found = inverse(0.001, &JacksonGreen::default(), &[2]);
+    assert_eq!(found.unreachable, [wanted]);
+    // The bound of a free hardness counts.
+    let found = inverse(0.002, &KogutEtsion, &[3]);
+    assert!(found.unreachable.is_empty(), "{found:?}");
+    let hardness = found.parameters[0].value;
+    assert!(hardness > 2.5e9 && hardness < 60e9, "{hardness:e}");
+    // GW has no hardness: the nearest value is at a bound.
+    let found = inverse(0.9, &GreenwoodWilliamson, &[2]);
+    assert!(
+        found.unreachable[0].starts_with("an area fraction of 0.9 at a pressure of 5e6 Pa cannot be reached within the bounds: the nearest is ")
+            && found.unreachable[0].contains(" at asperity_height_std = "),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn one_value_and_one_parameter_answer_the_inverse_question() {
+    let found = inverse(0.004, &KogutEtsion, &[2]);
+    assert!(found.converged && found.unreachable.is_empty(), "{found:?}");
+    assert!((found.residuals[0].fitted / 0.004 - 1.0).abs() < 1e-9, "{found:?}");
+    assert_eq!((found.bic, found.parameters[0].lower), (None, None));
+    assert!(found.notes.iter().any(|note| note.starts_with("no intervals: as many")), "{found:?}");
+}
+
+#[test]
+fn loads_and_pressures_of_a_row_must_agree() {
+    let columns = [("load_N", 100.0), ("pressure_Pa", 1e6), ("area_m2", 4e-8)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    let data = data(&columns);
+    assert_eq!(data.check_loads(1e-4), Ok(()));
+    assert_eq!(data.check_loads(1.004e-4), Ok(()), "rounded");
+    let refused = data.check_loads(5e-5).unwrap_err().to_string();
+    let wanted = "row 1: load_N = 100 and pressure_Pa = 1e6 contradict each other: on the nominal area of 5e-5 m2 this pressure is a load of 50 N; leave one of the two columns out, or correct the area";
+    assert_eq!(refused, wanted);
+}
+
+#[test]
+fn a_fit_ends_where_its_caller_says() {
+    let data = data(&columns(&GreenwoodWilliamson, &LOADS, &[Quantity::Tangent]));
+    let scene = varied(&[2]);
+    let fit = Fit::new(&data, parameters(&[2], 1.7), &scene).unwrap();
+    let mut last = 0;
+    let ended = fit.run_with(&GreenwoodWilliamson, &mut |progress| {
+        last = progress.evaluations;
+        if last < 7 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert_eq!((ended, last), (Err(FitError::Interrupted), 7));
+}
+
+#[test]
+fn parameters_and_data_that_make_no_fit_are_refused() {
+    let data = data(&columns(&GreenwoodWilliamson, &LOADS[..2], &[Quantity::Tangent]));
+    let scene = varied(&[0, 1, 2]);
+    let refused = |free: Vec<Parameter>| Fit::new(&data, free, &scene).err().unwrap().to_string();
+    assert_eq!(refused(vec![]), "free parameters: at least one was required");
+    assert!(refused(parameters(&[1, 1], 1.0)).ends_with("asperity_density: it is given twice"));
+    assert!(refused(parameters(&[0, 1, 2], 1.0)).starts_with("2 measured values for 3 free param"));
+    for (bounds, scale) in [([2.0, 1.0], 1.0), ([1.0, f64::NAN], 1.0), ([-1.0, 1.0], 0.0)] {
+        assert!(Parameter::new(NAMES[0], "m", 1.0, bounds, scale).is_err(), "{bounds:?}");
+    }
+    assert!(Parameter::new("series_compliance", "m/N", 0.0, [-1e-9, 1e-9], 1e-9).is_err());
+}

@@ -1,0 +1,120 @@
+//! The unit, the column or the standard deviations that explain a misfit.
+
+use asperity_core::{At, ContactModel, Quantity, Request, Severity};
+use asperity_fit::Fit;
+use asperity_ke::KogutEtsion;
+
+use crate::kit::{LOADS, TRUTH, columns, data, parameters, varied};
+
+#[test]
+fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    let good = fitted(&columns);
+    assert_eq!((good.misfit, good.limits), (None, vec![]));
+    columns[0].1.iter_mut().flatten().for_each(|load| *load *= 1e-3);
+    let found = fitted(&columns);
+    let unit = "load_N = 1 (row 5) looks like kN; 1 kN is 1000 N";
+    assert!(found.misfit.as_ref().is_some_and(|text| text.ends_with(unit)), "{found:?}");
+    assert_eq!(found.limits, ["asperity_height_std is at its lower bound of 5e-8"]);
+}
+
+#[test]
+fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
+    let separations = [2.5e-6, 2e-6, 1.5e-6, 1e-6, 0.5e-6];
+    let request = Request::new([Quantity::Force]).at(separations.map(At::metres));
+    let answer = KogutEtsion.solve(&crate::kit::scene(TRUTH), &request).unwrap();
+    let loads: Vec<f64> = answer.values(Quantity::Force).unwrap();
+    let scene = varied(&[2]);
+    for (unit, factor) in [("um", 1e6), ("nm", 1e9), ("mm", 1e3)] {
+        let some = |values: &[f64], factor: f64| values.iter().map(|v| Some(v * factor)).collect();
+        let mut columns = vec![
+            ("load_N".to_string(), some(&loads, 1.0)),
+            ("separation_m".to_string(), some(&separations, factor)),
+        ];
+        for std in [false, true] {
+            if std {
+                let deviations = vec![Some(1e-8 * factor); LOADS.len()];
+                columns.push(("separation_m_std".into(), deviations));
+            }
+            let data = data(&columns);
+            let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+            let message = match fit.run(&KogutEtsion) {
+                Ok(fitted) => fitted.misfit.unwrap_or_default(),
+                Err(error) => error.to_string(),
+            };
+            assert!(message.contains(&format!(") looks like {unit}; ")), "{unit}: {message}");
+            assert!(message.contains("separation_m = "), "{unit}: {message}");
+        }
+    }
+}
+
+#[test]
+fn forces_and_pounds_in_a_column_of_pressures_are_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let scene = varied(&[2]);
+    columns[0].0 = "pressure_Pa".into();
+    for (factor, unit) in [
+        (
+            1e-4,
+            "pressure_Pa = 1000 (row 5) looks like N; 1000 N on the nominal area of 1e-4 m2 is 1e7 Pa",
+        ),
+        (1.0 / 6_894.757_293, "pressure_Pa = 1450 (row 5) looks like psi; 1450 psi is 1e7 Pa"),
+    ] {
+        let pressures = LOADS.map(|load| Some(factor * load / 1e-4));
+        columns[0].1 = pressures.to_vec();
+        let data = data(&columns);
+        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+        let misfit = fit.run(&KogutEtsion).unwrap().misfit.unwrap();
+        assert!(misfit.ends_with(unit), "{misfit}");
+    }
+}
+
+#[test]
+fn a_stiffness_in_the_column_of_another_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::UnloadingStiffness]);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    assert_eq!(fitted(&columns).other_column, None);
+    columns[1].0 = Quantity::Tangent.column();
+    let found = fitted(&columns);
+    let other = found.other_column.as_deref().unwrap();
+    assert!(
+        other.starts_with("tangent_N_per_m deviates by ")
+            && other.contains(" if it is unloading_stiffness_N_per_m; name the column by"),
+        "{other}"
+    );
+    assert!(found.remarks().contains(&(Severity::Warning, other)), "{found:?}");
+}
+
+#[test]
+fn standard_deviations_far_below_the_residuals_are_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let off = [1.05, 0.96, 1.03, 0.98, 1.04];
+    for (value, off) in columns[1].1.iter_mut().flatten().zip(off) {
+        *value *= off;
+    }
+    let scene = varied(&[2]);
+    let fitted = |deviation: &dyn Fn(f64) -> f64| {
+        let mut columns = columns.clone();
+        let std = columns[1].1.iter().map(|value| value.map(deviation)).collect();
+        columns.push((format!("{}_std", columns[1].0), std));
+        let data = data(&columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    let misfit = fitted(&|_| 3.0).misfit.unwrap();
+    assert!(misfit.contains(" times the standard deviations (reduced chi squared "), "{misfit}");
+    assert!(misfit.contains("tangent_N_per_m_std = 3 looks like per cent of the value; 3 % of "));
+    assert_eq!(fitted(&|_| 3.0).outlier, None);
+    let good = fitted(&|value| 0.04 * value);
+    assert!(good.misfit.is_none() && good.notes.is_empty(), "{good:?}");
+    let small = fitted(&|value| 0.004 * value);
+    assert!(small.misfit.is_none() && small.notes[0].contains("intervals are too narrow"));
+}
