@@ -13,7 +13,7 @@ const CODES: &str = "\
     gaussian-moments heights-integral heights-std hurst-exponent inverted level mask negative \
     negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \
     not-monotone open-seam outliers periodic-part repeated resampled roughness-parameter seam \
-    short-waves slope sticks summits-follow-sampling tabor undeclared-kink underflow unit \
+    short-waves slope small-scan sticks summits-follow-sampling tabor undeclared-kink underflow unit \
     unusual-size yields";
 
 /// Refuses a code that no warning and no note has.

@@ -19,6 +19,9 @@ pub struct Measured {
     pub statistics: Statistics,
     /// The longer side of a pixel \[m\].
     pub pixel_size: f64,
+    /// The wavelength above which half of Sq² lies \[m\]; `None` for two surfaces and for scans
+    /// without a spectrum.
+    pub long_wavelength: Option<f64>,
 }
 
 /// Ranges of skewness and kurtosis of nearly Gaussian heights.
@@ -149,7 +152,7 @@ impl SceneFile {
         if let Some((model, _)) = place {
             check.keep_for(model);
         }
-        if let Some(Measured { statistics, pixel_size }) = &self.measured {
+        if let Some(Measured { statistics, pixel_size, .. }) = &self.measured {
             let profile = "of the measured profiles";
             check.add_number("measured_height_std", statistics.sq, "m", "Sq");
             check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
@@ -207,7 +210,7 @@ impl SceneFile {
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }
 
-    fn scan_findings(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
+    fn scan_findings(&self, Measured { statistics, pixel_size, .. }: &Measured) -> Vec<Diagnostic> {
         let mut found = vec![];
         // Outliers would be part of measured heights.
         let clean = !statistics.outliers.matter() && self.no_asperities.is_none();
@@ -219,6 +222,7 @@ impl SceneFile {
             }));
         }
         found.extend(statistics.unusual_slope(*pixel_size));
+        found.extend(self.small_scan());
         found
     }
 

@@ -109,7 +109,7 @@ mod tests {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
         file.scene.surface = statistics.surface().unwrap();
-        file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
+        file.measured = Some(Measured { statistics, pixel_size: 1e-6, long_wavelength: None });
         let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
         let ke = file.model("ke").unwrap();
         file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().summary()

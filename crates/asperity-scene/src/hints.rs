@@ -6,7 +6,7 @@ use toml::de::Error;
 use crate::document::{Document, shorten};
 use crate::error::{Needed, SceneError};
 use crate::iso_units::gradient;
-use crate::notation::with_decimal_point;
+use crate::notation::{notation_hint, with_decimal_point};
 use crate::template::{joined, key};
 
 impl Document<'_> {
@@ -31,6 +31,10 @@ impl Document<'_> {
             return self.unknown(&path, &keys);
         }
         let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
+        let length = in_quotes(&found).filter(|_| needed.starts_with("a length "));
+        if let Some(hint) = length.and_then(notation_hint) {
+            return SceneError::Notation { at: self.place(&path), found, hint };
+        }
         let without_quotes = plain_number(name, &found).filter(|_| needed == "f64");
         let needed: Needed = match needed {
             _ if without_quotes.is_some() => without_quotes.unwrap_or_default().into(),
@@ -46,7 +50,10 @@ impl Document<'_> {
             names => names.replace('`', "\"").into(),
         };
         let allowed = needed.to_string();
-        let near = nearest_name(found.trim_matches('"'), allowed.split('"').skip(1).step_by(2));
+        // A number in quotes is an example, not a name.
+        let names = allowed.split('"').skip(1).step_by(2);
+        let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
+        let near = nearest_name(found.trim_matches('"'), names);
         let near = near.map(Into::into).or_else(|| near_table(&found, &allowed));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
@@ -75,9 +82,14 @@ impl Document<'_> {
     }
 }
 
+/// The text in quotes.
+fn in_quotes(found: &str) -> Option<&str> {
+    found.strip_prefix('"')?.strip_suffix('"')
+}
+
 /// The number needed instead of a text, of a key without a unit.
 fn plain_number(name: &str, found: &str) -> Option<String> {
-    let text = found.strip_prefix('"')?.strip_suffix('"')?;
+    let text = in_quotes(found)?;
     let slope = gradient(text).filter(|_| ["sdq", "mean_slope"].contains(&name));
     if let Some(slope) = slope.map(asperity::short) {
         let given = with_decimal_point(text).unwrap_or(text.into());

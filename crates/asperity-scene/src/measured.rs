@@ -12,6 +12,7 @@ use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
 use crate::measured_keys::MeasuredKeys;
 use crate::scan::open_seam;
+use crate::small_scan::long_wavelength;
 use crate::{Measured, Roughness, SceneError};
 
 /// What a scene file is read for.
@@ -82,7 +83,8 @@ impl Scan {
         let [dx, dy] = scan.pixel_size();
         let statistics = scan.statistics(self.keys.estimator);
         let statistics = statistics.map_err(|error| self.refused(document, error))?;
-        Ok(Measured { statistics, pixel_size: dx.max(dy) })
+        let long_wavelength = long_wavelength(scan);
+        Ok(Measured { statistics, pixel_size: dx.max(dy), long_wavelength })
     }
 
     /// Errors of an option are at that option, all others at the file.
@@ -205,7 +207,11 @@ pub(crate) fn measured(
     let sum = |one: Measured, two: Measured| {
         let both = Statistics::combined(&one.statistics, &two.statistics).map_err(refused)?;
         Ok::<_, SceneError>((
-            Measured { statistics: both, pixel_size: one.pixel_size.max(two.pixel_size) },
+            Measured {
+                statistics: both,
+                pixel_size: one.pixel_size.max(two.pixel_size),
+                long_wavelength: None,
+            },
             None,
         ))
     };
@@ -218,7 +224,7 @@ pub(crate) fn measured(
         (Some(second), None, _) => sum(alone(first)?, alone(second)?)?,
         (None, _, Some(moments)) => {
             let statistics = Statistics::gaussian(moments);
-            sum(alone(first)?, Measured { statistics, pixel_size: 0.0 })?
+            sum(alone(first)?, Measured { statistics, pixel_size: 0.0, long_wavelength: None })?
         }
         (None, _, None) => {
             let scan = first.read(document)?;

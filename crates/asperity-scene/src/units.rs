@@ -82,8 +82,12 @@ pub(crate) const UNITS: [Units; 15] = [
         &[("uohmcm", -8), ("uohmm", -6), ("nohmm", -9), ("mohmm", -3), ("ohmcm", -2), ("ohmm", 0)],
     ),
 ];
-/// Units that are not decimal, with their size in a decimal unit.
-const OTHERS: [(&str, &str, f64, &str); 13] = [
+/// Units that are not read, with their size in one that is.
+const OTHERS: [(&str, &str, f64, &str); 17] = [
+    ("Pa", "kN/mm2", 1.0, "GPa"),
+    ("Pa", "kN/cm2", 10.0, "MPa"),
+    ("Pa", "kN/m2", 1.0, "kPa"),
+    ("Pa", "N/cm2", 10.0, "kPa"),
     ("Pa", "kgf/mm2", 9.80665, "MPa"),
     ("Pa", "Msi", 6.894_757_3, "GPa"),
     ("Pa", "ksi", 6.894_757_3, "MPa"),
@@ -108,8 +112,14 @@ pub fn is_unit(text: &str) -> bool {
     decimal.chain(others).any(|known| known == unit)
 }
 
-/// A number in a unit that is not decimal, in one that is: 248.2 MPa for 36 ksi.
-pub(crate) fn converted(given: &str, si: &str) -> Option<String> {
+/// A number in a unit that [`quantity`](crate::quantity) does not read, in one that it does.
+///
+/// ```
+/// assert_eq!(asperity_scene::converted("5 kN/cm2", "Pa").as_deref(), Some("50 MPa"));
+/// assert_eq!(asperity_scene::converted("5 kN/cm2", "N"), None);
+/// ```
+#[must_use]
+pub fn converted(given: &str, si: &str) -> Option<String> {
     let (number, power, rest) = leading(given)?;
     let unit = plain(rest);
     let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;

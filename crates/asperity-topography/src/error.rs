@@ -49,6 +49,14 @@ pub enum TopographyError {
         /// The name of the format.
         format: &'static str,
     },
+    /// A picture, which has colours and no heights.
+    #[error(
+        "the file is a picture ({format}): a map of heights was required, as csv or other text, .npy, .x3p, .sur, .gwy or .sdf"
+    )]
+    Picture {
+        /// The name of the format.
+        format: &'static str,
+    },
     /// A channel that the file does not have.
     #[error("channel is {found:?}: {names} was required")]
     Channel {
@@ -279,7 +287,7 @@ impl TopographyError {
     /// Whether a file is in a format without a reader.
     #[must_use]
     pub fn is_format(&self) -> bool {
-        matches!(self, Self::ForeignFormat { .. } | Self::UnknownFormat)
+        matches!(self, Self::ForeignFormat { .. } | Self::Picture { .. } | Self::UnknownFormat)
     }
 }
 

@@ -71,6 +71,33 @@ test("a heading is found by typing, and opened by keys", async () => {
   assert.match(await page.run("return location.pathname"), /guide.scan-to-stiffness.html$/);
 });
 
+test("the heading of an entry is in view on a narrow screen", async () => {
+  const { browser, run } = page;
+  await browser.cdp("Emulation.setDeviceMetricsOverride", { width: 360, height: 800, deviceScaleFactor: 1, mobile: false });
+  for (const address of ["gw.html#valid-for", "definitions.html#quantities"]) {
+    await browser.go(guide + address);
+    await browser.until("return scrollY > 100", "the heading", 10);
+    const seen = await run(`const heading = document.getElementById(location.hash.slice(1));
+      const { left, top, height } = heading.getBoundingClientRect();
+      const there = document.elementFromPoint(left + 3, top + height / 2);
+      return top >= 0 && (heading.contains(there) || there.contains(heading))`);
+    assert.ok(seen, address);
+  }
+  await browser.cdp("Emulation.clearDeviceMetricsOverride", {});
+});
+
+test("symbols fit on a narrow screen, and of the gallery only pictures scroll", async () => {
+  const { browser, run } = page;
+  await browser.cdp("Emulation.setDeviceMetricsOverride", { width: 360, height: 800, deviceScaleFactor: 1, mobile: false });
+  for (const [name, parts] of [["gw.html", "table.symbols"], ["ke.html", "table.symbols"], ["../gallery.html", "section"]]) {
+    await browser.go(guide + name);
+    const found = await run("return [...document.querySelectorAll(arguments[0])].map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)", parts);
+    assert.ok(found.length > 0 && found.every((over) => over <= 0), `${name}: ${found}`);
+  }
+  assert.ok(await run("return [...document.querySelectorAll('section figure')].every((one) => parseFloat(getComputedStyle(one).borderRightWidth) > 0)"));
+  await browser.cdp("Emulation.clearDeviceMetricsOverride", {});
+});
+
 test("words of the text are found with their section, and fast typing leaves the last answer", async () => {
   const { browser, run } = page;
   await browser.go(`${guide}index.html`);

@@ -15,6 +15,7 @@ const field = (path) => `[data-path="${path}"]`;
 const note = (path) => page.run(`const field = document.querySelector(arguments[0]); return document.getElementById(field.id + "-note").textContent`, field(path));
 const opacity = (selector) => page.run("return getComputedStyle(document.querySelector(arguments[0])).opacity", selector);
 const choose = (ids) => page.run("for (const box of document.querySelectorAll('#models input')) if (!box.disabled && box.checked !== arguments[0].includes(box.value)) box.click();", ids);
+const disabled = (...ids) => page.run("return arguments[0].map((id) => document.getElementById(id).disabled)", ids);
 // A csv of the page among its downloads.
 async function saved(name, button) {
   await page.run("document.getElementById(arguments[0]).click()", button);
@@ -35,15 +36,17 @@ test("a refused load has its reason at the field, and the values before are dimm
   await choose(["gw", "ke"]);
   await page.change(["#load", "100 N"]);
   const before = await page.values();
-  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; use dmt, jkr/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
+  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr/], ["5 kN/cm2", /"5 kN\/cm2": write 50 MPa, which is the same/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
     await page.change(["#load", load]);
     assert.match(await page.text("load-error"), wanted);
     assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
     assert.deepEqual([await page.values(), await page.value("load")], [before, load]);
     assert.ok((await opacity("#answers")) < 0.5 && (await opacity("#curve")) < 0.5);
+    assert.deepEqual(await disabled("save-csv", "save-svg", "save-values"), [true, true, true], load);
   }
   await page.change(["#load", "200 N"]);
   assert.deepEqual([await page.phase(), await page.text("load-error"), await opacity("#answers")], ["ready", "", "1"]);
+  assert.deepEqual(await disabled("save-csv", "save-svg", "save-values"), [false, false, false]);
 });
 
 test("a load that slow models refuse with the others is refused, and the values before come back", async () => {
@@ -99,6 +102,48 @@ test("an unreadable file leaves the scan of the scene where it is", async () => 
   await page.scene(text);
   await page.change(["#load", await page.value("load")]);
   assert.deepEqual(Object.keys(await page.values()), Object.keys(values));
+});
+
+test("a file that cannot be used gives the last working scan back, with the newest error alone", async () => {
+  const flat = matrix(nanometres()).replaceAll(/^-?\d.*$/gm, (row) => row.replaceAll(/-?\d+/g, "5"));
+  for (const bad of [["flat.txt", flat, /flat\.txt: the \d+ heights are all equal/], ["photo.jpg", Buffer.from("\xff\xd8\xff\xe0 JFIF", "latin1"), /photo\.jpg: the file is a picture \(JPEG\): a map of heights was required, as csv/]]) {
+    await page.scene(example("wheel-rail"));
+    await page.file("good.txt", matrix(nanometres()));
+    const kept = async () => [await page.phase(), await page.value("scene"), await page.values(), await page.text("scene-error"), await note("surface.file")];
+    const working = await kept();
+    assert.equal(working[0], "ready");
+    const [name, bytes, wanted] = bad;
+    await page.file(name, bytes);
+    assert.match(await page.text("message"), wanted);
+    assert.deepEqual(await kept(), working, name);
+    // A file whose unit is still to be given, and then one that no key makes usable.
+    await page.file("bare.csv", "1;2;4;3\n2;1;5;2\n".repeat(8));
+    assert.deepEqual([await page.phase(), /unit/.test(await page.text("scene-error"))], ["failed", true]);
+    await page.file(name, bytes);
+    await page.browser.until("return document.getElementById('message').textContent !== ''", "the newest error", 20);
+    assert.match(await page.text("message"), wanted);
+    assert.deepEqual(await kept(), working, name);
+  }
+});
+
+test("a decimal comma of a pixel size is said at its field and at its line", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("bare.csv", "1;2;4;3\n2;1;5;2\n".repeat(8));
+  await page.change([field("surface.unit"), "um"], [field("surface.pixel_size"), "1,5 um"]);
+  assert.equal(await note("surface.pixel_size"), "Pixel size: 1,5 um has a decimal comma; write 1.5 um");
+  assert.match(await page.text("scene-error"), /pixel_size = "1,5 um" has a decimal comma; write 1\.5 um$/);
+});
+
+test("a scan much smaller than the nominal area has a note", async () => {
+  await page.scene(example("wheel-rail"));
+  const rows = Array.from({ length: 64 }, (_, y) => Array.from({ length: 64 }, (_, x) => Math.round(1000 * (Math.sin(0.11 * x) + Math.cos(0.1 * y)) + 40 * Math.sin(2.1 * x + 1.3 * y))).join("\t")).join("\n");
+  await page.file("small.txt", rows);
+  await page.scene((await page.value("scene")).replace('file = "small.txt"', 'file = "small.txt"\nunit = "nm"\npixel_size = "0.5 um"'));
+  const small = async () => (await page.run("return [...document.querySelectorAll('#findings li')].map((line) => line.textContent)")).filter((line) => /times the area of the scan/.test(line));
+  assert.equal((await small()).length, 1, await page.text("findings"));
+  assert.match((await small())[0], /^note: nominal area is .* times the area of the scan, and half of Sq² lies in waves longer than .* measure a larger scan$/);
+  await page.change([field("nominal_area"), "0.01 mm2"]);
+  assert.deepEqual(await small(), []);
 });
 
 test("a masked scan names the share of missing points at its own field", async () => {

@@ -61,6 +61,19 @@ test("a scene of asperities with different radii opens with the models for them"
   await choose(["persson-fudge"]);
   await page.change(["#view", "unloading-stiffness"]);
   assert.match(await page.text("curve"), /persson-fudge has no unloading stiffness here: choose other models/);
+  // Nothing is ticked beside an empty place, and it says what to do.
+  assert.deepEqual(await ticks(), [false, false]);
+  assert.ok(await page.run("return document.getElementById('save-svg').disabled"));
+  await choose([]);
+  await page.browser.until(SETTLED);
+  assert.match(await page.text("curve"), /no model is chosen: choose models to see their unloading stiffness/);
+  assert.deepEqual(await ticks(), [false, false]);
+  await choose(["ke-random"]);
+  await page.browser.until(SETTLED);
+  assert.match(await page.text("curve"), /^ke-random has no unloading stiffness here: .*; ke-random cannot give contact radii, which need asperities of one radius; set asperities = "equal"/);
+  await pressTry(1);
+  assert.deepEqual([await ticks(), await page.run("return Boolean(document.querySelector('#curve svg'))")], [[true, true], true]);
+  await page.change(["#example", "ground-steel"]);
   await choose(["gw-random", "ke-random", "jg-random", "persson-fudge"]);
 });
 
@@ -138,9 +151,15 @@ test("a stopped solution says which loads are solved and which are missing", asy
   await make("1024", "2 um");
   await page.browser.until("return document.getElementById('elements-note').textContent.includes('1024')", "a surface of 1024 pixels");
   await page.browser.until(SETTLED);
+  await page.change(["#load", "123 N"]);
   await page.run("document.getElementById('solve').click()");
   await page.browser.until("return !document.getElementById('solved').hidden", "a solved load", 60);
   await click("stop");
+  // The load of the page is solved before all others, and the lists are in the order of the loads.
+  assert.match(await page.text("iterations"), /^stopped: solved 123 N/);
+  assert.ok(await page.run("return Boolean(document.querySelector('#answers [data-model=bem]'))"));
+  const order = await page.run("return [...document.querySelectorAll('#solved thead [data-pressure]')].map((head) => Number(head.dataset.pressure))");
+  assert.deepEqual(order, [...order].sort((a, b) => a - b));
   const [, solved, missing] = (await page.text("iterations")).match(/^stopped: solved (.+); missing (.+)$/);
   const there = await page.run("return [...document.querySelectorAll('#solved thead [data-pressure]')].length");
   const all = [...solved.split(", "), ...missing.split(", ")];
@@ -159,6 +178,19 @@ test("what to try is ticked where the page shows it already", async () => {
   await pressTry(0);
   await pressTry(2);
   assert.deepEqual(await ticks(), [true, false, true]);
+});
+
+test("boundary elements and models have one name, and variants their own sentence", async () => {
+  await page.change(["#example", "ground-steel"]);
+  await choose(["ke-random"]);
+  await page.browser.until(SETTLED);
+  const titles = await page.run("return Object.fromEntries([...document.querySelectorAll('#models label')].map((label) => [label.textContent.trim(), label.title]))");
+  for (const id of ["persson-fudge", "ke-random", "at-additive", "at-overlap", "jg-cosine-random"]) assert.ok(id in titles, `${id}: ${Object.keys(titles)}`);
+  assert.match(titles["ke-random"], /^ke-random: Kogut & Etsion \(2002\); averaged over asperities whose heights and radii differ/);
+  assert.equal(await page.run("return document.querySelector('#answers tbody th:first-child[title^=\"ke-random\"]').textContent"), "ke-random");
+  await page.change(["#example", "made-here"]);
+  await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the solved load", 60);
+  assert.deepEqual([(await lines("#answers tbody th")).at(-1), /boundary elements/.test(await page.text("curve"))], ["boundary elements", true]);
 });
 
 test("a changed example no longer has its description", async () => {

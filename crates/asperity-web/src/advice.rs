@@ -7,8 +7,9 @@ use asperity::{
     unranked,
 };
 use asperity_scene::SceneFile;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
+use crate::message::OnScreen;
 use crate::names::{quantity_name, readable};
 use crate::press;
 use crate::refusal::Refusal;
@@ -25,17 +26,6 @@ pub(crate) struct Advice {
     /// Sentences, the best evidence first: the contact that was solved, solved surfaces like it,
     /// or, without either, the models compared with each other.
     pub(crate) summary: Vec<String>,
-}
-
-/// What boundary elements and models give at the load of the page.
-#[derive(Debug, Default, Deserialize)]
-pub(crate) struct OnScreen {
-    /// Values of boundary elements, by quantity.
-    bem: BTreeMap<String, f64>,
-    /// Codes of the notes of the solution.
-    notes: Vec<String>,
-    /// Values of the chosen models, by model and quantity, with all digits.
-    models: Vec<(String, BTreeMap<String, String>)>,
 }
 
 impl OnScreen {

@@ -45,7 +45,13 @@ pub(crate) fn usual_views() -> Vec<View> {
 }
 
 /// Why a model without adhesion refuses a tension.
-const NO_TENSION: &str = "models without adhesion carry no tension; use dmt, jkr or jkr-separation, which need work_of_adhesion";
+fn no_tension(file: &SceneFile) -> String {
+    let add = match file.scene.interface.work_of_adhesion {
+        Some(_) => "",
+        None => "add work_of_adhesion in the scene file and ",
+    };
+    format!("models without adhesion carry no tension; {add}choose dmt, jkr or jkr-separation")
+}
 
 /// What the program adds where jkr pulls off.
 const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
@@ -125,14 +131,13 @@ impl Compiled {
         let empty = cells.iter().all(|cell| cell.digits.is_none());
         let load = at.load(&file.scene).unwrap_or_default();
         let reason = empty.then(|| match load < 0.0 && !self.adhesive {
-            true => format!("load is {}: {NO_TENSION}", shown(load, "N")),
+            true => format!("load is {}: {}", shown(load, "N"), no_tension(file)),
             false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
             false => cells[0].shown.clone(),
         });
         let area = value(&Quantity::AreaFraction).ok().map(|found| found.value());
         let mark = impossible(file, &self.model, at, area).filter(|_| !empty);
-        let (model, name) = (id.into(), self.model.name().into());
-        let row = AnswerRow { model, name, cells, reason, mark };
+        let row = AnswerRow { model: id.into(), cells, reason, mark };
         (row, response.warnings)
     }
 
@@ -197,14 +202,15 @@ mod tests {
         let ke = Compiled::new(&file, "ke").unwrap();
         let reason = |load: f64| ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
         let tension = reason(-5.0);
-        assert!(tension.starts_with("load is -5 N: models without adhesion carry no tension; use"));
+        let wanted = "load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr or jkr-separation";
+        assert_eq!(tension, wanted);
         let heavy = reason(1e30);
         assert!(heavy.contains("largest force found"), "{heavy}");
-        let digits = |word: &str| {
-            let mantissa = word.split('e').next().unwrap_or_default();
+        let significant_digits = |number: &str| {
+            let mantissa = number.split('e').next().unwrap_or_default();
             mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
         };
-        assert!(heavy.split(' ').all(|word| digits(word) <= 5), "{heavy}");
+        assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
         assert_eq!(ke.row(&file, "ke", At::Load(100.0)).0.reason, None);
     }
 
@@ -213,6 +219,10 @@ mod tests {
         let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
         let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let gw = Compiled::new(&file, "gw").unwrap().row(&file, "gw", At::Load(-1.0)).0;
+        assert!(
+            gw.reason.unwrap().ends_with("carry no tension; choose dmt, jkr or jkr-separation")
+        );
         for id in ["dmt", "jkr"] {
             let row = Compiled::new(&file, id).unwrap().row(&file, id, At::Load(-1.0)).0;
             let reason = row.reason.unwrap();

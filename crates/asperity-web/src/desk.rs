@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::files::{admit, readable};
+use crate::files::{admit, usable};
 use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
@@ -108,9 +108,7 @@ impl Desk {
                 json(fields::edit(&text, &surface_keys::changes(&way, self.scene()?)?)?)
             }
             Message::UseScan { text, name } => json(surface_keys::with_scan(&text, &name)?),
-            Message::Readable { name } => {
-                json(readable(&name, self.file(&name).unwrap_or_default())?)
-            }
+            Message::Usable { name } => json(usable(&name, self.file(&name).unwrap_or_default())?),
             Message::Admit { name, size } => json(admit(&name, size)?),
             Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {

@@ -1,7 +1,7 @@
 //! Files that the page hands over: their size, and whether a scene can use them.
 
-use asperity_topography::ReadOptions;
 use asperity_topography::TopographyError::{Channel, PixelSizeMissing, UnitMissing};
+use asperity_topography::{Estimator, ReadOptions, Topography, TopographyError};
 
 use crate::refusal::Refusal;
 
@@ -26,14 +26,19 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
     Err(Refusal::at("surface.file", reason))
 }
 
-/// Refuses a file that no keys of a scene make readable: unit, pixel size, channel and the share of
-/// missing points can be given.
-pub(crate) fn readable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+/// Refuses a file that no keys of a scene make usable: unit, pixel size, channel, estimator and the
+/// share of missing points can be given; a rough surface cannot.
+pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
     let options = ReadOptions { max_missing: MOST_MISSING, ..ReadOptions::default() };
-    match asperity_topography::read_bytes(name, bytes, &options) {
-        Ok(_) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
+    match asperity_topography::read_bytes(name, bytes, &options).and_then(measurable) {
+        Ok(()) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
         Err(error) => Err(Refusal::at("surface.file", format!("{name}: {error}"))),
     }
+}
+
+/// Refuses a scan without roughness.
+fn measurable(scan: Topography) -> Result<(), TopographyError> {
+    scan.levelled(None)?.statistics(Estimator::Moments).map(|_| ())
 }
 
 #[cfg(test)]
@@ -44,10 +49,21 @@ mod tests {
     fn files_that_lack_what_keys_can_give_are_readable_and_others_are_not() {
         let row = |k: usize| format!("{} 2 {} 4 1 3 5 7\n", k * k % 7, k % 5);
         let numbers: String = (0..8).map(row).collect();
-        assert!(readable("a.txt", numbers.as_bytes()).is_ok());
-        let refused = readable("a.x3p", b"PK\x03\x04 nothing").unwrap_err();
+        assert!(usable("a.txt", numbers.as_bytes()).is_ok());
+        let refused = usable("a.x3p", b"PK\x03\x04 nothing").unwrap_err();
         assert!(refused.message.starts_with("a.x3p: "), "{}", refused.message);
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
-        assert!(readable("a.txt", "nan nan\n".repeat(9).as_bytes()).is_err());
+        assert!(usable("a.txt", "nan nan\n".repeat(9).as_bytes()).is_err());
+    }
+
+    #[test]
+    fn flat_scans_and_pictures_are_not_usable() {
+        let flat = Topography::new(vec![1e-9; 64], 8, [1e-6; 2]).unwrap();
+        let refused = measurable(flat).unwrap_err().to_string();
+        assert!(refused.contains("a rough surface was required"), "{refused}");
+        let refused = usable("photo.jpg", b"\xff\xd8\xff\xe0 JFIF").unwrap_err().message;
+        let wanted =
+            "photo.jpg: the file is a picture (JPEG): a map of heights was required, as csv";
+        assert!(refused.starts_with(wanted), "{refused}");
     }
 }

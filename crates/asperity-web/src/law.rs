@@ -5,6 +5,7 @@ use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
+use crate::names::with_ids;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 
@@ -28,7 +29,7 @@ pub(crate) struct Law {
     pub(crate) axis: &'static str,
     /// What the law holds for.
     pub(crate) range: String,
-    /// The asperity of the scene, in words and numbers.
+    /// Radius, modulus and hardness of the scene's asperity, as a sentence.
     pub(crate) asperity: String,
     /// The page of the guide with its equations.
     pub(crate) guide: String,
@@ -99,14 +100,14 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     kinks.dedup();
     let (citation, validity) = (model.citation(), model.validity());
     let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
-    let words = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
+    let stated = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
     let defect = validity.known_defect.map(|defect| defect.summary.to_string());
     Ok(Law {
         svg: draw(&figure, &csv)?,
-        source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
+        source: format!("{}: {} ({})", with_ids(model.name()), citation.authors, citation.year),
         kinks,
         axis,
-        range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
+        range: stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
         asperity: asperity_sentence(file),
         guide: guide(id),
     })
@@ -162,13 +163,14 @@ mod tests {
             (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
         );
         assert!(found.source.contains("(2002)"), "{}", found.source);
-        let (words, end) = found.asperity.split_once(", critical interference w_c = ").unwrap();
-        assert!(words.ends_with("H = 2 GPa") && end.ends_with("m."), "{}", found.asperity);
+        let (before, critical) =
+            found.asperity.split_once(", critical interference w_c = ").unwrap();
+        assert!(before.ends_with("H = 2 GPa") && critical.ends_with("m."), "{}", found.asperity);
         assert!(
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );
         let error = law(&file(), "ke-random").unwrap_err();
-        assert_eq!(error.message, "KE random has no law of a single asperity");
+        assert_eq!(error.message, "ke-random has no law of a single asperity");
         for (id, page) in
             [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
         {

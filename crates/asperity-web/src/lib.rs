@@ -4,6 +4,7 @@
 //! The page (`www/`) shows the answers and does no arithmetic; numbers, pictures, units and texts
 //! come from here. `cargo xtask page` builds both.
 
+mod about;
 mod advice;
 mod answer;
 mod code;

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use asperity::Quantity;
 use serde::{Deserialize, Serialize};
 
-use crate::advice::OnScreen;
 use crate::link::PageState;
 use crate::names::{FindingShown, readable};
 use crate::random::{RandomKeys, RandomTyped};
@@ -32,7 +31,7 @@ pub(crate) enum Message {
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
     Admit { name: String, size: u64 },
     /// Whether a file that was handed over can be the surface of a scene.
-    Readable { name: String },
+    Usable { name: String },
     /// The keys of a random surface from texts as typed.
     RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.
@@ -84,6 +83,17 @@ pub(crate) struct LoadKeys {
     pub(crate) show: Option<String>,
 }
 
+/// What boundary elements and models give at the load of the page.
+#[derive(Debug, Default, Deserialize)]
+pub(crate) struct OnScreen {
+    /// Values of boundary elements, by quantity.
+    pub(crate) bem: BTreeMap<String, f64>,
+    /// Codes of the notes of the solution.
+    pub(crate) notes: Vec<String>,
+    /// Values of the chosen models, by model and quantity, with all digits.
+    pub(crate) models: Vec<(String, BTreeMap<String, String>)>,
+}
+
 /// A material of the list.
 #[derive(Debug, Serialize)]
 pub(crate) struct MaterialShown {
@@ -130,7 +140,8 @@ pub(crate) struct NumberShown {
 pub(crate) struct ModelShown {
     pub(crate) id: String,
     pub(crate) name: String,
-    pub(crate) source: String,
+    /// A sentence about it.
+    pub(crate) about: String,
     /// Whether its laws take long to prepare.
     pub(crate) slow: bool,
     /// Whether it describes the whole surface, without a law of one asperity.
@@ -189,7 +200,6 @@ pub(crate) struct LoadShown {
 #[derive(Debug, Serialize)]
 pub(crate) struct AnswerRow {
     pub(crate) model: String,
-    pub(crate) name: String,
     pub(crate) cells: Vec<AnswerCell>,
     /// Why there is no value at all.
     pub(crate) reason: Option<String>,
@@ -200,13 +210,7 @@ pub(crate) struct AnswerRow {
 impl AnswerRow {
     /// The row of a model that cannot answer.
     pub(crate) fn without_values(id: &str, reason: &str) -> Self {
-        Self {
-            model: id.into(),
-            name: id.into(),
-            cells: vec![],
-            reason: Some(readable(reason)),
-            mark: None,
-        }
+        Self { model: id.into(), cells: vec![], reason: Some(readable(reason)), mark: None }
     }
 }
 

@@ -1,8 +1,10 @@
 //! Messages with the names of the tables and fields of the page, in place of the keys of scene
 //! files, the options of the program and Greek letters in Latin.
 
+use std::sync::LazyLock;
+
 use asperity::recommended::YIELDING;
-use asperity::{Described, Diagnostic, Diagnostics, Quantity, Severity};
+use asperity::{Described, Diagnostic, Diagnostics, Model, Quantity, Severity};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
@@ -32,6 +34,15 @@ const PROGRAM: [(&str, &str); 5] = [
     ("with `asperity surface --scales`", "in the table of slopes and curvatures"),
     (" (--despike)", ""),
 ];
+/// Names and ids of the variants of models, the longest first.
+static VARIANTS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
+    let names = |model: &Model| (model.name().to_string(), model.id().to_string());
+    let mut all: Vec<_> = Model::named().iter().map(names).collect();
+    all.retain(|(_, id)| id.contains('-'));
+    all.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
+    all
+});
+
 /// A finding as the page shows it.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct FindingShown {
@@ -60,7 +71,7 @@ pub(crate) fn findings(all: &Diagnostics, file: &SceneFile) -> Vec<FindingShown>
     all.into_iter().map(shown).collect()
 }
 
-/// The name of a quantity in tables and sentences; which stiffness is said.
+/// The name of a quantity in tables and sentences; the tangent stiffness is that on first loading.
 pub(crate) fn quantity_name(quantity: Quantity) -> String {
     match quantity {
         Quantity::Tangent => format!("{} (first loading)", quantity.label()),
@@ -68,17 +79,15 @@ pub(crate) fn quantity_name(quantity: Quantity) -> String {
     }
 }
 
-/// A message without commands of the program; keys stay.
+/// A message without commands of the program, with models as legends have them; keys stay.
 pub(crate) fn without_commands(message: &str) -> String {
     let text = PROGRAM.iter().fold(message.to_string(), |text, (from, to)| text.replace(from, to));
-    // A scan in place of a scene; the command names its file.
-    match text.split_once("create a scene with `asperity surface ") {
-        Some((before, command)) => {
-            let after = command.split_once('`').map_or("", |(_, after)| after);
-            format!("{before}drop the scan on the page{after}")
-        }
-        None => text,
-    }
+    with_ids(&text)
+}
+
+/// A text with variants of models by their ids, as legends have them: `persson-fudge`.
+pub(crate) fn with_ids(text: &str) -> String {
+    VARIANTS.iter().fold(text.to_string(), |text, (name, id)| text.replace(name, id))
 }
 
 /// A message with names in place of keys and Greek letters; a key that is assigned stays.
@@ -120,13 +129,13 @@ fn literal(text: &str) -> Option<usize> {
     }
     let word = text.split(|c: char| c.is_whitespace() || "`\"(),;:".contains(c)).next()?;
     let word = word.trim_end_matches('.');
-    let has_extension = word.rsplit_once('.').is_some_and(|(stem, extension)| {
+    let is_file_name = word.rsplit_once('.').is_some_and(|(stem, extension)| {
         let sections = ["surface", "body", "heights"];
         let is_key = sections.contains(&stem) || stem.ends_with(']');
         !is_key && stem.contains('_') && extension.starts_with(|c: char| c.is_ascii_alphabetic())
     });
     let is_path = word.contains('/') && word.starts_with(['/', '.', '~']);
-    (is_path || has_extension).then_some(word.len())
+    (is_path || is_file_name).then_some(word.len())
 }
 
 /// The name of a key, or the word itself.
@@ -182,7 +191,11 @@ fn squared(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use asperity::At;
+    use asperity_scene::{HandedFiles, parse_handed};
+
     use super::*;
+    use crate::surface_keys::with_scan;
 
     #[test]
     fn messages_have_names_of_tables_and_no_keys() {
@@ -203,11 +216,15 @@ mod tests {
             ("use jkr-separation or ke-random", "use jkr-separation or ke-random"),
             ("surface.file is µm long – é", "file is µm long – é"),
             ("my_scan.x3p is empty", "my_scan.x3p is empty"),
-            ("in /tmp/my_scans/of_steel: no", "in /tmp/my_scans/of_steel: no"),
+            ("in ./my_scans/of_steel: no", "in ./my_scans/of_steel: no"),
             ("channel \"yield_strength\" is", "channel \"yield_strength\" is"),
             ("body[1].hardness or yield_strength.", "hardness of body 1 or yield strength."),
             ("is close: plasticity_index = 14.5", "is close: plasticity index = 14.5"),
             ("(alpha 8, psi 2)", "(α 8, ψ 2)"),
+            (
+                "(likewise Persson fudge, JG cosine random)",
+                "(likewise persson-fudge, jg-cosine-random)",
+            ),
         ] {
             assert_eq!(readable(message), wanted);
         }
@@ -223,13 +240,44 @@ mod tests {
         assert!(shown.iter().any(|found| found.message.ends_with("use ke-random or jg-random")));
     }
 
+    /// The template on a scan of waves with one point far above the others.
+    fn spiked() -> SceneFile {
+        let height = |k: u32| {
+            let (x, y) = (f64::from(k % 64), f64::from(k / 64));
+            let waves = (0.9 * x + 0.3 * y).cos() + (0.8 * y - 0.4 * x).sin();
+            let end = if k % 64 == 63 { '\n' } else { '\t' };
+            format!("{:.4}{end}", waves + if k == 2080 { 60.0 } else { 0.0 })
+        };
+        let scan = (0..64 * 64).map(height).collect::<String>().into_bytes();
+        let files = HandedFiles::from([("scan.txt".to_string(), scan)]);
+        let text = with_scan(asperity_scene::template(), "scan.txt").unwrap();
+        let keys = "file = \"scan.txt\"\nunit = \"nm\"\npixel_size = \"1 um\"";
+        parse_handed(&text.replace("file = \"scan.txt\"", keys), &files).unwrap()
+    }
+
     #[test]
     fn no_advice_names_a_command() {
-        let text =
-            asperity_scene::template().replacen("hardness = 2e9", "material = \"unobtainium\"", 1);
-        let error =
-            asperity_scene::parse(&text, std::path::Path::new(".")).unwrap_err().to_string();
-        assert!(error.contains("asperity materials"), "{error}");
-        assert!(!without_commands(&error).contains("asperity materials"));
+        let refused = |body: &str| {
+            let text = format!(
+                "nominal_area = 1e-4\nrigid_counterface = true\n[[body]]\n{body}\n[surface]\n\
+                 asperity_radius = 1e-4\nasperity_density = 1e9\nasperity_height_std = 1e-6\n"
+            );
+            parse_handed(&text, &HandedFiles::new()).unwrap_err().to_string()
+        };
+        let file = spiked();
+        let ke = file.model("ke").unwrap();
+        let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
+        let messages = [
+            file.surface_shape().unwrap_err().to_string(),
+            refused("material = \"unobtainium\""),
+            refused("material = \"steel-a36\"\nhardness = 2e9"),
+            check.findings.iter().map(Diagnostic::to_string).collect(),
+            file.warnings.iter().map(Diagnostic::to_string).collect(),
+        ];
+        for (message, (advice, instead)) in messages.iter().zip(PROGRAM) {
+            assert!(message.contains(advice), "{advice}: {message}");
+            let shown = without_commands(message);
+            assert!(!shown.contains(advice) && shown.contains(instead), "{shown}");
+        }
     }
 }

@@ -94,12 +94,18 @@ pub(crate) fn curves(
         readings.entry(pressure.to_bits()).or_default().push(reading);
     }
 
-    if values.is_empty() && solved.is_empty() && !ids.is_empty() {
-        let reason = format!(
-            "{} has no {} here: choose other models or another quantity",
-            ids.join(", "),
-            name(view)
-        );
+    if values.is_empty() && solved.is_empty() {
+        let reason = match &ids[..] {
+            [] => format!("no model is chosen: choose models to see their {}", name(view)),
+            ids => {
+                let has = if ids.len() == 1 { "has" } else { "have" };
+                let ids = ids.join(", ");
+                format!(
+                    "{ids} {has} no {} here: choose other models or another quantity",
+                    name(view)
+                )
+            }
+        };
         return Err(Refusal::at("view", reason));
     }
     let x = if in_pascals {
@@ -290,7 +296,10 @@ mod tests {
         assert_eq!(refused.field.as_deref(), Some("view"));
         let svg = curves(&file, &rows, "unloading-stiffness", &load, &[]).unwrap();
         assert!(svg.contains(">gw<") && !svg.contains(">persson-fudge<"));
-        assert!(curves(&file, &[], "unloading-stiffness", &load, &[]).is_ok());
+        let none = curves(&file, &[], "unloading-stiffness", &load, &[]).unwrap_err();
+        let wanted = "no model is chosen: choose models to see their unloading stiffness";
+        assert_eq!((&*none.message, none.field.as_deref()), (wanted, Some("view")));
+        assert!(curves(&file, &[], "area-fraction", &load, &[[1e6, 1e-3]]).is_ok());
     }
 
     #[test]

@@ -60,7 +60,8 @@ pub(crate) fn scan(file: &SceneFile) -> Option<ScanShown> {
     Some(ScanShown { rows, columns, refused, pressures })
 }
 
-/// Solves the contact of a scene's scan at mean pressures, the heaviest first.
+/// Solves the contact of a scene's scan at mean pressures: the first before all others, and of
+/// these the heaviest first.
 pub(crate) fn press(
     file: &SceneFile,
     pressures: &[f64],
@@ -75,11 +76,7 @@ pub(crate) fn press(
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
     let happened = std::cell::RefCell::new(&mut happened);
     let tell = |event: &Event| (happened.borrow_mut())(event);
-    let watch = |progress: &asperity::bem::Progress| {
-        tell(&Event::progress(progress, given.len()));
-        ControlFlow::Continue(())
-    };
-    elements.solve_each(&given, watch, |index, solved| {
+    let solved = |index, solved| {
         tell(&match solved {
             Err(BemError::Cancelled) => return,
             Err(error) => Event::Failed { index, message: error.to_string() },
@@ -93,7 +90,15 @@ pub(crate) fn press(
                 }
             },
         });
-    });
+    };
+    let (first, others) = given.split_at(given.len().min(1));
+    for (before, part) in [(0, first), (first.len(), others)] {
+        let watch = |progress: &asperity::bem::Progress| {
+            tell(&Event::progress(progress, before, given.len()));
+            ControlFlow::Continue(())
+        };
+        elements.solve_each(part, watch, |index, solution| solved(before + index, solution));
+    }
     Ok(())
 }
 
@@ -115,8 +120,10 @@ fn others(elements: &BoundaryElements, solution: &Solution, file: &SceneFile) ->
 type Found = (Quantity, Result<f64, String>);
 
 impl Event {
-    fn progress(progress: &asperity::bem::Progress, count: usize) -> Self {
+    /// The progress of a list of loads, `before` of all of which were solved.
+    fn progress(progress: &asperity::bem::Progress, before: usize, count: usize) -> Self {
         let asperity::bem::Progress { index, done, iterations, residual, .. } = *progress;
+        let (index, done) = (before + index, before + done);
         let mut text = format!("load {done} of {count} done; iteration {iterations}");
         // A first iteration has none.
         if residual.is_finite() {
@@ -211,13 +218,14 @@ mod tests {
 
     #[test]
     fn loads_are_solved_with_progress_as_the_library_solves_them() {
-        let (file, events) = pressed(asperity_scene::template(), &[1e8, 4e8]);
+        let (file, events) = pressed(asperity_scene::template(), &[1e8, 5e7, 4e8]);
         let (mut iterations, mut areas) = (0, vec![]);
         for event in events {
             match event {
-                Event::Progress { count, text, .. } => {
+                Event::Progress { count, done, text, .. } => {
                     assert!(text.starts_with("load ") && !text.contains("NaN"), "{text}");
-                    iterations += usize::from(count == 2);
+                    assert_eq!(done, areas.len());
+                    iterations += usize::from(count == 3);
                 }
                 Event::Solved { pressure, svg, cells, head, points, readings, .. } => {
                     let found = serde_json::to_value(readings).unwrap();
@@ -234,10 +242,13 @@ mod tests {
         }
         assert!(iterations > 4, "{iterations}");
         let elements = file.bem(None, false).unwrap().elements(&file.scene.interface).unwrap();
-        let all = elements
-            .solve_all(&[4e8, 1e8].map(LoadCase::MeanPressure), |_| ControlFlow::Continue(()));
-        let wanted: Vec<(f64, f64)> =
-            [4e8, 1e8].into_iter().zip(all).map(|(p, s)| (p, s.unwrap().area)).collect();
+        // The first one alone, then the others.
+        let mut wanted = vec![];
+        for part in [&[1e8][..], &[4e8, 5e7]] {
+            let cases: Vec<LoadCase> = part.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
+            let all = elements.solve_all(&cases, |_| ControlFlow::Continue(()));
+            wanted.extend(part.iter().zip(all).map(|(p, s)| (*p, s.unwrap().area)));
+        }
         assert_eq!(areas, wanted);
     }
 

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use asperity::{Described, Model, shortest_digits};
 use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
 
+use crate::about::about;
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
-use crate::names::readable;
+use crate::names::{readable, with_ids};
 use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::{answer, fields, names, press, surface_keys};
@@ -58,11 +59,10 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
 fn models(file: &SceneFile) -> Vec<ModelShown> {
     let (allowed, left_out) = file.models_beside_bem();
     let shown = |model: &Model, reason: Option<String>| {
-        let citation = model.citation();
         ModelShown {
             id: model.id().into(),
-            name: model.name().into(),
-            source: format!("{} ({})", citation.authors, citation.year),
+            name: with_ids(model.name()),
+            about: about(model),
             // Averages over contact angles take seconds to prepare.
             slow: model.validity().angles,
             whole: model.asperity_model().is_none(),
@@ -115,7 +115,7 @@ mod tests {
         let slow = found.models.iter().filter(|model| model.slow).map(|model| model.id.as_str());
         let known = ["gao", "at", "at-additive", "at-overlap"];
         assert!(slow.clone().count() > 1 && slow.clone().all(|id| known.contains(&id)));
-        assert!(!gw.slow && gw.reason.is_none() && gw.source.contains("(1966)"));
+        assert!(!gw.slow && gw.reason.is_none() && gw.about.contains("(1966)"));
         let (found, file) = read("[surface]\nfile = \"a.x3p\"\n", &HandedFiles::new());
         assert!(file.is_none() && found.error.is_some());
         assert_eq!((found.way, found.files), ("scan", vec!["a.x3p".to_string()]));

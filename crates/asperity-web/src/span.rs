@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::{At, Scene};
-use asperity_scene::{NO_LOAD, quantity};
+use asperity_scene::{NO_LOAD, converted, quantity};
 
 use crate::message::{LoadKeys, LoadShown};
 use crate::refusal::Refusal;
@@ -87,6 +87,10 @@ pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Re
             (pascals * area, pascals)
         }
         (Err(newtons), Err(pascals)) => {
+            // A unit that is known tells a load from a pressure.
+            if let Some(same) = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL)) {
+                return Err(wrong(format!("{text:?}: write {same}, which is the same")));
+            }
             let (reason, other) = match in_pascals(&keys.unit) {
                 true => (pascals, "a load such as 2kN"),
                 false => (newtons, "a pressure such as 5MPa"),
@@ -147,6 +151,14 @@ mod tests {
         assert_eq!(of(&keys("2e6 Pa", None, "N")).0, At::Pressure(2e6));
         let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
+        for (text, same) in [("5 kN/cm2", "50 MPa"), ("36 ksi", "248.2 MPa"), ("9 lbf", "40.03 N")]
+        {
+            for unit in ["N", "Pa"] {
+                let refused = load(&keys(text, None, unit), &scene).unwrap_err();
+                let wanted = format!("load: {text:?}: write {same}, which is the same");
+                assert_eq!(refused.message, wanted);
+            }
+        }
         let refused = load(&keys("1 kip", None, "Pa"), &scene).unwrap_err();
         assert!(refused.message.contains("is not a number in Pa"), "{}", refused.message);
         assert!(load(&keys("1e999", None, "N"), &scene).is_err());

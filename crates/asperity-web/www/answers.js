@@ -2,19 +2,19 @@
 import { $, cell, element, heading, lowered, noPicture, options, picture, put } from "./page.js";
 
 // Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
-export function table(views, ids, values, solved) {
+export function table(views, ids, values, solved, about = () => "") {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
   head.replaceChildren(element("tr", {}, heading("model"), ...views.map(({ label, definition }) => heading(label, definition))));
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
   body.replaceChildren(...ids.map((id) => {
     const row = values.get(id);
-    const name = element("th", { scope: "row", title: row?.name ?? id }, id);
+    const name = element("th", { scope: "row", title: about(id) }, id);
     const line = element("tr", {}, name, ...(row ? cells(id, row) : waiting()));
     return row?.mark ? [line, marked(id, row.mark, views)] : [line];
   }).flat());
   if (solved) {
-    const name = element("th", { scope: "row", title: "boundary elements" }, "bem");
+    const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
     body.append(element("tr", {}, name, ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
 }
@@ -65,11 +65,10 @@ export function refuseLoad(message, typed = $("load").value) {
 export function models(list, chosen, changed) {
   const box = $("models");
   const focused = box.contains(document.activeElement) && document.activeElement.value;
-  box.replaceChildren(...list.map(({ id, name, source, reason }) => {
+  box.replaceChildren(...list.map(({ id, about, reason }) => {
     const check = element("input", { type: "checkbox", value: id, checked: chosen.includes(id) && !reason, disabled: Boolean(reason) });
     check.addEventListener("change", () => changed([...box.querySelectorAll("input:checked")].map((one) => one.value)));
-    const label = element("label", { title: reason ?? source }, check, ` ${id}`);
-    if (name !== id.toUpperCase()) label.append(element("span", { className: "source" }, ` ${name}`));
+    const label = element("label", { title: reason ?? about }, check, ` ${id}`);
     if (reason) label.setAttribute("aria-disabled", "true");
     return label;
   }));

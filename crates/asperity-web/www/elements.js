@@ -34,7 +34,9 @@ class Elements {
     const run = {};
     const { text, shown, load } = page;
     if (!load) return null;
-    const wanted = new Map([...(all ? shown.scan.pressures : []), [load.pascals, load.text]]);
+    // The first is solved before the others.
+    const others = all ? shown.scan.pressures.filter(([pascals]) => pascals !== load.pascals) : [];
+    const wanted = new Map([[load.pascals, load.text], ...others]);
     const pressures = [...wanted.keys()];
     return work("solver", "press", async () => {
       if (text !== page.text) return;
@@ -61,7 +63,7 @@ class Elements {
   // Which loads of the run are solved, and which are missing.
   stopped() {
     const [solved, missing] = [[], []];
-    for (const [pressure, text] of this.wanted) (this.at(pressure) ? solved : missing).push(text);
+    for (const [pressure, text] of [...this.wanted].sort(([a], [b]) => a - b)) (this.at(pressure) ? solved : missing).push(text);
     return `stopped: ${solved.length > 0 ? `solved ${solved.join(", ")}` : "no load is solved"}; missing ${missing.join(", ")}`;
   }
 

@@ -6,7 +6,7 @@ import { elements } from "./elements.js";
 import { usualRandom, useScan } from "./scans.js";
 
 // What a button does, and whether that is on the page.
-const view = (id) => ({ act: () => setView(id), done: () => state.view === id });
+const view = (id) => ({ act: () => setView(id), done: () => state.view === id && page.drawn === id });
 const models = (...ids) => ({
   act: () => setModels([...state.models, ...ids.filter((id) => !state.models.includes(id))]),
   done: () => ids.every((id) => state.models.includes(id)),
@@ -18,8 +18,17 @@ const value = (path, text, body) => ({
 });
 const solution = { act: () => elements.solve(false), done: () => Boolean(page.load && elements.at(page.load.pascals)) };
 const adhesion = value("work_of_adhesion", "50 mJ/m2");
+const asperities = value("surface.asperities", "equal");
+const equal = {
+  ...asperities,
+  act: () => {
+    state.models = state.models.map((id) => id.replace(/-random$/, ""));
+    return asperities.act();
+  },
+};
+const unloading = view("unloading-stiffness");
 
-const UNLOAD = ["How stiff is it when it is unloaded?", "Show the unloading stiffness", view("unloading-stiffness")];
+const UNLOAD = ["How stiff is it when it is unloaded?", "Show the unloading stiffness", unloading];
 const INCLINED = ["Do inclined asperities change the answer? Gao and AT take some seconds.", "Add Gao and AT", models("gao", "at")];
 
 // Its surface is made here, for boundary elements.
@@ -33,8 +42,15 @@ const TRIES = {
     ["Is the area that boundary elements find at this load that of the models?", "Solve this load", solution],
   ],
   "ground-steel": [
-    UNLOAD,
-    ["What do asperities of one radius change?", "Equal asperities", value("surface.asperities", "equal")],
+    ["What do asperities of one radius change?", "Equal asperities", equal],
+    // Asperities of different radii have no unloading stiffness.
+    ["How stiff is it when it is unloaded, with asperities of one radius?", "Show the unloading stiffness of equal asperities", {
+      act: () => {
+        setView("unloading-stiffness");
+        return equal.act();
+      },
+      done: () => equal.done() && unloading.done(),
+    }],
   ],
   "wheel-rail": [
     ["How much touches where the patch carries 500 MPa?", "Load of 500 MPa", load("500 MPa")],

@@ -1,8 +1,8 @@
 // Scans: chosen, dropped or made here.
 import { $, download, element, tell } from "./page.js";
-import { desks, files, page, state, work } from "./state.js";
-import { setScene } from "./scene.js";
-import { given as found } from "./link.js";
+import { answers, desks, files, page, state, work } from "./state.js";
+import { setScene, shownAgain } from "./scene.js";
+import { given as askedFor } from "./link.js";
 
 const RANDOM = [
   ["pixels", "Pixels on a side", "256"],
@@ -19,8 +19,8 @@ export async function useScan(text, { file, typed }) {
   const given = typed ? { keys: await desks.quick.call("random-keys", { typed }) } : { file };
   const { name, checksum } = await desks.quick.hand(file?.name ?? "", given);
   // A file that cannot be read takes no other's place.
-  await desks.quick.call("readable", { name });
-  const { name: named, message } = found({ name, checksum });
+  await desks.quick.call("usable", { name });
+  const { name: named, message } = askedFor({ name, checksum });
   files.set(named, Object.assign(given, { checksum }));
   const made = await desks.quick.call("use-scan", { text, name: named });
   return { text: made, scan: { name: named, checksum }, random: given.keys ?? null, message };
@@ -29,16 +29,35 @@ export async function useScan(text, { file, typed }) {
 export const usualRandom = () => Object.fromEntries(RANDOM.map(([key, , value]) => [key, value]));
 const typedRandom = () => Object.fromEntries(RANDOM.map(([key]) => [key, $(`random-${key}`).value]));
 
+// The scene before a file with which it has an error.
+let before = null;
+shownAgain(() => { if (answers()) before = null; });
+
+// A file that cannot be used leaves the last scene that has values where it was.
+async function used(source) {
+  for (;;) {
+    const { text } = state;
+    try {
+      const found = await useScan(text, source);
+      if (state.text === text) return found;
+    } catch (error) {
+      if (!before || !page.shown?.error) throw error;
+      const { text, scan, random } = before;
+      Object.assign(state, { scan, random });
+      setScene(text, "scan").then(() => tell(error.message));
+      return null;
+    }
+  }
+}
+
 function use(source, changed) {
   tell("");
   return work("page", null, async () => {
-    let [before, used] = [];
-    do {
-      before = state.text;
-      used = await useScan(before, source);
-    } while (state.text !== before);
-    const { scan, random, message } = used;
-    const text = state.example ? await desks.quick.call("changed", { text: used.text }) : used.text;
+    const found = await used(source);
+    if (!found) return;
+    const { scan, random, message } = found;
+    if (answers()) before = { text: state.text, scan: state.scan, random: state.random };
+    const text = state.example ? await desks.quick.call("changed", { text: found.text }) : found.text;
     Object.assign(state, { scan, random });
     changed();
     const shown = setScene(text, "scan");

@@ -86,11 +86,12 @@ async function showScene() {
 
 // Nothing of another scene stays on the page.
 function clear(why) {
-  page.load = null;
+  Object.assign(page, { load: null, drawn: "" });
   blocks.clear(why);
   elements.allow(null);
   scanReport(false);
   takeAway.models({ models: [] }, []);
+  followers.forEach((follow) => follow());
 }
 
 // The values at another load, after those of the load before.
@@ -187,7 +188,8 @@ async function slowValues(shown, keys) {
 
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
-  if (page.load) blocks.table(page.views, chosen(), page.values, elements.at(page.load.pascals));
+  const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
+  if (page.load) blocks.table(page.views, chosen(), page.values, elements.at(page.load.pascals), about);
   followers.forEach((follow) => follow());
 }
 
@@ -200,16 +202,27 @@ export function redraw() {
 
 async function draw() {
   if (!answers() || !page.load) return;
-  const ids = chosen().filter((id) => page.rows.has(id));
+  const { view } = state;
+  const [ids, solved] = [chosen().filter((id) => page.rows.has(id)), elements.points(view)];
   const rows = ids.map((id) => page.rows.get(id));
   try {
-    const svg = await ask(desks.quick, "draw", { rows, view: state.view, load: { text: state.load }, solved: elements.points(state.view) });
+    if (rows.length + solved.length === 0 && chosen().length > 0) return withoutCurves("Being calculated.");
+    const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
     blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
+    page.drawn = view;
   } catch (error) {
-    // No model has the quantity: the place of the curves says so.
+    // No model has the quantity: the place of the curves says so, with the reason of the first.
     if (error.field !== "view") throw error;
-    noPicture($("curve"), error.message);
+    const reasons = ids.map((id) => page.values.get(id)?.cells.find(({ quantity, digits }) => quantity === view && digits === undefined)?.shown);
+    withoutCurves([error.message, ...reasons.filter(Boolean).slice(0, 1)].join("; "));
   }
+  followers.forEach((follow) => follow());
+}
+
+// The place of the curves says why there are none.
+function withoutCurves(why) {
+  page.drawn = "";
+  noPicture($("curve"), why);
 }
 
 export function setModels(ids) {

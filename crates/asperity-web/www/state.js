@@ -12,11 +12,11 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
 // Answers of the desks: the scene as read from a text, the load on it, the columns and values of
-// models, and the rows of their curves; why the load was refused or no model describes it, the last
+// models, the rows of their curves and the quantity that is drawn; why the load was refused or no model describes it, the last
 // load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
-  load: null, refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
+  load: null, drawn: "", refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
 };
 
 // The scan without which the scene of a link cannot be shown.
@@ -34,7 +34,10 @@ export function report() {
   $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : "ready" }[phase];
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
-  $("save-values").disabled = Boolean(page.refused) || !page.load;
+  const none = Boolean(page.refused) || !page.load;
+  $("save-values").disabled = none;
+  $("save-csv").disabled = none || chosen().length === 0;
+  $("save-svg").disabled = $("save-png").disabled = none || !page.drawn;
 }
 
 // Runs a piece of work in a lane; an error is shown.

@@ -133,7 +133,7 @@ export const takeAway = {
     const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
     options($("export-model"), ids.map((id) => [id, id]), first(ids));
     options($("law-model"), allowed, first(allowed.map(([id]) => id)));
-    for (const id of ["save-csv", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
+    for (const id of ["save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
     takeAway.dropAdvice();
     if (ids.length === 0) {
       noPicture($("law-picture"));

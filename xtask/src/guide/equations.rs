@@ -24,7 +24,8 @@ pub fn tables(block: &str) -> String {
 fn table(lines: &[&str]) -> String {
     let rows: Vec<Vec<(usize, String)>> = lines.iter().map(|line| segments(line)).collect();
     let starts: BTreeSet<usize> = rows.iter().flatten().map(|(start, _)| *start).collect();
-    let mut html = String::from("<table class=\"equations\">\n");
+    let symbols = if rows.iter().all(|row| is_meanings(row)) { " symbols" } else { "" };
+    let mut html = format!("<table class=\"equations{symbols}\">\n");
     // Writing to a string cannot fail.
     for row in &rows {
         html += "<tr>";
@@ -43,6 +44,16 @@ fn table(lines: &[&str]) -> String {
         html += "</tr>\n";
     }
     html + "</table>\n"
+}
+
+/// Whether a row has symbols, each with a word about it.
+fn is_meanings(row: &[(usize, String)]) -> bool {
+    let is_word = |word: &str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
+    let said = |pair: &[(usize, String)]| {
+        matches!(pair, [(_, symbol), (_, words)]
+            if words.split(' ').any(is_word))
+    };
+    row.chunks(2).all(said)
 }
 
 /// Whether a part is words about a symbol, which may take several lines.
@@ -197,6 +208,12 @@ mod tests {
         assert!(html.contains("<tr><td>x ≤ 1</td><td>x<sup>1.5</sup></td><td>x</td></tr>"));
         assert!(html.contains("<tr><td colspan=\"2\">x &gt; 1</td><td>2x</td></tr>"), "{html}");
         assert_eq!(segments("F = x,   A = y    area")[0], (0, "F = x,\u{2003}A = y".into()));
+        for (block, symbols) in [
+            ("F    force (N)    E   modulus (Pa)\nw_c = S R    critical interference (m)", true),
+            ("x <= 1    x^1.5    x\nx > 1    3 x    2x    plastic, mean pressure", false),
+        ] {
+            assert_eq!(tables(block).contains("equations symbols"), symbols, "{block}");
+        }
         assert!(!is_equations("x    2   3\nforce  -16.6  -15.5\n"));
     }
 }

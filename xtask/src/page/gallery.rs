@@ -57,7 +57,7 @@ pub(super) fn write(folder: &Path) -> Result<()> {
         writeln!(
             sections,
             "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}{other}</p>\
-             <img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></section>"
+             <figure><img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></figure></section>"
         )?;
     }
     let path = folder.join("gallery.html");

@@ -1,13 +1,12 @@
 """Materials by name, with the source of their numbers."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from asperity import _asperity
 from asperity._asperity import Body
 
 
+# Annotations are classes, not texts: pdoc does not find the names of texts in named tuples.
 class Material(NamedTuple):
     """A material of the list: typical numbers at room temperature, for orientation."""
 

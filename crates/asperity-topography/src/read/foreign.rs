@@ -38,12 +38,18 @@ const FIRST_BYTES: &[(&[u8], &str)] = &[
     (b"GWYQ", "Gwyddion 3"),
     (b"II*\0", "TIFF (JPK, Park Systems or a picture)"),
     (b"MM\0*", "TIFF (JPK, Park Systems or a picture)"),
-    (b"\x89PNG\r\n", "PNG, a picture"),
-    (b"\xff\xd8\xff", "JPEG, a picture"),
-    (b"BM6\0", "BMP, a picture"),
     (b"%PDF", "PDF"),
     (b"\xd0\xcf\x11\xe0", "OLE (MountainsMap mnt or Excel xls)"),
     (b"solid ", "STL"),
+];
+
+/// First bytes and names of formats of pictures.
+const PICTURES: &[(&[u8], &str)] = &[
+    (b"\x89PNG\r\n", "PNG"),
+    (b"\xff\xd8\xff", "JPEG"),
+    (b"BM6\0", "BMP"),
+    (b"GIF87a", "GIF"),
+    (b"GIF89a", "GIF"),
 ];
 
 /// Extensions and names of formats without first bytes of their own.
@@ -69,6 +75,11 @@ const ENTRIES: &[(&[u8], &str)] = &[
     (b"[Content_Types].xml", "Excel xlsx"),
     (b"meta.yml", "SurfaceTopography container"),
 ];
+
+/// The name of the format of a picture.
+pub(super) fn picture(bytes: &[u8]) -> Option<&'static str> {
+    PICTURES.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|(_, name)| *name)
+}
 
 /// The name of a format without a reader. An extension alone counts for binary files only.
 pub(super) fn format(extension: &str, bytes: &[u8]) -> Option<&'static str> {
@@ -110,6 +121,8 @@ mod tests {
         let plux = b"PK\x03\x04 ... index.xml ... LAYER_0.raw";
         assert_eq!(format("plux", plux), Some("Sensofar plux"));
         assert_eq!(format("x3p", b"PK\x03\x04 main.xml index.xml"), None);
+        assert_eq!(picture(b"\xff\xd8\xff\xe0"), Some("JPEG"));
+        assert_eq!((picture(b"GIF 1 2 3"), format("png", b"\x89PNG\r\n")), (None, None));
         assert!(is_binary(b"\x01\x02") && !is_binary(b"a\tb\r\n") && !is_binary(b"\xff\xfea\0"));
     }
 }

@@ -19,8 +19,9 @@ impl Format {
     /// The format of the bytes of a file called `name`.
     ///
     /// # Errors
-    /// [`TopographyError::ForeignFormat`] with the name of a format without a reader, and
-    /// [`TopographyError::UnknownFormat`] for other binary files.
+    /// [`TopographyError::Picture`] for a picture, [`TopographyError::ForeignFormat`] with the name
+    /// of another format without a reader, and [`TopographyError::UnknownFormat`] for other binary
+    /// files.
     pub(super) fn of(name: &str, bytes: &[u8]) -> Result<Self, TopographyError> {
         let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
         let extension = extension.as_deref().unwrap_or_default();
@@ -36,6 +37,9 @@ impl Format {
         }
         if sdf::is_sdf(bytes) {
             return Ok(Self::Sdf);
+        }
+        if let Some(format) = foreign::picture(bytes) {
+            return Err(TopographyError::Picture { format });
         }
         if let Some(format) = foreign::format(extension, bytes) {
             return Err(TopographyError::ForeignFormat { format });

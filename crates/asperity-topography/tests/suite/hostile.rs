@@ -54,7 +54,7 @@ fn empty_and_foreign_files() {
     }
     refused("a.bin", b"1 2\n\x00\x01", "the file is binary and of unknown format: text, .npy");
     refused("a.txt", b"1 2\n\x02\x03", "read_topography('FILE').to_gwy('FILE.gwy')");
-    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "the format JPEG, a picture, which has no");
+    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a picture (JPEG): a map of heights was");
     refused("a.spm", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
     refused("a.x3p", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
 }
