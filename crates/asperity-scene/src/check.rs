@@ -87,8 +87,8 @@ impl SceneFile {
         found.filter_map(|found| self.without_stated_unit(found)).collect()
     }
 
-    /// The error for numbers of the surface as they were given, in place of errors of the asperities
-    /// that follow from them, if another unit explains these.
+    /// The error for numbers of the surface as they were given, in place of errors of the
+    /// asperities that follow from them, if another unit explains these.
     fn in_another_unit(&self, found: &[Diagnostic]) -> Option<Diagnostic> {
         let roughness = self.roughness?;
         let is_wrong = |found: &Diagnostic| {

@@ -13,7 +13,8 @@ const LARGER: f64 = 100.0;
 /// surfaces without a longest wave, half of Sq² lies in waves above half of the side.
 const WAVES: f64 = 3.0;
 
-/// The wavelength \[m\] above which half of Sq² of a scan lies; `None` for scans without a spectrum.
+/// The wavelength \[m\] above which half of Sq² of a scan lies; `None` for scans without a
+/// spectrum.
 pub(crate) fn long_wavelength(scan: &Topography) -> Option<f64> {
     let size = size(scan);
     // Means of blocks of points have the same long waves.

@@ -160,7 +160,8 @@ impl Text {
         for [mean, error] in bem.numbers {
             row.extend([short(mean), shorter(error)]);
         }
-        // Models are relative to the numbers in the row, so that it can be written again from itself.
+        // Models are relative to the numbers in the row, so that it can be written again from
+        // itself.
         let in_row = bem.numbers.map(|[mean, _]| short(mean).parse().unwrap_or(mean));
         for contact in &contacts.models {
             let found = match contact {

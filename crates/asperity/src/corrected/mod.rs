@@ -104,8 +104,8 @@ impl Corrected {
         Ok(Self { id, contact, counted: Counted::on(scene)?, lacking, shape })
     }
 
-    /// The same under the id by which the model was asked for, as `ke`, which the options of a scene
-    /// may make `ke-random`.
+    /// The same under the id by which the model was asked for, as `ke`, which the options of a
+    /// scene may make `ke-random`.
     #[must_use]
     pub fn named(self, id: &str) -> Self {
         Self { id: format!("{id}-corrected"), ..self }
@@ -198,8 +198,8 @@ impl CorrectedRow<'_> {
         self.within_limits(quantity, CorrectedValue { value: of(ratio.ratio), lower, upper })
     }
 
-    /// A value within its limits to the last digit, of which dividing by a ratio can leave it short:
-    /// the area is at least F/H, and the unloading stiffness at least the tangent.
+    /// A value within its limits to the last digit, of which dividing by a ratio can leave it
+    /// short: the area is at least F/H, and the unloading stiffness at least the tangent.
     fn within_limits(
         &self,
         quantity: Quantity,

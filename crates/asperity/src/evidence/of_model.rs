@@ -27,8 +27,8 @@ impl Compared {
         }
     }
 
-    /// The compared quantities that tell of these: a force at a separation errs as the mean gap does
-    /// at a load. All, if none does.
+    /// The compared quantities that tell of these: a force at a separation errs as the mean gap
+    /// does at a load. All, if none does.
     pub(crate) fn telling_of(asked: &[Quantity]) -> Vec<Self> {
         let of = |quantity: &Quantity| match quantity {
             Quantity::Force | Quantity::Pressure => Some(Self::MeanGap),
