@@ -1,6 +1,6 @@
 //! `asperity models`: the models, their range of validity and their sources.
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use asperity::{Described, Model};
 use clap::Args;
 
@@ -24,15 +24,18 @@ the provenance of each model's equations:
   seen      read in public text or code that quotes the paper
   derived   proved or checked numerically, not read in the paper
   recalled  from general knowledge of the literature, the paper was not available
-csv and json also hold the titles of the papers, and notes. The models from gw to af
-exist with -random behind the id as well: averaged over the asperities of a random
-surface, whose heights and radii differ.
+csv and json also hold the titles of the papers, and notes. The models from gw to af,
+and ghaednia, exist with -random behind the id as well: averaged over the asperities of
+a random surface, whose heights and radii differ. bem, boundary elements, needs a scan.
 
 Examples:
   asperity models
+  asperity models ke
   asperity models --format csv --output models.csv"
 )]
 pub struct Models {
+    /// Only the models with this word in their id, name, authors or year
+    word: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -47,6 +50,8 @@ impl Models {
         let terminal = self.output.format == Format::Table;
         let shown: Vec<usize> =
             if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
+        let word = self.word.unwrap_or_default();
+        let wanted = word.trim().to_lowercase();
         let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
         for model in
             [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat()
@@ -65,8 +70,13 @@ impl Models {
                 &equations,
                 &notes,
             ];
-            table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
+            // With the id of random asperities, too.
+            let found = wanted.strip_suffix("-random").unwrap_or(&wanted);
+            if row[..4].iter().any(|text| text.to_lowercase().contains(found)) {
+                table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
+            }
         }
+        ensure!(!table.rows.is_empty(), "no model is like {word:?}; `asperity models` lists all");
         self.output.write(&table)?;
         if terminal {
             TAGS.iter().for_each(|(tag, meaning)| {

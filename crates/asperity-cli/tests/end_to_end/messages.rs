@@ -190,6 +190,24 @@ fn the_list_of_models_has_every_source() {
 }
 
 #[test]
+fn models_are_listed_by_id_name_authors_or_year() {
+    let bench = Bench::new();
+    let ids = |word: &str| {
+        let table = bench.data(&format!("models {word} --format csv"));
+        cells(&table, "model").join(" ")
+    };
+    assert_eq!(ids("ke"), "ke");
+    assert_eq!(ids("Kogut"), "ke");
+    assert_eq!(ids("jkr"), "jkr jkr-separation");
+    assert_eq!(ids("gw-random"), "gw");
+    assert_eq!(ids("2005"), "etsion jg jg-cosine af");
+    let run = bench.run("models westergaard");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let wanted = "no model is like \"westergaard\"; `asperity models` lists all";
+    assert!(run.messages.contains(wanted), "{}", run.messages);
+}
+
+#[test]
 fn persson_is_compared_with_asperity_models_at_loads() {
     let bench = Bench::new();
     let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";
