@@ -2,9 +2,7 @@
 //! models as they are.
 
 use anyhow::{Result, bail};
-use asperity::{
-    At, Compared, ContactError, Corrected, CorrectedRow, Datum, Described, Scene, SeparationUnit,
-};
+use asperity::{At, Compared, ContactError, Corrected, CorrectedRow, Datum, Scene, SeparationUnit};
 
 use crate::ask::{Lacking, Question, Row, column_beside, count};
 use crate::output::table::{Cell, Table};

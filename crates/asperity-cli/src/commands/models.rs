@@ -34,7 +34,7 @@ Examples:
   asperity models --format csv --output models.csv"
 )]
 pub struct Models {
-    /// Only the models with this word in their id, name, authors or year
+    /// Only the models of this id, or with this word in their name, authors or year
     word: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
@@ -50,12 +50,8 @@ impl Models {
         let terminal = self.output.format == Format::Table;
         let shown: Vec<usize> =
             if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
-        let word = self.word.unwrap_or_default();
-        let wanted = word.trim().to_lowercase();
         let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
-        for model in
-            [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat()
-        {
+        for model in like(&self.word.unwrap_or_default())? {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();
@@ -70,13 +66,8 @@ impl Models {
                 &equations,
                 &notes,
             ];
-            // With the id of random asperities, too.
-            let found = wanted.strip_suffix("-random").unwrap_or(&wanted);
-            if row[..4].iter().any(|text| text.to_lowercase().contains(found)) {
-                table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
-            }
+            table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
         }
-        ensure!(!table.rows.is_empty(), "no model is like {word:?}; `asperity models` lists all");
         self.output.write(&table)?;
         if terminal {
             TAGS.iter().for_each(|(tag, meaning)| {
@@ -85,4 +76,27 @@ impl Models {
         }
         Ok(())
     }
+}
+
+/// The models of this id and its variants; without any, those with the word in their name, authors
+/// or year.
+fn like(word: &str) -> Result<Vec<Model>> {
+    let wanted = word.trim().to_lowercase();
+    // Random asperities have the row of equal ones.
+    let wanted = wanted.strip_suffix("-random").unwrap_or(&wanted);
+    let mut all =
+        [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat();
+    let of_id = |model: &Model| {
+        let rest = model.id().strip_prefix(wanted);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    };
+    let has_word = |model: &Model| {
+        let source = model.citation();
+        let words = format!("{} {} {}", source.name, source.authors, source.year);
+        words.to_lowercase().contains(wanted)
+    };
+    let any = all.iter().any(of_id);
+    all.retain(|model| if any { of_id(model) } else { has_word(model) });
+    ensure!(!all.is_empty(), "no model is like {word:?}; `asperity models` lists all");
+    Ok(all)
 }
