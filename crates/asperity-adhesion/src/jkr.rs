@@ -116,6 +116,13 @@ impl Described for JohnsonKendallRoberts {
         }
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        match self.branch {
+            JkrBranch::Approach => vec![],
+            JkrBranch::Separation => vec!["for surfaces that move apart after contact"],
+        }
+    }
+
     fn validity(&self) -> Validity {
         let valid_for = "elastic asperities with adhesion; Tabor parameter above about 5";
         adhesive_validity([5.0, f64::INFINITY], valid_for)

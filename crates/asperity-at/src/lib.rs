@@ -86,6 +86,16 @@ impl Described for AminiTehrani {
         }
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        match self.reading {
+            AtReading::Printed => vec![],
+            AtReading::Additive => vec!["every contact counts once in the sums"],
+            AtReading::Overlap => vec![
+                "the elastic law holds to w = 6 w_c, less the share of the plastic one, which begins at w_c",
+            ],
+        }
+    }
+
     fn validity(&self) -> Validity {
         lateral_validity(match self.reading {
             AtReading::Printed => {

@@ -6,7 +6,7 @@ use std::ops::Deref;
 use asperity_core::{At, Datum, Separation};
 
 use crate::columns::Columns;
-use crate::observation::{MeasuredTable, Observation, number, position};
+use crate::observation::{MeasuredTable, Observation, number, position, row_name};
 use crate::{DataColumn, FitError};
 
 /// Measured values, all with a standard deviation or all without.
@@ -85,7 +85,7 @@ impl Data {
                 true => other,
                 false => format!("{} of {other}", known.measured.column()),
             };
-            return Err(FitError::NoStd { position, column, known });
+            return Err(FitError::NoStd { position, column, known, row: row_name(&lines) });
         }
         Ok(Self { observations, from, lines, both_loads })
     }
@@ -163,6 +163,11 @@ impl Data {
     /// The line of an observation, or its row: `line 5`.
     pub(crate) fn position(&self, one: &Observation) -> String {
         position(&self.lines, one.row.saturating_sub(1))
+    }
+
+    /// What a row is called in messages.
+    pub(crate) fn row_name(&self) -> &'static str {
+        row_name(&self.lines)
     }
 
     /// The plane of the separations.

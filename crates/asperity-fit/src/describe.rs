@@ -4,7 +4,8 @@ use asperity_core::short;
 
 use crate::combinations::undetermined;
 use crate::deviations::Deviations;
-use crate::distance::rms;
+use crate::distance::{distance, rms};
+use crate::few_contacts::few_contacts;
 use crate::limits::limits;
 use crate::misfit::misfit;
 use crate::other_stiffness::other_stiffness;
@@ -74,10 +75,14 @@ pub(crate) fn describe(problem: &Problem<'_>, found: &Found) -> Result<Fitted, F
         true => None,
         false => misfit(problem, &values, doubted, &limits)?,
     };
+    let misfit = match misfit {
+        None if !is_exact => few_contacts(problem, &best.coordinates, distance(data, &values))?,
+        misfit => misfit,
+    };
     let misfit = misfit.or_else(|| deviations.as_ref()?.misfit(doubted));
-    let other_column = match is_exact || outlier.is_some() || misfit.is_some() {
+    let other_column = match is_exact || misfit.is_some() {
         true => None,
-        false => other_stiffness(problem, best, &values)?,
+        false => other_stiffness(problem, best, &values, rank)?,
     };
     notes.extend(deviations.and_then(|deviations| deviations.note(doubted)));
     Ok(Fitted {
@@ -115,7 +120,7 @@ fn each_residual(data: &Data, values: &[f64], residuals: &[f64]) -> Vec<Residual
 }
 
 /// The Bayesian information criterion, for normal residuals of known or unknown deviation.
-fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
+pub(crate) fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
     let count = data.len() as f64;
     // One value ranks no model, also where no parameter changes it.
     if data.len() <= rank.max(1) {

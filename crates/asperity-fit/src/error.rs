@@ -77,7 +77,9 @@ pub enum FitError {
         required: usize,
     },
     /// A value without a standard deviation beside others that have one.
-    #[error("{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {}, or in none", .position.split(' ').next().unwrap_or_default())]
+    #[error(
+        "{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {row}, or in none"
+    )]
     NoStd {
         /// The line in its file, or the row, both counted from 1: `line 5`.
         position: String,
@@ -85,6 +87,8 @@ pub enum FitError {
         column: String,
         /// The value that has one, `line 2` or `area_m2 of line 2`.
         known: String,
+        /// What a row is called: `line` or `row`.
+        row: &'static str,
     },
     /// A load and a pressure of one row that contradict each other.
     #[error(

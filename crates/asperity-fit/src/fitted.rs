@@ -39,8 +39,9 @@ pub struct Fitted {
     pub outlier: Option<String>,
     /// The column of another stiffness that describes the data far better than the one given.
     pub other_column: Option<String>,
-    /// If no values within the bounds describe the data (an rms above 1): by how much, and the line
-    /// or the unit that explains it.
+    /// If no values within the bounds describe the data (an rms above 1 or 30 standard deviations, or
+    /// no contact), or other units do that fit fewer contacts than one: by how much, and the line or
+    /// the units that explain it.
     pub misfit: Option<String>,
     /// Remarks on intervals and other values of the parameters that fit as well.
     pub notes: Vec<String>,

@@ -20,10 +20,13 @@ pub struct MeasuredTable {
 
 /// The position of a row, counted from 0, for messages: its line if that is known.
 pub(crate) fn position(lines: &[usize], row: usize) -> String {
-    match lines.get(row) {
-        Some(line) => format!("line {line}"),
-        None => format!("row {}", row + 1),
-    }
+    let number = lines.get(row).copied().unwrap_or(row + 1);
+    format!("{} {number}", row_name(lines))
+}
+
+/// What a row is called: a line where data have a file.
+pub(crate) fn row_name(lines: &[usize]) -> &'static str {
+    if lines.is_empty() { "row" } else { "line" }
 }
 
 /// What a measured value is.

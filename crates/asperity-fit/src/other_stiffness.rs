@@ -2,6 +2,7 @@
 
 use asperity_core::Quantity;
 
+use crate::describe::bic;
 use crate::distance::rms;
 use crate::forward::Forward;
 use crate::outlier::rounded;
@@ -11,10 +12,11 @@ use crate::{FitError, Measured, Observation};
 /// Stiffnesses that are taken for each other: on loading, and at the start of unloading.
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::Stiffness];
-/// No column is doubted where the root mean square of ln(fitted/measured) is smaller.
-const SMALL: f64 = 0.05;
-/// Another stiffness explains the data if it leaves less than this share of the misfit.
-const SHARE: f64 = 0.2;
+/// Another stiffness explains the data if it leaves less than this share of the misfit, as errors
+/// of models are shared unevenly,
+const SHARE: f64 = 0.6;
+/// and if its criterion is lower by this much: odds of 150 to 1, which few data do not give.
+const CLEAR: f64 = 10.0;
 /// Evaluations for each free parameter before the search with another stiffness gives up.
 const PATIENCE: usize = 60;
 
@@ -23,16 +25,18 @@ pub(crate) fn other_stiffness(
     problem: &Problem<'_>,
     best: &Minimum,
     values: &[f64],
+    rank: usize,
 ) -> Result<Option<String>, FitError> {
-    let Some(here) = rms(problem.data, values).filter(|rms| *rms > SMALL) else { return Ok(None) };
-    let is_given = |quantity: &Quantity| {
-        problem.data.iter().any(|one| one.measured == Measured::Quantity(*quantity))
-    };
+    let (data, Some(here)) = (problem.data, rms(problem.data, values)) else { return Ok(None) };
+    let is_given =
+        |quantity: &Quantity| data.iter().any(|one| one.measured == Measured::Quantity(*quantity));
     let (given, others): (Vec<_>, Vec<_>) = STIFFNESSES.into_iter().partition(is_given);
     let (mut least, mut found) = (SHARE * here, None);
     for column in given {
         for &other in &others {
-            if let Some(rms) = rms_as(problem, best, [column, other])?.filter(|rms| *rms < least) {
+            let Some((rms, squares)) = fitted_as(problem, best, [column, other])? else { continue };
+            let gain = bic(data, best.squares, rank).zip(bic(data, squares, rank));
+            if rms < least && gain.is_some_and(|(here, there)| here - there > CLEAR) {
                 (least, found) = (rms, Some([column, other].map(Quantity::column)));
             }
         }
@@ -45,12 +49,13 @@ pub(crate) fn other_stiffness(
     }))
 }
 
-/// The misfit with one stiffness taken for another; `None` where the model does not have it.
-fn rms_as(
+/// The misfit and the sum of squares with one stiffness taken for another; `None` where the model
+/// does not have it.
+fn fitted_as(
     problem: &Problem<'_>,
     best: &Minimum,
     [column, other]: [Quantity; 2],
-) -> Result<Option<f64>, FitError> {
+) -> Result<Option<(f64, f64)>, FitError> {
     let renamed = |one: &Observation| match one.measured == Measured::Quantity(column) {
         true => Observation { measured: Measured::Quantity(other), ..*one },
         false => *one,
@@ -61,5 +66,5 @@ fn rms_as(
     let all: Vec<usize> = (0..problem.parameters.len()).collect();
     let minimum = other.minimise(&best.coordinates, &all, PATIENCE)?;
     let values = other.predicted(&minimum.coordinates).ok();
-    Ok(values.and_then(|values| rms(&data, &values)))
+    Ok(values.and_then(|values| rms(&data, &values)).zip(Some(minimum.squares)))
 }

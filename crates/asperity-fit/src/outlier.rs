@@ -1,26 +1,19 @@
 //! One or two lines of the data that the others contradict.
 
 use asperity_core::short;
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use crate::distance::mean_square;
 use crate::forward::Forward;
 use crate::likely_unit::unit_of_value;
 use crate::problem::{Minimum, Problem};
-use crate::{FitError, Observation};
+use crate::{Data, FitError, Observation};
 
-/// No line is doubted where the residuals are smaller (root mean square): as logarithms, and as
-/// multiples of the standard deviations.
-const SMALL: [f64; 2] = [0.05, 5.0];
-/// A line is an outlier if it is this far from a fit to the others, as a logarithm and in standard
-/// deviations, and that fit leaves less than `SHARE` of the misfit,
-const FAR: [f64; 2] = [0.4, 10.0];
-const SHARE: f64 = 0.2;
-/// or the line is this many times as far from the fit as the others are (root mean square), since
-/// among many lines the share of one is small.
-const TIMES: f64 = 10.0;
-/// Where the others have one value more than parameters, they agree easily, and the share counts
-/// alone.
-const SHARE_OF_FEW: f64 = 0.02;
+/// A line is an outlier if it is this far from a fit to the others: as a logarithm, and in standard
+/// deviations.
+const FAR: Distances = Distances { logarithm: 0.05, deviations: 6.0 };
+/// And if normal errors as large as those of the others had a line that far with this chance at
+/// most, by Student's distribution for the number of lines.
+const CHANCE: f64 = 2e-3;
 /// Two lines are doubted among more than this many.
 const LINES_FOR_TWO: usize = 6;
 /// Lines agree no better than values are computed.
@@ -30,6 +23,19 @@ const MOST: usize = 10;
 /// Evaluations for each free parameter before the search without a line gives up.
 const PATIENCE: usize = 60;
 
+/// Distances of a line from a fit.
+struct Distances {
+    logarithm: f64,
+    deviations: f64,
+}
+
+impl Distances {
+    /// The one in which the residuals of the data are.
+    fn of(&self, data: &Data) -> f64 {
+        if data.has_std() { self.deviations } else { self.logarithm }
+    }
+}
+
 /// A fit without some lines.
 struct Without {
     rows: Vec<usize>,
@@ -37,8 +43,9 @@ struct Without {
     misfit: f64,
     /// The residuals of all lines.
     residuals: Vec<f64>,
-    /// Whether the other lines have at most one value more than parameters.
-    is_few: bool,
+    /// The degrees of freedom that the other lines leave, and the number of their values.
+    freedom: usize,
+    count: usize,
 }
 
 /// A sentence about the lines without which the misfit is far smaller, at most two.
@@ -47,10 +54,9 @@ pub(crate) fn outlier(
     best: &Minimum,
     residuals: &[f64],
 ) -> Result<Option<String>, FitError> {
-    let kind = usize::from(problem.data.has_std());
-    let misfit = mean_square(residuals);
     let largest = residuals.iter().fold(0.0, |most: f64, residual| most.max(residual.abs()));
-    if misfit.is_nan() || misfit < SMALL[kind] && largest < FAR[kind] {
+    // The line itself draws the fit, at most half of the way if it is one of several.
+    if largest <= 0.5 * FAR.of(problem.data) || largest.is_nan() {
         return Ok(None);
     }
     let order = by_residual(problem, residuals);
@@ -58,7 +64,7 @@ pub(crate) fn outlier(
     for row in order.iter().take(MOST) {
         alone.extend(without(problem, best, &[*row])?);
     }
-    let found = contradicted(problem, &alone, misfit);
+    let found = contradicted(problem, &alone);
     let mut pairs: Vec<Without> = vec![];
     if order.len() > LINES_FOR_TWO {
         // Beside one outlier, the second is the line that is farthest from the fit to the others.
@@ -72,7 +78,7 @@ pub(crate) fn outlier(
             }
         }
     }
-    let two = contradicted(problem, &pairs, found.map_or(misfit, |found| found.misfit));
+    let two = contradicted(problem, &pairs);
     Ok(two.or(found).map(|found| found.sentence(problem)))
 }
 
@@ -91,17 +97,10 @@ fn by_residual(problem: &Problem<'_>, residuals: &[f64]) -> Vec<usize> {
 }
 
 /// The fit with the least misfit, if its other lines contradict those left out.
-fn contradicted<'w>(
-    problem: &Problem<'_>,
-    fits: &'w [Without],
-    misfit: f64,
-) -> Option<&'w Without> {
-    let kind = usize::from(problem.data.has_std());
+fn contradicted<'w>(problem: &Problem<'_>, fits: &'w [Without]) -> Option<&'w Without> {
     let is_outlier = |fit: &&Without| {
         let nearest = fit.worst(problem).iter().map(|(_, r)| r.abs()).fold(f64::INFINITY, f64::min);
-        let share = if fit.is_few { SHARE_OF_FEW } else { SHARE };
-        let stands_out = !fit.is_few && nearest > TIMES * fit.misfit;
-        nearest > FAR[kind] && (fit.misfit < share * misfit || stands_out)
+        nearest > FAR.of(problem.data) && fit.chance(nearest) < CHANCE
     };
     fits.iter().filter(is_outlier).min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }
@@ -114,6 +113,14 @@ impl Without {
             line.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, r)| (one, *r))
         };
         self.rows.iter().filter_map(of).collect()
+    }
+
+    /// The chance of a residual this large among lines that scatter as the others do.
+    fn chance(&self, residual: f64) -> f64 {
+        let (count, freedom) = (self.count as f64, self.freedom as f64);
+        let scatter = self.misfit.max(ACCURACY) * (count / freedom).sqrt();
+        let student = StudentsT::new(0.0, 1.0, freedom);
+        student.map_or(1.0, |student| 2.0 * count * student.sf(residual / scatter))
     }
 
     fn sentence(&self, problem: &Problem<'_>) -> String {
@@ -150,8 +157,7 @@ impl Without {
             false => ["deviate", "check or remove them"],
         };
         let advice = if units.len() == lines.len() { units.join("; ") } else { remove.into() };
-        let kind = lines.first().and_then(|line| line.split_whitespace().next());
-        let kind = kind.unwrap_or("line").to_string();
+        let kind = problem.data.row_name();
         let [lines, sizes] = [lines, sizes].map(|texts| texts.join(" and "));
         format!(
             "{lines} {deviates} by {sizes} from a fit to the other {kind}s, which agree within {agree} (root mean square); {advice}"
@@ -191,6 +197,7 @@ fn without(
         rows: rows.to_vec(),
         misfit: (least.squares / count as f64).sqrt(),
         residuals: problem.residuals(&least.coordinates)?,
-        is_few: count < parameters + 2,
+        freedom: count - parameters,
+        count,
     }))
 }

@@ -165,6 +165,15 @@ impl Described for JacksonGreen {
         }
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        match self.hardness {
+            GeometricHardness::Original => vec![],
+            GeometricHardness::Cosine => {
+                vec!["the hardness falls with the cosine of a/R, as in later papers"]
+            }
+        }
+    }
+
     fn validity(&self) -> Validity {
         Validity {
             force_monotone: false,

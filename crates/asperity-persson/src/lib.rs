@@ -67,6 +67,15 @@ impl Described for Persson {
         }
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        match self.variance {
+            PerssonVariance::Full => vec![],
+            PerssonVariance::Fudge => {
+                vec!["the variance of the pressure is smaller at small areas"]
+            }
+        }
+    }
+
     fn validity(&self) -> Validity {
         Validity {
             asperities: false,

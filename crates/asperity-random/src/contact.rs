@@ -85,6 +85,12 @@ impl Described for RandomAsperities {
         &self.name
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        let random =
+            "averaged over asperities whose heights and radii differ, as on a random surface";
+        [self.model.variant(), vec![random]].concat()
+    }
+
     fn validity(&self) -> Validity {
         self.model.validity()
     }

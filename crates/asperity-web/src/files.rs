@@ -27,7 +27,8 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
 }
 
 /// Refuses a file that no keys of a scene make usable: unit, pixel size, channel, estimator and the
-/// share of missing points can be given; a rough surface cannot.
+/// share of missing points can be given; a rough surface cannot, and is required of files that
+/// state unit and pixel size. The scene refuses the others once it has these.
 pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<(), Refusal> {
     let options = ReadOptions { max_missing: MOST_MISSING, ..ReadOptions::default() };
     match asperity_topography::read_bytes(name, bytes, &options).and_then(measurable) {
@@ -46,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_that_lack_what_keys_can_give_are_readable_and_others_are_not() {
+    fn files_that_lack_what_keys_can_give_are_usable_and_others_are_not() {
         let row = |k: usize| format!("{} 2 {} 4 1 3 5 7\n", k * k % 7, k % 5);
         let numbers: String = (0..8).map(row).collect();
         assert!(usable("a.txt", numbers.as_bytes()).is_ok());

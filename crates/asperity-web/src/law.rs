@@ -5,7 +5,7 @@ use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
-use crate::names::with_ids;
+use crate::model_sentence::source;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 
@@ -98,13 +98,13 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     figure.columns = 2;
     let mut kinks: Vec<String> = inside.iter().map(|x| short(*x)).collect();
     kinks.dedup();
-    let (citation, validity) = (model.citation(), model.validity());
+    let validity = model.validity();
     let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
     let stated = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
     let defect = validity.known_defect.map(|defect| defect.summary.to_string());
     Ok(Law {
         svg: draw(&figure, &csv)?,
-        source: format!("{}: {} ({})", with_ids(model.name()), citation.authors, citation.year),
+        source: source(&model),
         kinks,
         axis,
         range: stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),

@@ -4,7 +4,6 @@
 //! The page (`www/`) shows the answers and does no arithmetic; numbers, pictures, units and texts
 //! come from here. `cargo xtask page` builds both.
 
-mod about;
 mod advice;
 mod answer;
 mod code;
@@ -15,6 +14,7 @@ mod law;
 mod link;
 mod map_readings;
 mod message;
+mod model_sentence;
 mod names;
 mod picture;
 mod possible;

@@ -15,6 +15,7 @@ const KEYS: [(&str, &str); 4] = [
     ("asperity_height_std", "height std σ_z"),
     ("surface_height_std", "height std of the surface"),
 ];
+
 const GREEK: [(&str, &str); 9] = [
     ("alpha", "α"),
     ("beta", "β"),
@@ -26,6 +27,7 @@ const GREEK: [(&str, &str); 9] = [
     ("sqrt", "√"),
     ("nu", "ν"),
 ];
+
 /// What the program advises, and what the page has instead.
 const PROGRAM: [(&str, &str); 5] = [
     ("use `asperity truth`", "solve the scan by boundary elements"),
@@ -34,8 +36,9 @@ const PROGRAM: [(&str, &str); 5] = [
     ("with `asperity surface --scales`", "in the table of slopes and curvatures"),
     (" (--despike)", ""),
 ];
+
 /// Names and ids of the variants of models, the longest first.
-static VARIANTS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
+static NAMES_AND_IDS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
     let names = |model: &Model| (model.name().to_string(), model.id().to_string());
     let mut all: Vec<_> = Model::named().iter().map(names).collect();
     all.retain(|(_, id)| id.contains('-'));
@@ -87,7 +90,7 @@ pub(crate) fn without_commands(message: &str) -> String {
 
 /// A text with variants of models by their ids, as legends have them: `persson-fudge`.
 pub(crate) fn with_ids(text: &str) -> String {
-    VARIANTS.iter().fold(text.to_string(), |text, (name, id)| text.replace(name, id))
+    NAMES_AND_IDS.iter().fold(text.to_string(), |text, (name, id)| text.replace(name, id))
 }
 
 /// A message with names in place of keys and Greek letters; a key that is assigned stays.
@@ -274,10 +277,14 @@ mod tests {
             check.findings.iter().map(Diagnostic::to_string).collect(),
             file.warnings.iter().map(Diagnostic::to_string).collect(),
         ];
+        assert_eq!(messages.len(), PROGRAM.len());
         for (message, (advice, instead)) in messages.iter().zip(PROGRAM) {
-            assert!(message.contains(advice), "{advice}: {message}");
+            let (before, after) = message.split_once(advice).unwrap_or_else(|| panic!("{message}"));
             let shown = without_commands(message);
-            assert!(!shown.contains(advice) && shown.contains(instead), "{shown}");
+            let before = without_commands(before);
+            let rest = shown.strip_prefix(&format!("{before}{instead}")).unwrap_or_default();
+            assert_eq!(rest, without_commands(after), "{shown}");
+            assert!(!shown.contains("`asperity") && !shown.contains("--"), "{shown}");
         }
     }
 }

@@ -120,7 +120,8 @@ fn others(elements: &BoundaryElements, solution: &Solution, file: &SceneFile) ->
 type Found = (Quantity, Result<f64, String>);
 
 impl Event {
-    /// The progress of a list of loads, `before` of all of which were solved.
+    /// Progress within a part of the loads, after `before` solved ones; `count` is the number of
+    /// all.
     fn progress(progress: &asperity::bem::Progress, before: usize, count: usize) -> Self {
         let asperity::bem::Progress { index, done, iterations, residual, .. } = *progress;
         let (index, done) = (before + index, before + done);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use asperity::{Described, Model, shortest_digits};
 use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
 
-use crate::about::about;
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
+use crate::model_sentence::model_sentence;
 use crate::names::{readable, with_ids};
 use crate::refusal::Refusal;
 use crate::shown::shown;
@@ -62,7 +62,7 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
         ModelShown {
             id: model.id().into(),
             name: with_ids(model.name()),
-            about: about(model),
+            about: model_sentence(model),
             // Averages over contact angles take seconds to prepare.
             slow: model.validity().angles,
             whole: model.asperity_model().is_none(),

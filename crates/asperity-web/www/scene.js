@@ -206,10 +206,13 @@ async function draw() {
   const [ids, solved] = [chosen().filter((id) => page.rows.has(id)), elements.points(view)];
   const rows = ids.map((id) => page.rows.get(id));
   try {
-    if (rows.length + solved.length === 0 && chosen().length > 0) return withoutCurves("Being calculated.");
-    const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
-    blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
-    page.drawn = view;
+    if (rows.length + solved.length === 0 && chosen().length > 0) {
+      withoutCurves("Being calculated.");
+    } else {
+      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
+      blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
+      page.drawn = view;
+    }
   } catch (error) {
     // No model has the quantity: the place of the curves says so, with the reason of the first.
     if (error.field !== "view") throw error;

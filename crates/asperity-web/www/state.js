@@ -12,8 +12,8 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
 // Answers of the desks: the scene as read from a text, the load on it, the columns and values of
-// models, the rows of their curves and the quantity that is drawn; why the load was refused or no model describes it, the last
-// load that a model answers, and the scan that a link asks for.
+// models, the rows of their curves and the quantity that is drawn; why the load was refused or no
+// model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", materials: [], text: "", shown: null,
   load: null, drawn: "", refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,

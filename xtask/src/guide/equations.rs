@@ -24,7 +24,7 @@ pub fn tables(block: &str) -> String {
 fn table(lines: &[&str]) -> String {
     let rows: Vec<Vec<(usize, String)>> = lines.iter().map(|line| segments(line)).collect();
     let starts: BTreeSet<usize> = rows.iter().flatten().map(|(start, _)| *start).collect();
-    let symbols = if rows.iter().all(|row| is_meanings(row)) { " symbols" } else { "" };
+    let symbols = if rows.iter().all(|row| is_symbol_list(row)) { " symbols" } else { "" };
     let mut html = format!("<table class=\"equations{symbols}\">\n");
     // Writing to a string cannot fail.
     for row in &rows {
@@ -46,14 +46,11 @@ fn table(lines: &[&str]) -> String {
     html + "</table>\n"
 }
 
-/// Whether a row has symbols, each with a word about it.
-fn is_meanings(row: &[(usize, String)]) -> bool {
+/// Whether each symbol of a row is followed by its description.
+fn is_symbol_list(row: &[(usize, String)]) -> bool {
     let is_word = |word: &str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
-    let said = |pair: &[(usize, String)]| {
-        matches!(pair, [(_, symbol), (_, words)]
-            if words.split(' ').any(is_word))
-    };
-    row.chunks(2).all(said)
+    let is_described = |pair: &[(usize, String)]| matches!(pair, [_, (_, description)] if description.split(' ').any(is_word));
+    row.chunks(2).all(is_described)
 }
 
 /// Whether a part is words about a symbol, which may take several lines.

@@ -24,7 +24,7 @@ the provenance of each model's equations:
   seen      read in public text or code that quotes the paper
   derived   proved or checked numerically, not read in the paper
   recalled  from general knowledge of the literature, the paper was not available
-csv and json also hold the titles of the papers, and notes. The models from gw to af,
+csv and json also hold titles, notes and how variants differ. The models from gw to af,
 and ghaednia, exist with -random behind the id as well: averaged over the asperities of
 a random surface, whose heights and radii differ. bem, boundary elements, needs a scan.
 
@@ -40,8 +40,8 @@ pub struct Models {
     output: OutputArgs,
 }
 
-const COLUMNS: [&str; 8] =
-    ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes"];
+const COLUMNS: [&str; 9] =
+    ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes", "variant"];
 /// The columns of a table in the terminal, as places in [`COLUMNS`]; the others are too wide.
 const TERMINAL: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
@@ -51,11 +51,15 @@ impl Models {
         let shown: Vec<usize> =
             if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
         let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
+        let mut variants = vec![];
         for model in like(&self.word.unwrap_or_default())? {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();
-            let notes = notes.join("; ");
+            let (notes, variant) = (notes.join("; "), model.variant().join("; "));
+            if terminal && !variant.is_empty() {
+                variants.push(format!("{}: {variant}", source.id));
+            }
             let row: [&str; COLUMNS.len()] = [
                 source.id,
                 source.name,
@@ -65,10 +69,12 @@ impl Models {
                 source.title,
                 &equations,
                 &notes,
+                &variant,
             ];
             table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
         }
         self.output.write(&table)?;
+        variants.iter().for_each(|variant| print_message("note", variant));
         if terminal {
             TAGS.iter().for_each(|(tag, meaning)| {
                 print_message("note", &format!("equations {tag}: {meaning}"))

@@ -120,6 +120,12 @@ pub trait Described: fmt::Debug + Send + Sync {
         self.citation().name
     }
 
+    /// How a variant differs from the model whose id stands before the dash, one clause a
+    /// difference; empty for a model that is no variant.
+    fn variant(&self) -> Vec<&'static str> {
+        vec![]
+    }
+
     /// Properties and range of the laws.
     fn validity(&self) -> Validity {
         Validity::default()

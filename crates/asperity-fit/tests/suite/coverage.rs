@@ -4,23 +4,12 @@ use asperity_core::{ContactModel, Quantity};
 use asperity_fit::{DataColumn, Fit};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_ke::KogutEtsion;
-use statrs::distribution::{ContinuousCDF, Normal};
 
-use crate::kit::{TRUTH, columns, data, parameters, varied};
+use crate::kit::{TRUTH, columns, data, normal, parameters, varied};
 
 const DRAWS: u64 = 100;
 /// Relative standard deviation of the noise.
 const NOISE: f64 = 0.03;
-
-/// Standard normal numbers, by SplitMix64 and the inverse of their distribution.
-fn normal(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mut bits = *state;
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    let share = ((bits ^ (bits >> 31)) >> 11) as f64 + 0.5;
-    Normal::standard().inverse_cdf(share / (1u64 << 53) as f64)
-}
 
 /// How many of the draws have the truth in the interval of each parameter.
 fn held(model: &dyn ContactModel, free: &[usize], clean: &[DataColumn], std: bool) -> Vec<usize> {

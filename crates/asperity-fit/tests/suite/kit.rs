@@ -4,6 +4,7 @@ use asperity_core::{
     ContactError, ContactModel, Datum, Interface, Quantity, Request, Scene, Surface,
 };
 use asperity_fit::{Data, DataColumn, Parameter};
+use statrs::distribution::{ContinuousCDF, Normal};
 
 /// Radius, density, standard deviation of the heights, hardness.
 pub const TRUTH: [f64; 4] = [2e-4, 2e8, 1e-6, 2e9];
@@ -52,4 +53,14 @@ pub fn columns(
 
 pub fn data(columns: &[DataColumn]) -> Data {
     Data::from_columns(columns, Datum::AsperityMean).unwrap()
+}
+
+/// Standard normal numbers, by SplitMix64 and the inverse of their distribution.
+pub fn normal(state: &mut u64) -> f64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut bits = *state;
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    let share = ((bits ^ (bits >> 31)) >> 11) as f64 + 0.5;
+    Normal::standard().inverse_cdf(share / (1u64 << 53) as f64)
 }

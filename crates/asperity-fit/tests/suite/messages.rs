@@ -4,7 +4,7 @@ use asperity_core::{At, ContactModel, Quantity, Request, Severity};
 use asperity_fit::Fit;
 use asperity_ke::KogutEtsion;
 
-use crate::kit::{LOADS, TRUTH, columns, data, parameters, varied};
+use crate::kit::{LOADS, TRUTH, columns, data, normal, parameters, varied};
 
 #[test]
 fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
@@ -92,6 +92,57 @@ fn a_stiffness_in_the_column_of_another_is_named() {
         "{other}"
     );
     assert!(found.remarks().contains(&(Severity::Warning, other)), "{found:?}");
+}
+
+#[test]
+fn a_stiffness_of_another_column_is_named_among_noise_and_no_other_is() {
+    let loads: Vec<f64> = (0..24).map(|k| 4.0 * 10f64.powf(0.1 * f64::from(k))).collect();
+    let [unloading, stiffness] = [Quantity::UnloadingStiffness, Quantity::Stiffness];
+    let clean = columns(&KogutEtsion, &loads, &[unloading]);
+    let scene = varied(&[2]);
+    for draw in 0..10 {
+        let mut columns = clean.clone();
+        let mut state = 100 * draw;
+        columns[1].1.iter_mut().flatten().for_each(|k| *k *= 1.0 + 0.03 * normal(&mut state));
+        for (column, is_other) in [(unloading, false), (stiffness, true)] {
+            columns[1].0 = column.column();
+            let data = data(&columns);
+            let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+            let found = fit.run(&KogutEtsion).unwrap();
+            // The misfit itself is no larger than errors of measurements are.
+            assert!(found.rms < Some(0.12), "{:?}", found.rms);
+            let other = found.other_column.unwrap_or_default();
+            let wanted = " if it is unloading_stiffness_N_per_m; name the column by";
+            assert_eq!(other.contains(wanted), is_other, "{draw} {column}: {other}");
+        }
+    }
+}
+
+#[test]
+fn units_of_load_and_stiffness_that_leave_no_contact_are_named_together() {
+    let loads: Vec<f64> = (0..12).map(|k| 10.0 * 1.7f64.powi(k)).collect();
+    let clean = columns(&KogutEtsion, &loads, &[Quantity::UnloadingStiffness]);
+    let scene = varied(&[2]);
+    for (units, factors, is_wrong) in [
+        (["kN", "N/um"], [1e-3, 1e-6], true),
+        (["MN", "N/um"], [1e-6, 1e-6], true),
+        (["kN", "N/mm"], [1e-3, 1e-3], true),
+        (["", ""], [1.0, 1.0], false),
+    ] {
+        let mut columns = clean.clone();
+        let mut state = 7;
+        for ((_, values), factor) in columns.iter_mut().zip(factors) {
+            values.iter_mut().flatten().for_each(|value| *value *= factor);
+        }
+        columns[1].1.iter_mut().flatten().for_each(|k| *k *= 1.0 + 0.03 * normal(&mut state));
+        let data = data(&columns);
+        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
+        let misfit = fit.run(&KogutEtsion).unwrap().misfit.unwrap_or_default();
+        assert_eq!(misfit.contains(" looks like "), is_wrong, "{misfit}");
+        for unit in units.into_iter().filter(|_| is_wrong) {
+            assert!(misfit.contains(&format!(" looks like {unit};")), "{units:?}: {misfit}");
+        }
+    }
 }
 
 #[test]

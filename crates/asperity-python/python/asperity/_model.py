@@ -74,6 +74,16 @@ class Model(Engine):
         return f"{source['authors']} ({source['year']}){title} [{source['provenance']}]"
 
     @property
+    def variant(self) -> str:
+        """How a variant differs from the model before the dash of its id; empty for others.
+
+        >>> import asperity
+        >>> asperity.model("at-additive").variant
+        'every contact counts once in the sums'
+        """
+        return "; ".join(self._variant())
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """Notes on these options for every scene."""
         return tuple(self._notes)

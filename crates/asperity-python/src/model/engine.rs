@@ -63,6 +63,15 @@ impl Engine {
         Ok((model.id().into(), model.name().into(), object(py, model.citation())?, notes))
     }
 
+    /// How a variant differs from the model before the dash, one clause a difference.
+    #[pyo3(name = "_variant")]
+    fn differences(&self) -> PyResult<Vec<&'static str>> {
+        match self.is_bem() {
+            true => Ok(vec![]),
+            false => Ok(self.with(ModelOptions::default(), None)?.variant()),
+        }
+    }
+
     /// The law of one asperity of a scene at interferences [m], in SI units.
     #[pyo3(name = "_law")]
     fn law<'py>(

@@ -162,6 +162,10 @@ impl Described for Model {
         self.model.name()
     }
 
+    fn variant(&self) -> Vec<&'static str> {
+        self.model.variant()
+    }
+
     fn validity(&self) -> Validity {
         self.model.validity()
     }
@@ -233,6 +237,17 @@ mod tests {
         unique.sort();
         unique.dedup();
         assert_eq!(unique.len(), ids.len());
+    }
+
+    #[test]
+    fn every_variant_states_how_it_differs_and_no_other_model_does() {
+        for model in Model::named() {
+            let parts = model.id().split('-').skip(1).count();
+            assert_eq!(model.variant().len(), parts, "{model}");
+        }
+        let cosine: Model = "jg-cosine-random".parse().unwrap();
+        let [hardness, random] = cosine.variant()[..] else { panic!("{:?}", cosine.variant()) };
+        assert!(hardness.starts_with("the hardness") && random.starts_with("averaged over"));
     }
 
     #[test]
