@@ -82,18 +82,25 @@ pub(crate) const UNITS: [Units; 15] = [
         &[("uohmcm", -8), ("uohmm", -6), ("nohmm", -9), ("mohmm", -3), ("ohmcm", -2), ("ohmm", 0)],
     ),
 ];
+/// A pound-force per square inch \[kPa\].
+const PSI: f64 = 6.894_757_293_168_4;
 /// Units that are not read, with their size in one that is.
-const OTHERS: [(&str, &str, f64, &str); 17] = [
+const OTHERS: [(&str, &str, f64, &str); 22] = [
     ("Pa", "kN/mm2", 1.0, "GPa"),
     ("Pa", "kN/cm2", 10.0, "MPa"),
     ("Pa", "kN/m2", 1.0, "kPa"),
     ("Pa", "N/cm2", 10.0, "kPa"),
     ("Pa", "kgf/mm2", 9.80665, "MPa"),
-    ("Pa", "Msi", 6.894_757_3, "GPa"),
-    ("Pa", "ksi", 6.894_757_3, "MPa"),
-    ("Pa", "psi", 6.894_757_3, "kPa"),
+    ("Pa", "kg/mm2", 9.80665, "MPa"),
+    ("Pa", "kgf/cm2", 98.0665, "kPa"),
+    ("Pa", "kg/cm2", 98.0665, "kPa"),
+    ("Pa", "atm", 101.325, "kPa"),
+    ("Pa", "Msi", PSI, "GPa"),
+    ("Pa", "Mpsi", PSI, "GPa"),
+    ("Pa", "ksi", PSI, "MPa"),
+    ("Pa", "psi", PSI, "kPa"),
     ("N", "kgf", 9.80665, "N"),
-    ("N", "lbf", 4.448_221_6, "N"),
+    ("N", "lbf", 4.448_221_615_260_5, "N"),
     ("m", "uin", 25.4, "nm"),
     ("m", "in", 25.4, "mm"),
     ("m", "micron", 1.0, "um"),

@@ -196,13 +196,15 @@ fn makes_sense(surface: &Surface) -> bool {
 }
 
 /// A finding for an unusual nominal area, alone or for its number of asperities. Beside findings
-/// of an `odd_surface`, whose density may be wrong, only an area that is impossible has one.
-pub(crate) fn of_area(scene: &Scene, odd_surface: bool) -> Option<Diagnostic> {
+/// `of_surface`, whose density may be wrong, only an area that is impossible has one.
+pub(crate) fn of_area(scene: &Scene, of_surface: &Diagnostics) -> Option<Diagnostic> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
     let enough = AREA[0].max(POPULATION[1] / density);
     let usual = [enough, if enough < AREA[1] { AREA[1] } else { f64::INFINITY }];
-    let is_possible = area <= FIELD && area * density >= 1.0;
-    if within(area, usual) || odd_surface && is_possible {
+    let odd_surface = !of_surface.is_empty();
+    let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
+    let is_possible = area <= FIELD && (has_unit || area * density >= 1.0);
+    if within(area, [enough, AREA[1]]) || odd_surface && is_possible {
         return None;
     }
     let least = if odd_surface { AREA[0] } else { 1000.0 / density };
@@ -256,7 +258,7 @@ mod tests {
     fn an_area_that_no_joint_has_is_said_beside_a_wrong_surface() {
         let interface = crate::Interface::new(1e11, 0.3, 1e9);
         let areas = |area: f64| -> Vec<String> {
-            let scene = Scene::new(interface, Surface::new(0.08, 800.0, 0.0008), area);
+            let scene = Scene::new(interface, Surface::new(0.05, 800.0, 0.02), area);
             let found = scene.findings().into_iter();
             found.filter(|f| f.field == "nominal_area").map(|f| f.to_string()).collect()
         };
