@@ -31,7 +31,7 @@ Exit code: 0 done; 1 bad input, or a result that an error declares invalid; 2 ba
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
-    /// Print errors only, without warnings and notes
+    /// Print errors only, without warnings and notes, except notes on lists that may be one number
     #[arg(long, global = true)]
     quiet: bool,
 }
@@ -42,10 +42,12 @@ fn main() -> ExitCode {
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
     let arguments = program.clone().try_get_matches_from(&arguments).unwrap_or_else(|error| {
         let is_known = |name: &str| program.find_subcommand(name).is_some();
-        if let Some((subcommand, text)) = input::blanks::unit_apart(&arguments, is_known) {
-            input::usage_error(&subcommand, ErrorKind::UnknownArgument, &text);
+        let Some(apart) = input::blanks::unit_apart(&arguments, is_known) else { error.exit() };
+        // The advice is of no use where the number with its unit is refused as well.
+        match program.clone().try_get_matches_from(&apart.joined) {
+            Err(refused) if refused.kind() == ErrorKind::ValueValidation => refused.exit(),
+            _ => input::usage_error(&apart.subcommand, ErrorKind::UnknownArgument, &apart.message),
         }
-        error.exit()
     });
     let Cli { command, quiet } =
         Cli::from_arg_matches(&arguments).unwrap_or_else(|error| error.exit());

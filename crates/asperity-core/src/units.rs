@@ -85,7 +85,7 @@ const LBF: f64 = 4.448_221_615_260_5;
 const KSI: f64 = 1e-3 * LBF / (0.0254 * 0.0254);
 
 /// Units that scenes do not read: their SI unit, their name, and their size in a unit that is read.
-pub const OTHER_UNITS: [(&str, &str, f64, &str); 21] = [
+pub const OTHER_UNITS: [(&str, &str, f64, &str); 22] = [
     ("Pa", "kN/mm2", 1.0, "GPa"),
     ("Pa", "kN/cm2", 10.0, "MPa"),
     ("Pa", "kN/m2", 1.0, "kPa"),
@@ -93,6 +93,7 @@ pub const OTHER_UNITS: [(&str, &str, f64, &str); 21] = [
     ("Pa", "kgf/mm2", 9.80665, "MPa"),
     ("Pa", "kg/mm2", 9.80665, "MPa"),
     ("Pa", "kgf/cm2", 98.0665, "kPa"),
+    ("Pa", "kg/cm2", 98.0665, "kPa"),
     ("Pa", "atm", 101.325, "kPa"),
     ("Pa", "Msi", KSI, "GPa"),
     ("Pa", "Mpsi", KSI, "GPa"),

@@ -9,7 +9,6 @@ use asperity::{
 use asperity_topography::Statistics;
 
 use crate::SceneFile;
-use crate::iso_units::{LikelyUnits, likely_units};
 
 /// Statistics of a scan beyond its asperities.
 #[derive(Debug, Clone)]
@@ -73,9 +72,13 @@ impl SceneFile {
             |field: &str| self.no_asperities.is_some() && ASPERITY_FIELDS.contains(&field);
         let of_interface = of_interface.filter(|found| !stands_in(&found.field));
         let mut of_interface: Vec<Diagnostic> = of_interface.collect();
-        if let Some(typed) = self.in_another_unit(&of_interface) {
-            of_interface.retain(|found| !ASPERITY_FIELDS.contains(&&*found.field));
-            of_interface.push(typed);
+        // The number that was given, in place of findings about the asperities that follow from it.
+        let of_asperities = |found: &Diagnostic| ASPERITY_FIELDS.contains(&&*found.field);
+        let is_wrong =
+            |found: &Diagnostic| of_asperities(found) && found.severity <= Severity::Warning;
+        if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
+            of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
+            of_interface.push(odd);
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let found =
@@ -87,34 +90,15 @@ impl SceneFile {
         found.filter_map(|found| self.without_stated_unit(found)).collect()
     }
 
-    /// The error for numbers of the surface as they were given, in place of errors of the
-    /// asperities that follow from them, if another unit explains these.
-    fn in_another_unit(&self, found: &[Diagnostic]) -> Option<Diagnostic> {
-        let roughness = self.roughness?;
-        let is_wrong = |found: &Diagnostic| {
-            found.severity == Severity::Error && ASPERITY_FIELDS.contains(&&*found.field)
-        };
-        // The moments of two surfaces together are not given.
-        let is_given = roughness.keys().iter().all(|key| self.has_surface_key(key));
-        if !is_given || !found.iter().any(is_wrong) {
-            return None;
-        }
-        let is_stated = |key: &str| self.stated.contains(&format!("surface.{key}"));
-        let LikelyUnits { key, value, hint } = likely_units(&roughness, is_stated)?;
-        Some(Diagnostic::error("unusual-size", key, value).fact(hint))
-    }
-
     /// The finding without a likely unit if the number was given with its unit.
     fn without_stated_unit(&self, found: Diagnostic) -> Option<Diagnostic> {
         let stated = |key: &str| {
             let of = |path: &String| path == key || path.ends_with(&format!(".{key}"));
             self.stated.iter().any(of)
         };
+        // Asperities that follow from other numbers were given in no unit.
         let derived = ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty();
-        let stated = match derived {
-            true => self.follows_from.iter().all(|key| stated(key)),
-            false => stated(&found.field),
-        };
+        let stated = derived || stated(&found.field);
         if stated { found.with_stated_unit() } else { Some(found) }
     }
 

@@ -249,7 +249,7 @@ fn other_notation(line: &str) -> Option<String> {
     notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }
 
-/// What to do with a spreadsheet in place of a table.
+/// Advice for a spreadsheet that was given as a table.
 pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv";
 
 /// The text of a file; `place` gives its place in an error, and `advice` the remedy for a file that
@@ -269,7 +269,11 @@ pub(crate) fn read_text(
         }
         Ok(_) => match String::from_utf8(bytes) {
             // Text in UTF-16 has zeros.
-            Ok(text) if !text.contains('\0') => return Ok(text),
+            Ok(mut text) if !text.contains('\0') => {
+                // The end of a text in DOS.
+                text.truncate(text.trim_end_matches('\u{1a}').len());
+                return Ok(text);
+            }
             _ => "the text is not in UTF-8; save it as UTF-8".into(),
         },
     };
@@ -279,7 +283,7 @@ pub(crate) fn read_text(
 /// Whether bytes are no text in UTF-8, UTF-16 or an 8-bit encoding: archives, as spreadsheets are,
 /// and other files with control characters.
 fn is_binary(bytes: &[u8]) -> bool {
-    let is_control = |byte: &u8| matches!(byte, 1..=8 | 14..=31);
+    let is_control = |byte: &u8| matches!(byte, 1..=8 | 14..=25 | 28..=31);
     let is_utf_16 = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
     !is_utf_16 && bytes.iter().take(4096).any(is_control)
 }
@@ -326,6 +330,14 @@ mod tests {
             refused,
             "scene cannot be read: more than 1048576 bytes; leave out rows or digits"
         );
+    }
+
+    #[test]
+    fn a_text_may_end_in_the_sign_of_dos_for_its_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.toml");
+        std::fs::write(&path, "a = 1\r\n\u{1a}").unwrap();
+        assert_eq!(read_text(&path, "", || Place::field("scene")).unwrap(), "a = 1\r\n");
     }
 
     #[test]

@@ -28,7 +28,8 @@ impl Stress {
 /// How a hardness such as `120 HV` is given instead, behind the text in a message; `None` for other
 /// texts.
 pub(crate) fn hardness(text: &str, stress: Stress) -> Option<String> {
-    let scale = |name: &str| of_scale(text, name);
+    let capital = text.to_uppercase();
+    let scale = |name: &str| of_scale(&capital, name);
     let vickers = scale("HV").map(|vickers| {
         let contact = hardness_of_vickers(vickers);
         [contact, contact / HARDNESS_OVER_YIELD]

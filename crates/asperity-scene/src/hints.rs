@@ -5,8 +5,8 @@ use toml::de::Error;
 
 use crate::document::{Document, shorten};
 use crate::error::{Needed, SceneError};
-use crate::iso_units::gradient;
 use crate::notation::{notation_hint, with_decimal_point};
+use crate::slopes::{gradient, is_angle};
 use crate::template::{joined, key};
 
 impl Document<'_> {
@@ -95,8 +95,7 @@ fn plain_number(name: &str, found: &str) -> Option<String> {
         let given = with_decimal_point(text).unwrap_or(text.into());
         return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
     }
-    let is_angle = ["deg", "\u{b0}", "rad"].iter().any(|unit| text.trim().ends_with(unit));
-    if is_angle && ["sdq", "mean_slope"].contains(&name) {
+    if is_angle(text) && ["sdq", "mean_slope"].contains(&name) {
         return Some("a gradient, or an angle between 0 and 90 deg,".into());
     }
     let number = with_decimal_point(text).unwrap_or(text.into());
@@ -123,14 +122,17 @@ pub(crate) fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
         "h" | "vickers" | "brinell" => ("hardness", ""),
         "r" | "radius" | "tip_radius" => ("asperity_radius", ""),
         "eta" | "density" => ("asperity_density", ""),
-        "sigma" | "sigma_z" | "roughness" => ("asperity_height_std", ""),
+        "sigma" | "sigma_z" => (
+            "asperity_height_std",
+            "it is the std of the asperity heights, and that of the surface is surface_height_std; ",
+        ),
         "psi" => ("plasticity_index", ""),
         "a_n" | "area" => ("nominal_area", ""),
         "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
         "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
         "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),
         "rdq" | "rms_slope" | "rms_gradient" => ("sdq", "it is the rms gradient of the surface; "),
-        "ra" | "rq" | "sa" | "rms" => (
+        "ra" | "rq" | "sa" | "rms" | "roughness" => (
             "surface_height_std",
             "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ",
         ),

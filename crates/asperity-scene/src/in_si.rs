@@ -6,7 +6,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use crate::hardness::{Stress, hardness};
-use crate::notation::notation_hint;
+use crate::notation::{notation_hint, with_decimal_point, without_thousands};
 use crate::quantity::units_of;
 use crate::template::joined;
 use crate::units::{Units, converted, in_other_case, list, read};
@@ -113,7 +113,11 @@ fn reason(given: &str, units: Units, stress: Stress) -> Reason {
         return Reason::Unit { near: None, needed };
     }
     let hint = hardness(given, stress).filter(|_| si == "Pa");
-    match hint.or_else(|| notation_hint(given)) {
+    // The number instead needs no quotes.
+    let same = with_decimal_point(given).or_else(|| without_thousands(given));
+    let is_plain = same.is_some_and(|same| same.trim().parse::<f64>().is_ok());
+    let quotes = if is_plain { " without quotes" } else { "" };
+    match hint.or_else(|| notation_hint(given).map(|hint| hint + quotes)) {
         Some(hint) => Reason::Notation(hint),
         None => Reason::Unit {
             near: in_other_case(given, units),

@@ -54,6 +54,8 @@ pub(crate) struct SurfaceDescription {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub(crate) roughness: Option<Roughness>,
+    /// The number that explains findings about the asperities.
+    pub(crate) odd_number: Option<Diagnostic>,
 }
 
 /// A scan of a scene.
@@ -262,6 +264,7 @@ pub(crate) fn measured(
         no_asperities,
         follows_from: &[],
         roughness: None,
+        odd_number: None,
     })
 }
 

@@ -144,6 +144,7 @@ impl SceneFile {
             measured: self.measured.clone().filter(|_| same),
             follows_from: if same { self.follows_from } else { &[] },
             roughness: self.roughness.filter(|_| same),
+            odd_number: self.odd_number.clone().filter(|_| same),
             stated: vec![],
             warnings: Diagnostics::default(),
             scan: self.scan.clone().filter(|_| same),

@@ -108,6 +108,10 @@ mod tests {
             ("0.8 micron", "m", "write 0.8um,"),
             ("100 lbf", "N", "write 444.8N,"),
             ("16 \u{b5}in", "m", "write 406.4nm,"),
+            ("10 Mpsi", "Pa", "write 68.95GPa,"),
+            ("200 kg/mm2", "Pa", "write 1961MPa,"),
+            ("1 atm", "Pa", "write 101.3kPa,"),
+            ("1 kgf/cm2", "Pa", "write 98.07kPa,"),
         ] {
             let error = quantity(text, si).unwrap_err();
             assert!(error.contains(same), "{error}");
@@ -175,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_hardness_is_converted_for_the_key_that_takes_it() {
-        for text in ["120 HV", "120HV10", "HV 120", "HV10 120"] {
+        for text in ["120 HV", "120HV10", "HV 120", "HV10 120", "120 hv"] {
             let error = quantity_of("hardness", text).unwrap_err();
             let wanted =
                 format!("{text:?} is not in Pa: write 1.269GPa, the contact hardness (mean");

@@ -49,6 +49,8 @@ pub struct SceneFile {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub roughness: Option<Roughness>,
+    /// The number of the surface that explains findings about the asperities.
+    pub(crate) odd_number: Option<Diagnostic>,
     /// The keys that were given with a unit.
     pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
@@ -254,6 +256,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         no_asperities: described.no_asperities,
         follows_from: described.follows_from,
         roughness: described.roughness,
+        odd_number: described.odd_number,
         stated: document.stated.clone(),
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
@@ -295,6 +298,7 @@ impl From<Scene> for SceneFile {
             no_asperities: None,
             follows_from: &[],
             roughness: None,
+            odd_number: None,
             stated: vec![],
             read: None,
             spectrum: Arc::default(),

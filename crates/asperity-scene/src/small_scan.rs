@@ -5,9 +5,9 @@ use asperity_topography::Topography;
 
 use crate::SceneFile;
 
-/// Points on a side from which the long waves are known.
+/// Points on a side of the reduced scan.
 const COARSE: usize = 128;
-/// The least ratio of the nominal area to a scan that is too small for it.
+/// Nominal area over scan area above which a scan may be too small.
 const LARGER: f64 = 100.0;
 /// The least number of long waves on a side of a scan whose spectrum flattens: of self-affine
 /// surfaces without a longest wave, half of Sq² lies in waves above half of the side.
@@ -45,7 +45,7 @@ impl SceneFile {
             .unit("m2")
             .usual([0.0, LARGER * of_scan])
             .fact(format!(
-                "nominal_area is {} times the area of the scan, and half of Sq^2 lies in waves longer than {} m, a third of its side or more",
+                "nominal_area is {} times the area of the scan, and half of Sq^2 lies in waves longer than {} m, which is a third of the side of the scan or more",
                 short(ratio),
                 short(long),
             ))

@@ -1,12 +1,13 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Surface};
+use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Severity, Surface};
 use serde::Deserialize;
 
 use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
-use crate::iso_units::{angle_hint, likely_angle, likely_curvature, likely_units};
+use crate::likely_units::{Given, OddNumber, likely_curvature};
 use crate::measured::{Asked, SurfaceDescription, measured};
+use crate::slopes::{BANDWIDTH, likely_angle, too_steep};
 use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
 
@@ -26,10 +27,10 @@ const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
 /// The alternative to the radius, with `SURFACE_STD` and the density.
-const MEAN_SLOPE: &str = "mean_slope";
+pub(crate) const MEAN_SLOPE: &str = "mean_slope";
 
 /// The alternative to `spc`, with `sq` and `spd`.
-const GRADIENT: &str = "sdq";
+pub(crate) const GRADIENT: &str = "sdq";
 
 /// The numbers among the keys of `[surface]`.
 #[derive(Deserialize)]
@@ -59,6 +60,8 @@ struct Numbers {
     follows_from: &'static [&'static str],
     /// A warning of a slope or a curvature in another unit.
     unit: Option<Diagnostic>,
+    /// The number that explains findings about the asperities.
+    odd: Option<Diagnostic>,
 }
 
 impl Numbers {
@@ -105,11 +108,12 @@ pub(crate) fn surface(
     let notes: Vec<Diagnostic> = units.chain(assumed.map(note)).collect();
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
+            let odd = first.odd.clone().or_else(|| second.odd.clone());
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
             let roughness = Roughness::Moments([m0, m2, m4]);
             let surface = roughness.surface().map_err(document.refused("surface"))?;
             let follows_from = roughness.keys();
-            Numbers { surface, follows_from, roughness: Some(roughness), unit: None }
+            Numbers { surface, follows_from, roughness: Some(roughness), unit: None, odd }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -128,6 +132,7 @@ pub(crate) fn surface(
         no_asperities: None,
         follows_from: numbers.follows_from,
         roughness: numbers.roughness,
+        odd_number: numbers.odd,
     })
 }
 
@@ -212,13 +217,33 @@ fn numbers(
         }
         _ => None,
     };
+    let direct = || -> Result<[f64; 3], SceneError> {
+        let radius = needed("asperity_radius", keys.asperity_radius)?;
+        Ok([radius, needed("asperity_density", keys.asperity_density)?, std()?])
+    };
+    let from_index = || -> Result<[f64; 3], SceneError> {
+        let index = needed("plasticity_index", keys.plasticity_index)?;
+        Ok([index, needed("roughness_parameter", keys.roughness_parameter)?, std()?])
+    };
+    let (keys_given, values) = match (&roughness, way) {
+        (Some(roughness), _) => (*roughness.keys(), roughness.numbers()),
+        (None, 0) => (["asperity_radius", "asperity_density", STD], direct()?),
+        _ => (["plasticity_index", "roughness_parameter", STD], from_index()?),
+    };
+    let made = |[a, b, c]: [f64; 3]| match (roughness, way) {
+        (Some(roughness), _) => roughness.with([a, b, c]).surface(),
+        (None, 0) => Ok(Surface::new(a, b, c)),
+        _ => Surface::from_plasticity_index(a, b, c, interface),
+    };
+    let stated = keys_given.map(|key| document.stated.contains(&at(key)));
+    let given = Given { keys: keys_given, numbers: values, stated, surface: &|n| made(n).ok() };
     let slope = [(GRADIENT, keys.sdq), (MEAN_SLOPE, keys.mean_slope)];
     let slope = slope.into_iter().find_map(|(key, value)| likely_angle(key, value?));
-    let plain = |key: &str| !document.stated.contains(&at(key));
-    let units = roughness.and_then(|roughness| likely_units(&roughness, |key| !plain(key)));
-    // An error names the unit of the curvature together with those of other numbers.
-    let curvature =
-        || keys.spc.filter(|_| plain("spc") && units.is_none()).and_then(likely_curvature);
+    // Asperities without any unit are described by their own findings.
+    let is_plain = roughness.is_none() && way == 0 && stated == [false; 3];
+    let odd = if is_plain || slope.is_some() { None } else { given.odd_number() };
+    let plain_spc = || keys.spc.filter(|_| !document.stated.contains(&at("spc")));
+    let curvature = || plain_spc().filter(|_| odd.is_none()).and_then(likely_curvature);
     let unit = slope.or_else(curvature);
     // Of two surfaces, each warning has its place.
     let is_pair = document.has(COUNTERFACE);
@@ -229,62 +254,38 @@ fn numbers(
         }
         false => found,
     });
-    let surface = match (roughness, way) {
-        (Some(roughness), _) => {
-            let surface = roughness.surface();
-            if let (Err(_), Some(units)) = (&surface, &units) {
-                let (at, reason) = (document.place(section), units.hint.clone());
-                return Err(SceneError::Measured { at, reason });
+    let surface = made(values).map_err(|error| {
+        let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_of_bandwidth(&error));
+        let unit = odd.as_ref().map(|odd| (odd.key, odd.value, odd.reason.clone()));
+        let is_rough = |(_, slope, _): &(_, f64, _)| *slope > ROUGH;
+        match steep.clone().filter(is_rough).or(unit).or(steep) {
+            Some((key, value, hint)) => {
+                let (at, found) = (document.place(&at(key)), asperity::short(value));
+                SceneError::Notation { at, found, hint }
             }
-            if let Err(ContactError::OutOfRange { field: BANDWIDTH, .. }) = &surface
-                && let Some((key, slope, hint)) = too_steep(&roughness)
-            {
-                let (at, found) = (document.place(&at(key)), asperity::short(slope));
-                return Err(SceneError::Notation { at, found, hint });
-            }
-            surface.map_err(&refused)?
+            None => refused(error),
         }
-        (None, 0) => {
-            let radius = needed("asperity_radius", keys.asperity_radius)?;
-            let density = needed("asperity_density", keys.asperity_density)?;
-            Surface::new(radius, density, std()?)
-        }
-        _ => {
-            let index = needed("plasticity_index", keys.plasticity_index)?;
-            let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
-            Surface::from_plasticity_index(index, parameter, std()?, interface).map_err(&refused)?
-        }
-    };
+    })?;
     surface.check().map_err(&refused)?;
+    let odd = odd.map(|OddNumber { key, value, reason, has_other_unit }| {
+        // Another unit is off by orders of magnitude.
+        let of_asperities = surface.findings().first().map_or(Severity::Warning, |f| f.severity);
+        let severity = if has_other_unit { Severity::Error } else { of_asperities };
+        let fact = format!("{} = {} {reason}", document.place(&at(key)), asperity::short(value));
+        Diagnostic::warning("unusual-size", key, value).severity(severity).fact(fact)
+    });
     let follows_from = match (&roughness, way) {
         (Some(roughness), _) => roughness.keys(),
         (None, 0) => &[][..],
         _ => WAYS[way],
     };
-    Ok(Some((Numbers { surface, roughness, follows_from, unit }, key)))
+    Ok(Some((Numbers { surface, roughness, follows_from, unit, odd }, key)))
 }
 
-/// The field of an error for moments that no isotropic Gaussian surface has.
-const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
+/// The slope above which a surface that is too steep is rather that than given in another unit.
+const ROUGH: f64 = 0.3;
 
-/// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,
-/// and what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
-fn too_steep(roughness: &Roughness) -> Option<(&'static str, f64, String)> {
-    let rough = |std: f64, density: f64| (8.0 * 3f64.sqrt() * density).sqrt() * std;
-    let (key, slope, most, formula) = match *roughness {
-        Roughness::Gradient([sq, spd, sdq]) => {
-            let most = std::f64::consts::PI.sqrt() * rough(sq, spd);
-            (GRADIENT, sdq, most, "6.598 sq sqrt(spd)")
-        }
-        Roughness::MeanSlope([std, slope, density]) => {
-            let formula = "3.722 surface_height_std sqrt(asperity_density)";
-            (MEAN_SLOPE, slope, rough(std, density), formula)
-        }
-        _ => return None,
-    };
-    let hint = angle_hint(slope).unwrap_or_else(|| {
-        let most = asperity::short(most);
-        format!("is too steep: at most {formula} = {most} was required, as of every isotropic Gaussian surface")
-    });
-    Some((key, slope, hint))
+/// Whether an error is that of moments that no isotropic Gaussian surface has.
+fn is_of_bandwidth(error: &ContactError) -> bool {
+    matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. })
 }

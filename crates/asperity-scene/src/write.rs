@@ -61,12 +61,6 @@ enum HeightsIn<'a> {
 }
 
 impl SceneFile {
-    /// Whether the file as read has this key of its surface.
-    pub(crate) fn has_surface_key(&self, key: &str) -> bool {
-        let table = self.read.as_ref().and_then(|read| read.table.get("surface")?.as_table());
-        table.is_some_and(|keys| keys.contains_key(key))
-    }
-
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
     /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface
@@ -261,6 +255,7 @@ impl SceneFile {
             roughness: _,
             // Made on reading.
             no_asperities: _,
+            odd_number: _,
             stated: _,
             warnings: _,
             read: _,

@@ -89,7 +89,9 @@ pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Re
         (Err(newtons), Err(pascals)) => {
             // A unit that is known tells a load from a pressure.
             if let Some(same) = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL)) {
-                return Err(wrong(format!("{text:?}: write {same}, which is the same")));
+                return Err(wrong(format!(
+                    "{text:?} is not a known unit: write {same}, which is the same"
+                )));
             }
             let (reason, other) = match in_pascals(&keys.unit) {
                 true => (pascals, "a load such as 2kN"),

@@ -99,6 +99,7 @@ impl Question<'_> {
         if let Some(basis) = lighter.first() {
             let loads = match (lighter.len(), rows) {
                 (1, 1) => "the load is".into(),
+                (1, rows) => format!("1 of {rows} loads is"),
                 (count, rows) => format!("{count} of {rows} loads are"),
             };
             let text = format!(

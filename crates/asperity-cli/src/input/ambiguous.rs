@@ -38,9 +38,16 @@ fn refuse_one_with_unit(text: &str) -> Result<(), String> {
 /// Refuses groups of three digits, of which one begins with a 0, as no value of a list does.
 fn refuse_thousands(text: &str) -> Result<(), String> {
     let is_number = text.contains(",0") && without_thousands(text).is_some();
-    match notation_hint(text).filter(|_| is_number) {
-        Some(hint) => Err(format!("{text} {hint}")),
-        None => Ok(()),
+    if let Some(hint) = notation_hint(text).filter(|_| is_number) {
+        return Err(format!("{text} {hint}"));
+    }
+    let is_digits = |part: &&str| part.len() == 3 && part.chars().all(|c| c.is_ascii_digit());
+    let has_group = text.split(',').skip(1).any(|part| is_digits(&part) && part.starts_with('0'));
+    match has_group && !text.starts_with("0,") {
+        true => Err(format!(
+            "{text} has thousands separators; write each number without them, for example 1000"
+        )),
+        false => Ok(()),
     }
 }
 

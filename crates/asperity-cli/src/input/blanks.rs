@@ -27,27 +27,34 @@ fn is_bare_flag(argument: &OsString) -> bool {
     bytes.len() > 2 && bytes.starts_with(b"--") && !bytes.contains(&b'=')
 }
 
-/// The subcommand, and a message about the first option whose number and unit are two arguments:
-/// `--load -1 kN`.
-pub fn unit_apart(
-    arguments: &[OsString],
-    is_known: impl Fn(&str) -> bool,
-) -> Option<(String, String)> {
+/// A number and its unit as two arguments: `--load -1 kN`.
+pub struct UnitApart {
+    pub subcommand: String,
+    pub message: String,
+    /// All arguments, with the number and its unit in one.
+    pub joined: Vec<OsString>,
+}
+
+/// The first option whose number and unit are two arguments.
+pub fn unit_apart(arguments: &[OsString], is_known: impl Fn(&str) -> bool) -> Option<UnitApart> {
     let texts: Vec<&str> = arguments.iter().map(|one| one.to_str().unwrap_or_default()).collect();
-    let (flag, number, unit) = texts.windows(3).find_map(|three| {
+    let (k, flag, number, unit) = texts.windows(3).enumerate().find_map(|(k, three)| {
         // A negative number has been joined to its option.
         let (flag, number) = three[1].split_once('=').unwrap_or((three[0], three[1]));
         let is_apart = flag.starts_with("--")
             && number.ends_with(|c: char| c.is_ascii_digit() || c == '.')
             && asperity_scene::is_unit(three[2]);
-        is_apart.then_some((flag, number, three[2]))
+        is_apart.then_some((k, flag, number, three[2]))
     })?;
-    let text = format!(
+    let message = format!(
         "{flag} {number} {unit} is two arguments, as a blank separates {number} from {unit}; write {flag} {number}{unit}, or {flag} \"{number} {unit}\""
     );
     // Options of the program may stand before the subcommand.
     let subcommand = texts.iter().skip(1).find(|text| is_known(text))?;
-    Some((subcommand.to_string(), text))
+    let mut joined = arguments.to_vec();
+    let unit = joined.remove(k + 2);
+    joined.get_mut(k + 1)?.push(unit);
+    Some(UnitApart { subcommand: subcommand.to_string(), message, joined })
 }
 
 #[cfg(test)]
@@ -70,12 +77,12 @@ mod tests {
         ] {
             let found = unit_apart(&arguments(text), |name| name == "curve");
             let is_wanted = match (&found, wanted) {
-                (Some((subcommand, found)), Some(wanted)) => {
-                    subcommand == "curve" && found.contains(wanted)
+                (Some(found), Some(wanted)) => {
+                    found.subcommand == "curve" && found.message.contains(wanted)
                 }
                 (found, wanted) => found.is_none() && wanted.is_none(),
             };
-            assert!(is_wanted, "{text}: {found:?}");
+            assert!(is_wanted, "{text}: {:?}", found.map(|found| found.message));
         }
     }
 

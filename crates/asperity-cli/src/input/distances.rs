@@ -5,6 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
+use crate::input::ambiguous::one_value_only;
 use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};
 use crate::input::numbers::{number, of_unit};
 use crate::output::print_message;
@@ -70,7 +71,9 @@ impl FromStr for Distance {
 
     fn from_str(text: &str) -> Result<Self, String> {
         match text.contains([',', ':']) {
-            true => number(text).map(|value| Self { value, metres: false }),
+            true => Err(one_value_only(text).unwrap_or_else(|| {
+                format!("{text:?} is more than one value; write one, for example 2um")
+            })),
             false => {
                 let metres = have_units(text, metre)?;
                 let value = if metres { metre(text)? } else { number(text)? };
@@ -93,7 +96,7 @@ impl FromStr for DistanceSpan {
 /// Separations at which a joint turns.
 pub fn turning_separations(text: &str) -> Result<Distances, String> {
     let found: Distances = text.parse()?;
-    refuse_repeated(&found.values, if found.metres { "m" } else { "" }, "separations")?;
+    refuse_repeated(text, &found.values, "separations")?;
     Ok(found)
 }
 
@@ -141,13 +144,15 @@ mod tests {
         }
         for (same, wanted) in [
             ("2,1,1", "1 follows 1; a joint turns at separations that differ"),
-            ("2um,2um", "2e-6 m follows 2e-6 m; a joint turns at separations that differ"),
+            ("2um,2um", "2um follows 2um; a joint turns at separations that differ"),
         ] {
             assert_eq!(turning_separations(same).unwrap_err(), wanted);
         }
         assert_eq!(turning_separations("2,1,2").unwrap().values, [2.0, 1.0, 2.0]);
         let one: Distance = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
+        let two = "2um,3um".parse::<Distance>().unwrap_err();
+        assert_eq!(two, "\"2um,3um\" is more than one value; write one, for example 2um");
         assert!("1,2".parse::<Distance>().is_err() && "1um,2um".parse::<Distance>().is_err());
         let span: DistanceSpan = "0:3um".parse().unwrap();
         assert!(span.span.last < 1e-5 && "0:3um:4:log".parse::<DistanceSpan>().is_err());

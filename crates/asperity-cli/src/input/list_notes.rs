@@ -5,7 +5,7 @@ use clap::{ArgMatches, Command};
 use crate::input::ambiguous::single_values;
 use crate::input::distances::{Distance, Distances};
 use crate::input::lists::Numbers;
-use crate::output::print_message;
+use crate::output::print_always;
 
 /// Prints a note for each list of values whose digits may be one number.
 pub fn note_lists(command: &Command, arguments: &ArgMatches) {
@@ -23,7 +23,8 @@ pub fn note_lists(command: &Command, arguments: &ArgMatches) {
                 let (last, others) = values.split_last().unwrap_or((&text, &[]));
                 let count = if values.len() == 2 { "two".into() } else { values.len().to_string() };
                 let others = others.join(", ");
-                print_message(
+                // Also where other notes are left out, as results may be those of other loads.
+                print_always(
                     "note",
                     &format!(
                         "--{name} {text} is read as {count} values, {others} and {last}; a single value is written {single}"

@@ -35,6 +35,7 @@ impl FromStr for Numbers {
 impl Numbers {
     /// Numbers, each as `number` reads it.
     pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
+        refuse_separators(text)?;
         have_units(text, number)?;
         if !text.contains(':') {
             let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
@@ -54,6 +55,18 @@ impl Numbers {
         let mut values: Vec<f64> = powers.map(|power| 10f64.powf(power)).collect();
         (values[0], values[count - 1]) = (first, last);
         Ok(Self(values))
+    }
+}
+
+/// Refuses lists whose values are not separated by single commas.
+fn refuse_separators(text: &str) -> Result<(), String> {
+    if text.contains(';') {
+        let list = text.replace(',', ".").replace(';', ",");
+        return Err(format!("{text} has semicolons; values are separated by commas: {list}"));
+    }
+    match text.split(',').any(|part| part.trim().is_empty()) {
+        true => Err(format!("a value of {text:?} is empty; separate values by single commas")),
+        false => Ok(()),
     }
 }
 
@@ -146,18 +159,20 @@ pub fn turning_loads(text: &str) -> Result<Numbers, String> {
         load => positive(load),
     }
     })?;
-    refuse_repeated(&found.0, "N", "loads")?;
+    refuse_repeated(text, &found.0, "loads")?;
     Ok(found)
 }
 
-/// Refuses a value that follows itself, at which a joint would not turn.
-pub fn refuse_repeated(values: &[f64], unit: &str, what: &str) -> Result<(), String> {
+/// Refuses a value that follows itself, at which a joint would not turn; `text` has the values.
+pub fn refuse_repeated(text: &str, values: &[f64], what: &str) -> Result<(), String> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    // The values of a range differ.
     // 0 and -0 are one place.
-    match values.windows(2).find(|pair| pair[1] - pair[0] == 0.0) {
-        Some(pair) => {
-            let value = format!("{} {unit}", shortest_digits(pair[0]));
-            let value = value.trim_end();
-            Err(format!("{value} follows {value}; a joint turns at {what} that differ"))
+    let is_same = |pair: &[f64]| matches!(pair, [a, b] if b - a == 0.0);
+    let repeated = values.windows(2).position(is_same);
+    match repeated.and_then(|k| parts.get(k).zip(parts.get(k + 1))) {
+        Some((one, other)) => {
+            Err(format!("{other} follows {one}; a joint turns at {what} that differ"))
         }
         None => Ok(()),
     }
@@ -243,8 +258,25 @@ mod tests {
         assert!(turning_loads("1 kN,0").is_err() && turning_loads("1kN,2kN,1kN").is_ok());
         assert_eq!(
             turning_loads("1kN,1kN").unwrap_err(),
-            "1000 N follows 1000 N; a joint turns at loads that differ"
+            "1kN follows 1kN; a joint turns at loads that differ"
         );
         assert!(Span::even("1:3:4:log", number).is_err());
+    }
+
+    #[test]
+    fn separators_of_lists_are_named() {
+        for (text, wanted) in [
+            ("10;20;30", "10;20;30 has semicolons; values are separated by commas: 10,20,30"),
+            ("1,5;2", "1,5;2 has semicolons; values are separated by commas: 1.5,2"),
+            ("1kN,2kN,", "a value of \"1kN,2kN,\" is empty; separate values by single commas"),
+            (
+                "1,500,2,000",
+                "1,500,2,000 has thousands separators; write each number without them, for example 1000",
+            ),
+        ] {
+            assert_eq!(turning_loads(text).unwrap_err(), wanted);
+        }
+        assert!(turning_loads("500,1,000").unwrap_err().contains("has thousands separators"));
+        assert_eq!(all(load)("10,100,1000").unwrap().0, [10.0, 100.0, 1000.0]);
     }
 }

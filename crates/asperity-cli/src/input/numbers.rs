@@ -33,13 +33,18 @@ pub fn length(text: &str) -> Result<f64, String> {
 
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
-    let is = |unit| asperity_scene::quantity(text, unit).is_ok();
+    // The text for an option of another unit.
+    let of = |unit| match asperity_scene::quantity(text, unit) {
+        Ok(_) => Some(text.to_string()),
+        Err(_) => asperity_scene::converted(text, unit).map(|same| same.replace(' ', "")),
+    };
+    let other_option = || match si {
+        "N" => Some(format!("{text} is a pressure; use --pressure {}", of("Pa")?)),
+        "Pa" => Some(format!("{text} is a load; use --load {}", of("N")?)),
+        _ => None,
+    };
     let value = asperity_scene::quantity(text, si);
-    match value.map_err(|error| match si {
-        "N" if is("Pa") => format!("{text} is a pressure; use --pressure {text}"),
-        "Pa" if is("N") => format!("{text} is a load; use --load {text}"),
-        _ => one_value_only(text).unwrap_or(error),
-    })? {
+    match value.map_err(|error| other_option().or_else(|| one_value_only(text)).unwrap_or(error))? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
     }
@@ -85,9 +90,9 @@ pub fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A coefficient of friction, "20%" or "0.2".
+/// A coefficient of friction, "20%" or "0.2", or the angle of friction, "11.3deg".
 pub fn friction(text: &str) -> Result<f64, String> {
-    coefficient_of_friction(relative_error(text)?).map_err(|error| error.to_string())
+    coefficient_of_friction(slope(text)?).map_err(|error| error.to_string())
 }
 
 /// A share, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
@@ -160,6 +165,11 @@ mod tests {
     fn mistaken_options_are_named() {
         assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
         assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
+        assert_eq!(load("5 kN/cm2").unwrap_err(), "5 kN/cm2 is a pressure; use --pressure 50MPa");
+        assert_eq!(pressure("10 lbf").unwrap_err(), "10 lbf is a load; use --load 44.48N");
+        assert_eq!(friction("45\u{b0}").map(f64::to_bits), Ok(45f64.to_radians().tan().to_bits()));
+        assert_eq!([friction("20%"), friction("0.2")], [Ok(0.2), Ok(0.2)]);
+        assert!(friction("11,5\u{b0}").unwrap_err().contains("write 11.5\u{b0}"));
         assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
     }
 

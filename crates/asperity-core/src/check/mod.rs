@@ -6,6 +6,7 @@ mod findings;
 mod impossible;
 mod interferences;
 mod materials;
+mod moduli;
 mod roughness;
 mod units;
 
@@ -171,7 +172,7 @@ impl Scene {
     pub fn findings(&self) -> Diagnostics {
         let mut found = self.interface.findings();
         let surface = self.surface.findings();
-        let area = surface.is_empty().then(|| roughness::of_area(self)).flatten();
+        let area = roughness::of_area(self, &surface);
         found.extend(surface.into_iter().chain(area));
         let critical = self.asperity().and_then(|asperity| asperity.critical_interference());
         if let (true, Ok(w)) = (found.is_empty(), critical)

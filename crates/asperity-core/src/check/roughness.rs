@@ -1,6 +1,6 @@
 //! Plausibility of asperity sizes and numbers.
 
-use super::materials::{severity, within};
+use super::materials::{CHECK_UNIT, severity, within};
 use super::units::{AREAS, DENSITIES, LENGTHS, Unit, likely_unit};
 use crate::diagnostic::{FEW_ASPERITIES, short};
 use crate::{Diagnostic, Diagnostics, Scene, Severity, Surface};
@@ -11,6 +11,8 @@ const RADIUS: [f64; 2] = [2e-9, 5e-2];
 const DENSITY: [f64; 2] = [5e3, 1e16];
 /// σ_z \[m\], from cleaved mica to the texture of asphalt.
 const HEIGHT_STD: [f64; 2] = [3e-11, 2e-3];
+/// σ_z \[m\] of a typical machined surface.
+const MICRON: f64 = 1e-6;
 /// Factor outside the usual range from which β is a warning.
 const RARE: f64 = 5.0;
 /// A_n \[m²\], from the tip of an instrument to a large flange.
@@ -33,15 +35,24 @@ impl Surface {
         if makes_sense(self) {
             return Diagnostics::default();
         }
+        let is_possible = |other: &Self| other.severity() != Severity::Error;
+        let found = self.slip(makes_sense).or_else(|| self.in_one_unit()).or_else(|| {
+            (self.severity() == Severity::Error).then(|| self.slip(is_possible)).flatten()
+        });
+        found.map_or_else(|| self.apart(), |found| vec![found]).into_iter().collect()
+    }
+
+    /// The finding of the one number that in another unit makes a surface that `is_usual`; `None`
+    /// if there is none. Another unit is off by orders of magnitude: an error.
+    fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Diagnostic> {
         let one = |field, value, usual, units: &[Unit], si, set: fn(&mut Self, f64)| {
             let unit = likely_unit(value, units, si, |x| {
                 let mut other = *self;
                 set(&mut other, x);
-                makes_sense(&other)
+                is_usual(&other)
             });
-            let found = Diagnostic::warning(CODE, field, value).usual(usual).unit(si);
-            let found = found.severity(self.severity()).advice("check the number and its unit");
-            unit.map(|unit| found.likely_unit(unit))
+            let found = Diagnostic::error(CODE, field, value).usual(usual).unit(si);
+            unit.map(|unit| found.advice(CHECK_UNIT).likely_unit(unit))
         };
         let &Self { asperity_height_std: std, asperity_radius: radius, .. } = self;
         let density = self.asperity_density;
@@ -60,15 +71,13 @@ impl Surface {
             ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
         };
         let worst = slips.into_iter().flatten().max_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let worst = worst.map(|found| match within(found.value, found.usual) {
+        worst.map(|found| match within(found.value, found.usual) {
             true => {
                 let fact = format!("{} is {} {}, ", found.field, short(found.value), found.unit);
                 found.fact(fact + &self.together())
             }
             false => found,
-        });
-        let found = worst.or_else(|| self.in_one_unit()).map_or_else(|| self.apart(), |f| vec![f]);
-        found.into_iter().collect()
+        })
     }
 
     /// The most severe of the criteria: numbers ten times outside their ranges are errors.
@@ -78,7 +87,7 @@ impl Surface {
     }
 
     /// A finding if all lengths are plausible in another common unit, with densities in its square
-    /// or in another unit.
+    /// or in another unit; of several, that with the height nearest to 1 um.
     fn in_one_unit(&self) -> Option<Diagnostic> {
         let scaled = |length: f64, density: f64| Self {
             asperity_radius: length * self.asperity_radius,
@@ -90,13 +99,22 @@ impl Surface {
         let others = LENGTHS.iter().flat_map(|(name, unit)| {
             DENSITIES.iter().map(|(inverse, density)| (*name, *unit, inverse.to_string(), *density))
         });
-        let (name, _, inverse, _) = same
-            .chain(others)
-            .find(|(_, length, _, density)| makes_sense(&scaled(*length, *density)))?;
+        let makes_sense =
+            |(_, length, _, density): &(_, f64, _, f64)| makes_sense(&scaled(*length, *density));
         let std = self.asperity_height_std;
+        let order = |(_, length, ..): &(_, f64, String, f64)| (length * std / MICRON).ln().abs();
+        let nearest = |a: &_, b: &_| order(a).total_cmp(&order(b));
+        let (name, _, inverse, _) = same
+            .filter(makes_sense)
+            .min_by(nearest)
+            .or_else(|| others.filter(makes_sense).min_by(nearest))?;
+        // Two numbers outside their ranges have the same cause.
+        let sizes = self.criteria().into_iter().take(3);
+        let odd = sizes.filter(|(_, value, usual, ..)| !within(*value, *usual)).count();
+        let severity = if odd > 1 { Severity::Error } else { self.severity() };
         let found = Diagnostic::warning(CODE, "asperity_height_std", std)
             .usual(HEIGHT_STD)
-            .severity(self.severity())
+            .severity(severity)
             .fact(format!(
                 "asperity_height_std is {} m, asperity_radius {} m",
                 short(std),
@@ -116,9 +134,9 @@ impl Surface {
         let beta = self.roughness_parameter();
         let together = "one of asperity_density, asperity_radius and asperity_height_std is wrong, or the scan is noisy or too coarse";
         [
-            ("asperity_height_std", self.asperity_height_std, HEIGHT_STD, "m", "give it in m"),
-            ("asperity_radius", self.asperity_radius, RADIUS, "m", "give it in m"),
-            ("asperity_density", self.asperity_density, DENSITY, "1/m2", "give it in 1/m2"),
+            ("asperity_height_std", self.asperity_height_std, HEIGHT_STD, "m", CHECK_UNIT),
+            ("asperity_radius", self.asperity_radius, RADIUS, "m", CHECK_UNIT),
+            ("asperity_density", self.asperity_density, DENSITY, "1/m2", CHECK_UNIT),
             ("roughness_parameter", beta, Self::USUAL_ASPERITY_ROUGHNESS, "", together),
             (
                 "height_std_over_radius",
@@ -177,14 +195,21 @@ fn makes_sense(surface: &Surface) -> bool {
         && surface.rms_slope() <= 1.0
 }
 
-/// A finding for an unusual nominal area, alone or for its number of asperities.
-pub(crate) fn of_area(scene: &Scene) -> Option<Diagnostic> {
+/// A finding for an unusual nominal area, alone or for its number of asperities. Beside findings
+/// `of_surface`, whose density may be wrong, only an area that is impossible has one.
+pub(crate) fn of_area(scene: &Scene, of_surface: &Diagnostics) -> Option<Diagnostic> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
-    let usual = [AREA[0].max(POPULATION[1] / density), AREA[1]];
-    if within(area, usual) {
+    let enough = AREA[0].max(POPULATION[1] / density);
+    let usual = [enough, if enough < AREA[1] { AREA[1] } else { f64::INFINITY }];
+    let odd_surface = !of_surface.is_empty();
+    let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
+    let is_possible = area <= FIELD && (has_unit || area * density >= 1.0);
+    if within(area, [enough, AREA[1]]) || odd_surface && is_possible {
         return None;
     }
-    let unit = likely_unit(area, AREAS, "m2", |a| within(a, [1000.0 / density, AREA[1]]));
+    let least = if odd_surface { AREA[0] } else { 1000.0 / density };
+    let unit = likely_unit(area, AREAS, "m2", |a| within(a, [least, AREA[1]]));
+    let unit = unit.filter(|_| !odd_surface || area > FIELD);
     // A likely unit refers to the area alone.
     let few = within(area, AREA) && unit.is_none();
     let (severity, meaning) = match area {
@@ -203,4 +228,42 @@ pub(crate) fn of_area(scene: &Scene) -> Option<Diagnostic> {
         Some(unit) => found.likely_unit(unit),
         None => found,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first finding, with its severity.
+    fn of(radius: f64, density: f64, std: f64) -> String {
+        let found = Surface::new(radius, density, std).findings();
+        found.first().map_or_else(String::new, |found| format!("{}: {found}", found.severity))
+    }
+
+    #[test]
+    fn lengths_in_millimetres_are_an_error_with_that_unit() {
+        let wanted = "error: asperity_height_std is 8e-4 m, asperity_radius 0.08 m: all lengths look like mm, and the density 800 like 1/mm2; give m and 1/m2";
+        assert_eq!(of(0.08, 800.0, 0.0008), wanted);
+        let um = of(80.0, 8e-4, 0.8);
+        assert!(um.contains("look like um, and the density 8e-4 like 1/um2"), "{um}");
+    }
+
+    #[test]
+    fn a_number_that_is_large_in_its_unit_as_well_has_that_unit() {
+        let found = of(8e-5, 8e8, 8.0);
+        assert!(found.ends_with("8 looks like um; 8 um is 8e-6 m"), "{found}");
+    }
+
+    #[test]
+    fn an_area_that_no_joint_has_is_said_beside_a_wrong_surface() {
+        let interface = crate::Interface::new(1e11, 0.3, 1e9);
+        let areas = |area: f64| -> Vec<String> {
+            let scene = Scene::new(interface, Surface::new(0.05, 800.0, 0.02), area);
+            let found = scene.findings().into_iter();
+            found.filter(|f| f.field == "nominal_area").map(|f| f.to_string()).collect()
+        };
+        assert!(areas(4e-4)[0].contains("holds 0.32 asperities, too few"), "{:?}", areas(4e-4));
+        assert!(areas(400.0)[0].ends_with("400 looks like mm2; 400 mm2 is 4e-4 m2"));
+        assert_eq!(areas(0.02), [""; 0]);
+    }
 }

@@ -33,11 +33,15 @@ pub(crate) fn likely_unit(
     units
         .iter()
         .find(|(_, factor)| makes_sense(value * factor))
-        .map(|unit| likely(value, *unit, si))
+        .map(|unit| likely(value, &[*unit], si))
 }
 
-/// "116 looks like GPa; 116 GPa is 1.16e11 Pa"
-pub(crate) fn likely(value: f64, (name, factor): Unit, si: &str) -> String {
-    let (given, meant) = (short(value), short(value * factor));
-    format!("{given} looks like {name}; {given} {name} is {meant} {si}")
+/// "116 looks like GPa; 116 GPa is 1.16e11 Pa", or "200 looks like HV or MPa; 200 HV is 2.115e9 Pa,
+/// 200 MPa is 2e8 Pa".
+pub(crate) fn likely(value: f64, units: &[Unit], si: &str) -> String {
+    let given = short(value);
+    let names: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
+    let is = |(name, factor): &Unit| format!("{given} {name} is {} {si}", short(value * factor));
+    let each: Vec<String> = units.iter().map(is).collect();
+    format!("{given} looks like {}; {}", names.join(" or "), each.join(", "))
 }

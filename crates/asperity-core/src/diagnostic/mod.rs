@@ -80,7 +80,7 @@ pub struct Diagnostic {
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
     advice: Cow<'static, str>,
-    likely_unit: Option<String>,
+    pub(crate) likely_unit: Option<String>,
 }
 
 impl Diagnostic {

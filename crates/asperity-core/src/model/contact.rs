@@ -184,7 +184,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         }
         let known = Quantity::ALL.into_iter().filter(|quantity| known(*quantity));
         let known: Vec<String> = known.map(|quantity| quantity.to_string()).collect();
-        Err(self.unsupported(&format!("{quantity} (it gives {})", known.join(", "))))
+        Err(self.unsupported(&format!("{quantity} (available: {})", known.join(", "))))
     }
 
     /// The error for something that this model does not have.

@@ -109,7 +109,7 @@ fn every_way_gives_the_surface_of_the_library() {
     assert!(off(found.asperity_density, 1.11e8) < 1e-12, "{found:?}");
     // Findings name the keys of the file.
     let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
-    let wanted = "sq = 1 looks like um; 1 um is 1e-6 in SI units";
+    let wanted = "line 10: surface.sq = 1 looks like um; 1 um is 1e-6 m";
     assert_eq!(found[0].message(), wanted);
     let blunt = gradient.replace("\"1 um\"", "1.0");
     assert_eq!(read(&text("", INTERFACE, &blunt)).unwrap().findings()[0].message(), wanted);

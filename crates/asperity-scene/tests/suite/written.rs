@@ -38,7 +38,11 @@ fn assert_same(one: &SceneFile, other: &SceneFile) {
     assert_eq!(one.options, other.options);
     assert_eq!(one.separation_from, other.separation_from);
     assert_eq!(one.bodies, other.bodies);
-    assert_eq!(one.findings(), other.findings());
+    // Messages name the keys and lines of a file.
+    let kinds = |file: &SceneFile| -> Vec<_> {
+        file.findings().iter().map(|found| (found.code, found.severity)).collect()
+    };
+    assert_eq!(kinds(one), kinds(other));
 }
 
 #[test]
