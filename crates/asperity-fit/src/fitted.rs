@@ -37,7 +37,7 @@ pub struct Fitted {
     /// The line (of arrays the row) that the others contradict, or two of more than six, and how
     /// far they are from a fit to the others. The values here are fitted to all.
     pub outlier: Option<String>,
-    /// The column of another stiffness that describes the data far better than the one given.
+    /// The column of another stiffness that describes the data clearly better than the one given.
     pub other_column: Option<String>,
     /// If no values within the bounds describe the data (an rms above 1 or 30 standard deviations, or
     /// no contact), or other units do that fit fewer contacts than one: by how much, and the line or

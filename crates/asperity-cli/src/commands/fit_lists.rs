@@ -54,7 +54,7 @@ mod tests {
         }
         let refused = free("hardness,asperity_height_std=0,1um:2,5um").unwrap_err();
         assert!(refused.ends_with("write hardness,asperity_height_std=0.1um:2.5um"), "{refused}");
-        let lists = ["hardness,nominal_area", "asperity_radius=1um:2um"].map(|text| free(text));
+        let lists = ["hardness,nominal_area", "asperity_radius=1um:2um"].map(free);
         let names: Vec<String> =
             all(&lists.map(Result::unwrap)).into_iter().map(|free| free.name).collect();
         assert_eq!(names, ["hardness", "nominal_area", "asperity_radius"]);

@@ -61,10 +61,10 @@ class Fit:
     limits: tuple[str, ...]
     #: The line of the file, or the row, that the others contradict, or two of more than six.
     outlier: str | None
-    #: The column of another stiffness that describes the data far better than the one given.
+    #: The column of another stiffness that describes the data clearly better than the one given.
     other_column: str | None
-    #: If no values within the bounds describe the data: by how much, and the line or the unit that
-    #: explains it.
+    #: If no values within the bounds describe the data, or other units do that fit fewer contacts
+    #: than one: by how much, and the line or the units that explain it.
     misfit: str | None
     #: Remarks on intervals, and other values that fit as well.
     notes: tuple[str, ...]
