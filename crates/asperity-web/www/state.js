@@ -34,7 +34,7 @@ export function report() {
   const phase = !page.opened && !broken ? "loading" : turns.busy || page.typing ? "busy" : broken ? "failed" : "ready";
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
-  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "a number is implausible: see the findings" : "ready" }[phase];
+  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "implausible number" : "ready" }[phase];
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
   // Values of numbers that cannot be meant.
