@@ -1,5 +1,7 @@
 //! Errors: the field, the value found and the value required.
 
+use asperity_core::shortest_digits;
+
 /// An error of a height map or of the solution of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -37,7 +39,7 @@ pub enum BemError {
         found: f64,
     },
     /// An input is out of range.
-    #[error("{field} is {}: {required} was required", plain(*found))]
+    #[error("{field} is {}: {required} was required", shortest_digits(*found))]
     OutOfRange {
         /// Name of the field.
         field: &'static str,
@@ -96,7 +98,7 @@ pub enum BemError {
     },
     /// The gap does not fall between pressures to either side of this one.
     #[error(
-        "mean pressure is {pressure:e} Pa: the mean gap does not fall between pressures 5 % to either side, and the slope of loading is unknown; use another load"
+        "mean pressure is {pressure:e} Pa: the mean gap does not fall between the neighbouring pressures, and the slope of loading is unknown; use another load"
     )]
     Slope {
         /// Mean pressure \[Pa\].
@@ -126,10 +128,4 @@ pub enum BemError {
     /// The caller's progress function requested a stop, at this load or an earlier one.
     #[error("the solution was stopped by the caller")]
     Cancelled,
-}
-
-/// A number with a power of ten where it has many zeros.
-fn plain(number: f64) -> String {
-    let few_zeros = number == 0.0 || (1e-5..1e7).contains(&number.abs());
-    if few_zeros { number.to_string() } else { format!("{number:e}") }
 }

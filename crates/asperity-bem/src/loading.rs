@@ -12,7 +12,7 @@ const STEP: f64 = 0.05;
 
 impl BoundaryElements {
     /// The mean pressures \[Pa\] between which the slope of first loading at `middle` is a
-    /// difference: 5 % to either side of it, or half of what is left to the hardness.
+    /// difference: up to 5 % to either side of it, at most half of what is left to the hardness.
     #[must_use]
     pub fn pressures_around(&self, middle: f64) -> [f64; 2] {
         let step = STEP.min(0.5 * (self.cap() / middle - 1.0));
@@ -30,8 +30,8 @@ impl BoundaryElements {
     ///
     /// Where nothing yields it is the slope of the [fixed contact](BoundaryElements::fixed_contact)
     /// over the mean gap, which with a free boundary exceeds that over the approach. Otherwise it
-    /// is between pressures 5 % to either side of that of `solution`, or nearer where the hardness
-    /// carries less: of a gap that falls with the logarithm of the pressure that difference is 0.1
+    /// is the chord between pressures up to 5 % to either side of that of `solution`, nearer where the
+    /// hardness carries less: of a gap that falls with the logarithm of the pressure that difference is 0.1
     /// % off; where few pixels touch it is a mean over that range.
     ///
     /// # Errors

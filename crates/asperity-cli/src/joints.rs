@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 use asperity::joints::{EnergyGain, Joint, PartialSlip, Unloading, Work};
-use asperity::{At, ContactError, SeparationUnit};
+use asperity::{At, ContactError, SeparationUnit, shortest_digits};
 use asperity_plot::{Axis, Curve};
 
 use crate::output::number::rounded;
@@ -13,6 +13,9 @@ use crate::scene::{LoadedScene, NamedModel};
 /// The reason for values of 0.
 pub const READ_0: &str =
     "are 0: they are below the smallest f64, and far fewer than one asperity touches";
+
+/// The end of the reason against a tangential force that is too large.
+pub const SLIDES: &str = "the joint slides";
 
 /// The columns of plots, with their labels.
 pub const COLUMNS: [(&str, &str); 3] =
@@ -74,14 +77,16 @@ pub fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
             return Err(error.into());
         };
         let limit = slip.limit()?;
-        let [shown, of] = [force, limit].map(rounded);
+        let digits = [force, limit].map(rounded);
+        // Forces that differ in later digits only.
+        let equal = digits[0] == digits[1];
+        let ten = |x: f64| shortest_digits(format!("{x:.9e}").parse().unwrap_or(x));
+        let [shown, of] = if equal { [force, limit].map(ten) } else { digits };
         match force < limit {
             true => bail!(
-                "a tangential force of {shown} N is within the tolerance of mu F = {of} N: the joint slides"
+                "a tangential force of {shown} N is within the tolerance of mu F = {of} N: {SLIDES}"
             ),
-            false => bail!(
-                "a tangential force of {shown} N is not below mu F = {of} N: the joint slides"
-            ),
+            false => bail!("a tangential force of {shown} N is not below mu F = {of} N: {SLIDES}"),
         }
     })
 }

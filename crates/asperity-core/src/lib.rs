@@ -28,6 +28,7 @@ mod request;
 mod response;
 mod scene;
 mod text;
+mod units;
 
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
@@ -65,3 +66,5 @@ pub use scene::body::{Body, HARDNESS_OVER_YIELD, hardness_of_vickers};
 pub use scene::interface::Interface;
 pub use scene::surface::{ProfileMoments, Surface};
 pub use text::{nearest_hint, nearest_name, shortest_digits};
+#[doc(hidden)]
+pub use units::{OTHER_UNITS, UNITS, Units, plain_unit, units_of};

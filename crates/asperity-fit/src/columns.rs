@@ -1,11 +1,10 @@
 //! The columns of a table of measurements by their meaning.
 
-use std::borrow::Cow;
+use asperity_core::{At, Datum, Quantity, Separation, nearest_name, short};
 
-use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
-
+use crate::names::{STIFFNESS, usual_name};
 use crate::observation::{LOAD, PRESSURE, SEPARATION, position};
-use crate::units::{OtherUnit, in_other_unit, per_area};
+use crate::units::{Named, per_area, with_unit};
 use crate::{DataColumn, FitError, Measured, MeasuredTable, Observation};
 
 /// The largest number of rows.
@@ -21,36 +20,6 @@ enum Kind {
     Pressure,
     Separation,
     Quantity(Quantity),
-}
-
-/// Other names of columns, in lower case, before a blank or a unit.
-const OTHER_NAMES: [(&str, &str); 12] = [
-    ("normal_force", "load"),
-    ("preload", "load"),
-    ("f", "load"),
-    ("nominal_pressure", "pressure"),
-    ("p", "pressure"),
-    ("contact_area", "area"),
-    ("real_area", "area"),
-    ("a", "area"),
-    ("area_percent", "area_fraction"),
-    ("gap", "separation"),
-    ("distance", "separation"),
-    ("contact_stiffness", "stiffness"),
-];
-
-/// The name with the usual word for a quantity: separation_um for gap_um.
-fn usual_name(name: &str) -> Cow<'_, str> {
-    let lower = name.to_ascii_lowercase().replace(' ', "_");
-    let known = OTHER_NAMES.into_iter().find_map(|(other, usual)| {
-        let rest = lower.strip_prefix(other)?;
-        // One letter has many meanings without its unit.
-        let is_name =
-            if rest.is_empty() { other.len() > 1 } else { rest.starts_with(['_', '[', '(']) };
-        // Units keep their case.
-        is_name.then(|| format!("{usual}{}", name.get(other.len()..).unwrap_or_default()))
-    });
-    known.map_or(name.into(), Cow::Owned)
 }
 
 /// Names of displacements, which no model has.
@@ -70,8 +39,9 @@ fn of_deviation(error: FitError, given: &str) -> FitError {
 
 /// A place, or the measured quantity, of a column's name.
 fn kind(name: &str) -> Result<Kind, FitError> {
-    let plain = &*usual_name(name.trim());
-    if DISPLACEMENTS.iter().any(|other| plain.to_ascii_lowercase().starts_with(other)) {
+    let name = name.trim();
+    let lower = name.to_lowercase().replace(' ', "_");
+    if DISPLACEMENTS.iter().any(|other| lower.starts_with(other)) {
         let reason = format!(
             "a displacement grows where the separation falls: name the column {SEPARATION}, change the sign of its values, in m, and fit separation_offset"
         );
@@ -82,48 +52,82 @@ fn kind(name: &str) -> Result<Kind, FitError> {
     // Pressure is a place and a quantity.
     let quantities = columns.iter().map(String::as_str).filter(|name| !places.contains(name));
     let known: Vec<&str> = places.into_iter().chain(quantities).collect();
-    let found = |name: &str| match name {
-        LOAD => Some(Kind::Load),
-        PRESSURE => Some(Kind::Pressure),
-        SEPARATION => Some(Kind::Separation),
-        name => {
-            let quantity = Quantity::ALL.into_iter().zip(&columns).find(|(_, c)| *c == name);
-            quantity.map(|(quantity, _)| Kind::Quantity(quantity))
+    match name {
+        LOAD => return Ok(Kind::Load),
+        PRESSURE => return Ok(Kind::Pressure),
+        SEPARATION => return Ok(Kind::Separation),
+        _ => {}
+    }
+    if let Some((quantity, _)) = Quantity::ALL.into_iter().zip(&columns).find(|(_, c)| *c == name) {
+        return Ok(Kind::Quantity(quantity));
+    }
+    let named = with_unit(name, &known);
+    let usual = usual_name(name, false).unwrap_or_default();
+    let stiffness = Quantity::Stiffness.column();
+    let factor = match &named {
+        Some(named) if named.column == stiffness => Some(named.factor),
+        _ => (usual == STIFFNESS).then_some(1.0),
+    };
+    if let Some(factor) = factor {
+        return Err(FitError::Column { column: name.into(), reason: which_stiffness(factor) });
+    }
+    if let Some(column) = per_area(name, &known) {
+        let column = column.into();
+        return Err(FitError::PerArea { name: name.into(), column, nominal_area: None });
+    }
+    let near = match named {
+        Some(Named { column, unit, factor, .. }) if (factor - 1.0).abs() > f64::EPSILON => {
+            return Err(FitError::ColumnUnit {
+                name: name.into(),
+                column: column.into(),
+                unit,
+                factor,
+            });
+        }
+        // Its own unit, written in another way.
+        Some(named) => Some(named.column),
+        None => {
+            // A name without its unit is nearest to the column that it begins.
+            let begun = |name: &&str| name.starts_with(&usual) && usual.len() > 2;
+            let begun = || known.iter().copied().find(begun);
+            let near = || nearest_name(name, known.iter().copied());
+            nearest_of_quantity(&usual, &known).or_else(near).or_else(begun)
         }
     };
-    // A name without its unit is nearest to the column that it begins.
-    let begun = || known.iter().copied().find(|known| known.starts_with(plain) && plain.len() > 2);
-    // Pressure_Pa, or pressure [Pa].
-    let letters = |name: &str| -> String {
-        let name = name.to_lowercase().replace('\u{b2}', "2").replace('/', "per");
-        name.chars().filter(char::is_ascii_alphanumeric).collect()
-    };
-    let same = known.iter().copied().find(|known| letters(known) == letters(plain));
-    let per_area = || {
-        let (name, column) = (name.into(), per_area(plain, &known)?.into());
-        Some(FitError::PerArea { name, column, nominal_area: None })
-    };
-    found(name.trim()).ok_or_else(|| match in_other_unit(plain, &known) {
-        Some(OtherUnit { column, unit, si, factor }) => {
-            FitError::ColumnUnit { name: name.into(), column: column.into(), unit, si, factor }
-        }
-        None => per_area().unwrap_or_else(|| FitError::UnknownColumn {
-            name: name.into(),
-            near: same
-                .or_else(|| nearest_name(plain, known.iter().copied()))
-                .or_else(begun)
-                .map(Into::into),
-            known: known.join(", "),
-        }),
-    })
+    let (near, known) = (near.map(Into::into), known.join(", "));
+    Err(FitError::UnknownColumn { name: name.into(), near, known })
 }
 
-/// Whether a fit reads the column of this name, or ignores it as one of `asperity curve`.
+/// The known column of this quantity, whose unit is missing or no unit.
+fn nearest_of_quantity<'k>(usual: &str, known: &[&'k str]) -> Option<&'k str> {
+    let is = |column: &&&str| column.strip_prefix(usual).is_some_and(|unit| unit.starts_with('_'));
+    known.iter().find(is).copied().filter(|_| usual.len() > 2)
+}
+
+/// The names of a stiffness in N/m times `factor`, of which a header does not say the kind.
+fn which_stiffness(factor: f64) -> String {
+    let [unloading, tangent, tangential] =
+        [Quantity::UnloadingStiffness, Quantity::Tangent, Quantity::TangentialStiffness]
+            .map(Quantity::column);
+    let multiply = match (factor - 1.0).abs() > f64::EPSILON {
+        true => format!(", and multiply its values by {}", short(factor)),
+        false => String::new(),
+    };
+    format!(
+        "the name does not say which stiffness was measured: name the column {unloading} (small vibrations, ultrasound, start of unloading), {tangent} (first loading) or {tangential} (shear){multiply}"
+    )
+}
+
+/// Whether a column of this name is one of a fit, also in another unit or mistyped, or one of
+/// `asperity curve` that a fit ignores.
 #[must_use]
 pub fn is_column(name: &str) -> bool {
     let name = name.trim();
     let values = name.strip_suffix(STD).unwrap_or(name);
-    IGNORED.contains(&name) || kind(name).is_ok() || kind(values).is_ok()
+    // A column in another unit, or a mistyped one, is meant for the fit as well.
+    let is_meant =
+        |name: &str| !matches!(kind(name), Err(FitError::UnknownColumn { near: None, .. }));
+    IGNORED.contains(&name) || is_meant(name) || is_meant(values)
 }
 
 /// The columns of a table by their meaning.

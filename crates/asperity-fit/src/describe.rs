@@ -80,7 +80,8 @@ pub(crate) fn describe(problem: &Problem<'_>, found: &Found) -> Result<Fitted, F
         misfit => misfit,
     };
     let misfit = misfit.or_else(|| deviations.as_ref()?.misfit(doubted));
-    let other_column = match is_exact || misfit.is_some() {
+    // At a limit a number or unit is wrong, which the law of another stiffness may hide.
+    let other_column = match is_exact || misfit.is_some() || !limits.is_empty() {
         true => None,
         false => other_stiffness(problem, best, &values, rank)?,
     };

@@ -25,8 +25,6 @@ pub enum FitError {
         column: String,
         /// The unit of the name.
         unit: &'static str,
-        /// The SI unit.
-        si: &'static str,
         /// The unit in SI units.
         factor: f64,
     },

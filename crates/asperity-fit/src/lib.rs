@@ -14,6 +14,7 @@ mod forward;
 mod likely_unit;
 mod limits;
 mod misfit;
+mod names;
 mod observation;
 mod other_stiffness;
 mod outlier;

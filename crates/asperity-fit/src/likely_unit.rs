@@ -61,7 +61,7 @@ fn nominal_area(problem: &Problem<'_>) -> Option<f64> {
 }
 
 /// The candidate that explains the data best, as a sentence; of several that explain them alike,
-/// the one with which the parameters stay nearest to their start.
+/// one of metric units with which the parameters stay nearest to their start.
 fn best_of(
     problem: &Problem<'_>,
     candidates: Vec<Vec<Rescaled>>,
@@ -92,7 +92,11 @@ fn best_of(
     }
     let least = found.iter().map(|(distance, ..)| *distance).fold(f64::INFINITY, f64::min);
     found.retain(|(distance, ..)| *distance <= ALIKE * least + ACCURACY);
-    let nearest = found.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    let other = |units: &[Rescaled]| units.iter().any(Rescaled::is_other);
+    let nearest = found.into_iter().min_by(|a, b| {
+        let [first, second] = [a, b].map(|(.., units)| other(units));
+        first.cmp(&second).then(a.1.total_cmp(&b.1))
+    });
     let area = nominal_area(problem);
     Ok(nearest.map(|(.., units)| {
         let each: Vec<String> = units.iter().map(|one| one.sentence(problem.data, area)).collect();

@@ -1,9 +1,8 @@
 //! A column of the data, and the units in which it may be recorded.
 
-use asperity_core::{Quantity, short};
+use asperity_core::{OTHER_UNITS, Quantity, short, units_of};
 
 use crate::observation::{LOAD, PRESSURE};
-use crate::units::UNITS;
 use crate::{Data, Measured, Observation};
 
 /// A column of the data: a place, or measured values.
@@ -46,19 +45,18 @@ impl Recorded {
     pub(crate) fn units(self, nominal_area: Option<f64>) -> Vec<(&'static str, f64)> {
         let is_fraction = self == Self::Measured(Measured::Quantity(Quantity::AreaFraction));
         let si = self.si();
-        let known = UNITS.iter().find(|(known, _)| *known == si && (is_fraction || !si.is_empty()));
+        let known = if is_fraction || !si.is_empty() { units_of(si) } else { vec![] };
+        let load = self.other_load().zip(nominal_area);
+        let load =
+            load.map(|((unit, per_area), area)| (unit, if per_area { area } else { 1.0 / area }));
         let mut units: Vec<(&str, f64)> = vec![];
-        for (unit, factor) in known.map_or(&[][..], |(_, units)| units) {
-            // kN/mm and MN/m are N/um.
-            if units.iter().all(|(_, other)| other.total_cmp(factor).is_ne()) {
-                units.push((unit, *factor));
+        for (unit, factor) in load.into_iter().chain(known) {
+            // kN/mm and MN/m are N/um, and N on 1 cm2 is N/cm2.
+            let same = |other: f64| (factor / other - 1.0).abs() < 1e-9;
+            if !same(1.0) && units.iter().all(|(_, other)| !same(*other)) {
+                units.push((unit, factor));
             }
         }
-        units.extend(
-            self.other_load()
-                .zip(nominal_area)
-                .map(|((unit, per_area), area)| (unit, if per_area { area } else { 1.0 / area })),
-        );
         units
     }
 
@@ -102,6 +100,11 @@ impl Rescaled {
 
     pub(crate) fn is_place(&self) -> bool {
         matches!(self.column, Recorded::Place(_))
+    }
+
+    /// Whether scenes do not read this unit, as few use it.
+    pub(crate) fn is_other(&self) -> bool {
+        OTHER_UNITS.iter().any(|(_, unit, ..)| *unit == self.unit)
     }
 
     /// The observation with this column in the other unit.

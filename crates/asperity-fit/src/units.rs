@@ -1,67 +1,65 @@
-//! Units in which measurements are usually recorded.
+//! Names of columns with the units in which measurements are usually recorded.
 
-/// A pound-force \[N\], exact: 0.45359237 kg times 9.80665 m/s².
-const LBF: f64 = 4.448_221_615_260_5;
-/// A pound-force on a square inch \[Pa\].
-const PSI: f64 = LBF / (0.0254 * 0.0254);
+use asperity_core::{plain_unit, units_of};
 
-/// Units with their size in the SI unit of a column.
-pub(crate) const UNITS: [(&str, &[(&str, f64)]); 10] = [
-    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6), ("lbf", LBF)]),
-    (
-        "Pa",
-        &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9), ("psi", PSI), ("ksi", 1e3 * PSI)],
-    ),
-    ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
-    ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
-    (
-        "N/m",
-        &[
-            ("N/um", 1e6),
-            ("N/mm", 1e3),
-            ("N/nm", 1e9),
-            ("kN/mm", 1e6),
-            ("MN/m", 1e6),
-            ("GN/m", 1e9),
-        ],
-    ),
-    ("W/K", &[("mW/K", 1e-3), ("kW/K", 1e3)]),
-    ("W/m2/K", &[("kW/m2/K", 1e3), ("W/cm2/K", 1e4)]),
-    ("S", &[("kS", 1e3), ("mS", 1e-3)]),
-    ("S/m2", &[("S/mm2", 1e6), ("S/cm2", 1e4)]),
-    ("", &[("%", 0.01)]),
-];
+use crate::names::usual_name;
 
-/// A column in another unit than its own.
-pub(crate) struct OtherUnit<'k> {
+/// A column as its name is written, with its unit.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Named<'k> {
     /// The column in its SI unit.
     pub(crate) column: &'k str,
     pub(crate) unit: &'static str,
-    pub(crate) si: &'static str,
+    pub(crate) si: String,
     /// The unit in SI units.
     pub(crate) factor: f64,
 }
 
-/// The known column that `name` is in another unit: `load_N` for `load_kN`.
-pub(crate) fn in_other_unit<'k>(name: &str, known: &[&'k str]) -> Option<OtherUnit<'k>> {
-    let written = |unit: &str| unit.replace('/', "_per_");
-    // Pressure [MPa] is pressure_MPa.
-    let name = match name.split_once(['[', '(']) {
-        Some((name, unit)) => {
-            let unit = written(unit.trim_end_matches([']', ')']));
-            format!("{}_{unit}", name.trim().to_lowercase().replace(' ', "_"))
-        }
-        None => written(name),
-    };
-    known.iter().find_map(|column| {
-        // Of m and N_per_m, the longer one is the unit.
-        let ends = UNITS
-            .iter()
-            .filter(|(si, _)| !si.is_empty() && column.ends_with(&format!("_{}", written(si))));
-        let (si, units) = ends.max_by_key(|(si, _)| si.len())?;
-        let given = name.strip_prefix(column.strip_suffix(&*written(si))?)?;
-        let (unit, factor) = *units.iter().find(|(unit, _)| written(unit) == given)?;
-        Some(OtherUnit { column, unit, si, factor })
+/// A unit in a name as it is compared: N/um for `N_per_um`.
+fn unit_in_name(unit: &str) -> String {
+    let unit = unit.trim().trim_matches(['[', ']', '(', ')']).replace("percent", "%");
+    let unit = unit.replace("per_cent", "%").replace("_per_", "/").replace(" per ", "/");
+    plain_unit(&unit).replace(['(', ')'], "")
+}
+
+/// The unit of a column's name as it is compared, and what stands before it.
+fn parts(column: &str) -> (&str, String) {
+    // Of m and N_per_m, the longer one is the unit.
+    let units = ["N", "Pa", "m", "m2", "N_per_m", "W_per_K", "W_per_m2_per_K", "S", "S_per_m2"];
+    let ends = units.iter().filter_map(|si| {
+        let quantity = column.strip_suffix(si)?.strip_suffix('_')?;
+        Some((quantity, unit_in_name(si)))
+    });
+    ends.max_by_key(|(_, si)| si.len()).unwrap_or((column, String::new()))
+}
+
+/// The ways to read a name as a quantity with a unit behind it: `pressure [MPa]`, `p/MPa`,
+/// `pressure_N_per_mm2`.
+fn readings(name: &str) -> Vec<(&str, String)> {
+    let separators = ['[', '(', '_', '/', ' ', ','];
+    let at = name.match_indices(separators).filter(|(at, _)| *at > 0);
+    at.map(|(at, separator)| {
+        let (before, after) = name.split_at(at);
+        let behind = after.get(separator.len()..).unwrap_or_default();
+        (before.trim().trim_end_matches(['_', ',']), unit_in_name(behind))
+    })
+    .collect()
+}
+
+/// The known column that `name` is with a unit: `load_N` for `load_kN`, `F [kN]` and `F/kN`.
+pub(crate) fn with_unit<'k>(name: &str, known: &[&'k str]) -> Option<Named<'k>> {
+    readings(name).into_iter().find_map(|(before, unit)| {
+        let quantity = usual_name(before, true)?;
+        known.iter().find_map(|column| {
+            let (of, si) = parts(column);
+            let is_share = unit == "%" && of.strip_suffix("_fraction") == Some(&*quantity);
+            let units = units_of(&si).into_iter().filter(|_| of == quantity || is_share);
+            let (unit, factor) = units.into_iter().find(|(known, _)| {
+                // W/(m2 K) is W/m2/K; scenes have both.
+                unit_in_name(known) == unit
+            })?;
+            Some(Named { column, unit, si, factor })
+        })
     })
 }
 
@@ -89,40 +87,56 @@ mod tests {
         // Logarithms have one unit.
         for quantity in Quantity::ALL.into_iter().filter(|q| !q.unit().starts_with("ln ")) {
             let unit = quantity.unit();
-            assert!(UNITS.iter().any(|(si, _)| *si == unit), "{quantity} {unit}");
+            assert!(!units_of(unit).is_empty(), "{quantity} {unit}");
+            let column = quantity.column();
+            let name = quantity.to_string().replace('-', "_");
+            assert_eq!(parts(&column), (&*name, unit_in_name(unit)), "{quantity}");
         }
     }
 
     #[test]
-    fn columns_in_other_units_are_recognised() {
-        let [thermal, electrical, per_area] = [
-            Quantity::ThermalConductancePerArea,
-            Quantity::ElectricalConductance,
-            Quantity::ElectricalConductancePerArea,
-        ]
-        .map(Quantity::column);
-        let known = ["load_N", "area_m2", "tangent_N_per_m", "separation_m"];
-        let known = [&known[..], &[&*thermal, &*electrical, &*per_area]].concat();
+    fn columns_with_units_are_recognised() {
+        let columns = Quantity::ALL.map(Quantity::column);
+        let known = ["load_N", "pressure_Pa", "separation_m"].into_iter();
+        let known: Vec<&str> = known.chain(columns.iter().map(String::as_str)).collect();
+        let per_area = "thermal_conductance_per_area_W_per_m2_per_K";
         for (name, wanted) in [
-            ("load_kN", Some(("load_N", "kN", 1e3))),
-            ("area_mm2", Some(("area_m2", "mm2", 1e-6))),
-            ("tangent_N_per_um", Some(("tangent_N_per_m", "N/um", 1e6))),
-            ("separation_um", Some(("separation_m", "um", 1e-6))),
-            ("Load [kN]", Some(("load_N", "kN", 1e3))),
-            ("tangent (N/um)", Some(("tangent_N_per_m", "N/um", 1e6))),
-            ("load [N]", None),
-            ("load_N", None),
-            ("load", None),
-            ("load_lbf", Some(("load_N", "lbf", LBF))),
-            ("load_stone", None),
-            ("tangent_MN_per_m", Some(("tangent_N_per_m", "MN/m", 1e6))),
-            ("thermal_conductance_per_area_kW_per_m2_per_K", Some((&*thermal, "kW/m2/K", 1e3))),
-            ("electrical_conductance_kS", Some((&*electrical, "kS", 1e3))),
-            ("electrical_conductance_per_area_S_per_mm2", Some((&*per_area, "S/mm2", 1e6))),
+            ("load_kN", ("load_N", 1e3)),
+            ("area_mm2", ("area_m2", 1e-6)),
+            ("A [mm^2]", ("area_m2", 1e-6)),
+            ("tangent_N_per_um", ("tangent_N_per_m", 1e6)),
+            ("tangent_N/um", ("tangent_N_per_m", 1e6)),
+            ("separation_um", ("separation_m", 1e-6)),
+            ("gap [\u{b5}m]", ("separation_m", 1e-6)),
+            ("d [\u{b5}m]", ("separation_m", 1e-6)),
+            ("Load [kN]", ("load_N", 1e3)),
+            ("load [N]", ("load_N", 1.0)),
+            ("F/N", ("load_N", 1.0)),
+            ("p/MPa", ("pressure_Pa", 1e6)),
+            ("p / MPa", ("pressure_Pa", 1e6)),
+            ("pressure [N/mm2]", ("pressure_Pa", 1e6)),
+            ("pressure_N_per_mm2", ("pressure_Pa", 1e6)),
+            ("pressure_kN/m2", ("pressure_Pa", 1e3)),
+            ("load_lbf", ("load_N", 4.448_221_615_260_5)),
+            ("load_kgf", ("load_N", 9.80665)),
+            ("tangent (N/um)", ("tangent_N_per_m", 1e6)),
+            ("tangent_MN_per_m", ("tangent_N_per_m", 1e6)),
+            ("unloading_stiffness_kN_per_um", ("unloading_stiffness_N_per_m", 1e9)),
+            ("thermal_conductance_per_area_kW_per_m2_per_K", (per_area, 1e3)),
+            ("h [W/m2K]", (per_area, 1.0)),
+            ("h [kW/(m2 K)]", (per_area, 1e3)),
+            ("area_percent", ("area_fraction", 0.01)),
+            ("area_fraction_%", ("area_fraction", 0.01)),
+            ("area_fraction_percent", ("area_fraction", 0.01)),
+            ("electrical_conductance_kS", ("electrical_conductance_S", 1e3)),
         ] {
-            let found = in_other_unit(name, &known);
-            let found = found.map(|other| (other.column, other.unit, other.factor));
-            assert_eq!(found, wanted, "{name}");
+            let found = with_unit(name, &known).map(|other| (other.column, other.factor));
+            let near = found.filter(|found| (found.1 / wanted.1 - 1.0).abs() < 1e-12);
+            assert!(near.is_some_and(|found| found.0 == wanted.0), "{name}: {found:?}");
+        }
+        for name in ["load_N", "load", "load_stone", "a_b", "f", "[N]", "_", "comment"] {
+            let found = with_unit(name, &known).map(|other| (other.column, other.factor));
+            assert!(found.is_none() || name == "load_N", "{name}: {found:?}");
         }
     }
 

@@ -73,6 +73,11 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
     for quantity in asked:
         assert (ke.lower(quantity) < ke[quantity]).all()
         assert (ke[quantity] < ke.upper(quantity)).all()
+    # Options that are given are asked for, those of the scene are not.
+    for given in ({"jg_hardness": "cosine"}, {"asperities": "random"}):
+        named = asperity.model("jg", **given)
+        found = named.solve(scene, pressure=1e8, quantities="area", corrected=True)
+        assert found.model == f"{named.id}-corrected" != "jg-corrected"
     head = ke.to_csv().splitlines()[0]
     ends = "area_lower,area_upper,tangent_lower,tangent_upper"
     apart = "separation,separation_lower,separation_upper"

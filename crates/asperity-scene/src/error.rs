@@ -159,8 +159,9 @@ pub enum SceneError {
         near: Option<String>,
         /// The inputs of the scene.
         known: String,
-        /// The description that has this number; empty if there is none.
-        reason: &'static str,
+        /// The description that has this number, or how the nearest input differs from it; empty if
+        /// there is neither.
+        reason: String,
     },
     /// An input beside another from which it follows.
     #[error("{name} is given beside {by}, which determines it: leave {name} out")]

@@ -213,6 +213,9 @@ impl SceneFile {
             let gap = if unit.is_empty() { "" } else { " " };
             let how = match Role::of(name) {
                 Role::SeparationOffset => "30 asperity_height_std beyond the readings",
+                Role::Scene if key_of_input(name) == "poissons_ratio" => {
+                    "a factor 30 either way, at most to its limit of 0.5"
+                }
                 Role::Scene if name == "skewness" => "all skewnesses that the model of heights has",
                 _ => "a factor 30 either way",
             };

@@ -155,12 +155,18 @@ impl SceneFile {
             }
             _ => "",
         };
-        let synonym = synonym(name).map(|(key, _)| key).filter(|key| names.contains(key));
+        let synonym = synonym(name).filter(|(key, _)| names.contains(key));
+        // What tells the input from the name that was meant.
+        let difference = synonym.and_then(|(key, differs)| {
+            let differs = differs.strip_prefix("it ")?;
+            Some(format!("; {key} {}", differs.trim_end_matches("; ")))
+        });
+        let synonym = synonym.map(|(key, _)| key);
         SceneError::UnknownInput {
             name: name.into(),
             near: synonym.or_else(|| nearest_name(name, names.iter().copied())).map(Into::into),
             known: names.join(", "),
-            reason,
+            reason: difference.unwrap_or(reason.into()),
         }
     }
 
@@ -328,6 +334,9 @@ mod tests {
         assert!(near.starts_with(
             "hardnes is not an input of this scene (the nearest is \"hardness\"): one of"
         ));
+        let inverse = refused(&["electrical_conductivity"]);
+        assert!(inverse.contains("(the nearest is \"electrical_resistivity\")"), "{inverse}");
+        assert!(inverse.ends_with("; electrical_resistivity is 1/conductivity, in ohm m"));
         assert!(refused(&["m0"]).ends_with("; m0, m2 and m4 need a surface that is given by them"));
         let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
         assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);

@@ -34,7 +34,6 @@ mod sides;
 mod small_scan;
 mod surface;
 mod template;
-mod unit_name;
 mod units;
 mod write;
 

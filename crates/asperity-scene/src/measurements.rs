@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use asperity::fit::{DataColumn, MeasuredTable};
+use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
 use crate::cells::{beside_commas, delimiter, delimiter_hint, number, quoted, share_hint};
 use crate::document::{SAVE_AS_CSV, read_text, shorten};
-use crate::notation::notation_hint;
+use crate::notation::{notation_hint, without_thousands};
 use crate::{Place, SceneError, is_unit};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
@@ -23,6 +23,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let text = read_text(path, SAVE_AS_CSV, || *place(None, "the data"))?;
     // A spreadsheet's mark of UTF-8.
     let text = text.trim_start_matches('\u{feff}');
+    if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
+        let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
+        return Err(SceneError::Syntax { at: place(None, "CSV"), reason: reason.into() });
+    }
     let delimiter = delimiter(text);
     let mut reader = csv::ReaderBuilder::new();
     reader.delimiter(delimiter).comment(Some(b'#')).trim(csv::Trim::All).flexible(true);
@@ -37,7 +41,8 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
             .flat_map(|l| l.split(char::from(delimiter)))
     };
     let decimal_commas = cells().any(|cell| cell.contains(',') && number(cell.trim()).is_some());
-    if head.iter().all(|name| number(name).is_some()) {
+    let is_value = |name: &str| number(name).is_some() || without_thousands(name).is_some();
+    if head.iter().all(is_value) {
         let found = head.iter().collect::<Vec<_>>().join(",");
         let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
         return Err(SceneError::value(place(Some(1), "the header"), shorten(&found), needed));
@@ -55,12 +60,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
             if record.len() == columns.len() + 1 && record.iter().next_back() == Some("") {
                 return Err(syntax(line, "the row ends in a separator; remove it".into()));
             }
-            let reason = format!(
-                "{} cells under a header of {} columns: one cell for each column was required{}",
-                record.len(),
-                columns.len(),
-                if record.len() > columns.len() { delimiter_hint(delimiter) } else { "" }
-            );
+            let reason = refuse_length(&record, columns.len(), delimiter);
             return Err(syntax(line, reason));
         }
         lines.extend(line);
@@ -92,7 +92,14 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                                 let found = quoted(given);
                                 SceneError::Notation { at, found, hint }
                             }
-                            None => SceneError::value(at, shorten(given), &needed(name)),
+                            None if is_column(name) => {
+                                SceneError::value(at, shorten(given), "a number, or nothing")
+                            }
+                            None => {
+                                let hint = "is no number, and no fit reads this column; remove it";
+                                let (found, hint) = (quoted(given), hint.into());
+                                SceneError::Notation { at, found, hint }
+                            }
                         }
                     })?)
                 }
@@ -111,12 +118,36 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     Ok(MeasuredTable { columns, lines })
 }
 
-/// What a cell of this column needs.
-fn needed(column: &str) -> String {
-    match asperity::fit::is_column(column) {
-        true => "a number, or nothing".into(),
-        false => "a number, or a table without this column (no fit reads it)".into(),
+/// Whether a text begins as a table of measurements does: with the columns of a fit.
+pub(crate) fn is_measurements(text: &str) -> bool {
+    let text = text.trim_start_matches('\u{feff}');
+    let head = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
+    let delimiter = char::from(delimiter(text));
+    let names = |head: &str| head.split(delimiter).filter(|name| is_column(name)).count();
+    head.is_some_and(|head| names(head) > 1)
+}
+
+/// Why a row with another number of cells than its header is refused.
+fn refuse_length(record: &csv::StringRecord, columns: usize, delimiter: u8) -> String {
+    let cells = |separator: &&u8| {
+        record.len() == 1 && record[0].split(char::from(**separator)).count() == columns
+    };
+    let others = [b',', b';', b'\t'];
+    if let Some(other) = others.iter().filter(|other| **other != delimiter).find(cells) {
+        let [head, row] = [delimiter, *other].map(|separator| match separator {
+            b',' => "commas",
+            b';' => "semicolons",
+            _ => "tabs",
+        });
+        return format!(
+            "the row is separated by {row}, the header by {head}; use the same in both"
+        );
     }
+    let hint = if record.len() > columns { delimiter_hint(delimiter) } else { "" };
+    let found = record.len();
+    format!(
+        "{found} cells under a header of {columns} columns: one cell for each column was required{hint}"
+    )
 }
 
 /// The line and the reason where the lines at the top are no header and rows of numbers.
@@ -228,8 +259,29 @@ mod tests {
         for (text, wanted) in [
             (
                 "load_N,area_m2,comment\n1,2,first\n",
-                ":2: comment is \"first\": a number, or a table without this column (no fit reads it)",
+                ":2: comment = \"first\" is no number, and no fit reads this column; remove it",
             ),
+            (
+                "load_kN,area_m2\nabc,1\n",
+                ":2: load_kN is \"abc\": a number, or nothing was required",
+            ),
+            (
+                "laod_N,displacement_um\n1,abc\n",
+                ":2: displacement_um is \"abc\": a number, or nothing was required",
+            ),
+            (
+                "load_N,area_m2\n1;2\n",
+                ":2: CSV: the row is separated by semicolons, the header by commas; use the same",
+            ),
+            (
+                "load_N;area_m2\n1,2\n",
+                ":2: CSV: the row is separated by commas, the header by semicolons; use the same",
+            ),
+            (
+                "\"1,000,000\",\"2,000,000\"\n",
+                ":1: the header is \"1,000,000,2,000,000\": a header",
+            ),
+            ("[[body]]\nyoungs_modulus = 2e11\n", ": CSV: the file looks like a scene, not like"),
             (
                 "load_N,area_m2\n1,two\n",
                 ":2: area_m2 is \"two\": a number, or nothing was required",

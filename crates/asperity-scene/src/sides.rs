@@ -1,7 +1,8 @@
 //! Areas given by two sides: 10 mm x 20 mm.
 
+use asperity::plain_unit as plain;
+
 use crate::scaled::{mantissa, scale};
-use crate::unit_name::plain;
 
 /// An area in m² by its two sides: `10mm x 20mm`, `10 x 20 mm` or `10 x 20 mm2`.
 pub(crate) fn area(text: &str, lengths: &[(&str, i32)], areas: &[(&str, i32)]) -> Option<f64> {

@@ -1,114 +1,17 @@
 //! Units of numbers, and a number with one of them.
 
+use asperity::plain_unit as plain;
+pub(crate) use asperity::{OTHER_UNITS, UNITS, Units};
+
 use crate::scaled::{leading, scale};
 use crate::sides;
-use crate::unit_name::plain;
-
-pub(crate) type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
-
-/// The SI unit as in the template, an example, and the units with their powers of ten. In units,
-/// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-pub(crate) const UNITS: [Units; 15] = [
-    (
-        "Pa",
-        "210 GPa",
-        &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
-    ),
-    ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
-    ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
-    ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
-    ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
-    (
-        "m/N",
-        "2 nm/N",
-        &[("mm/kN", -6), ("um/kN", -9), ("mm/N", -3), ("um/N", -6), ("nm/N", -9), ("m/N", 0)],
-    ),
-    (
-        "N/m",
-        "20 N/um",
-        &[
-            ("N/m", 0),
-            ("N/mm", 3),
-            ("N/um", 6),
-            ("N/nm", 9),
-            ("kN/mm", 6),
-            ("kN/um", 9),
-            ("MN/m", 6),
-            ("GN/m", 9),
-        ],
-    ),
-    ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
-    (
-        "1/m^2",
-        "200 1/mm2",
-        &[("1/m2", 0), ("1/cm2", 4), ("1/mm2", 6), ("1/um2", 12), ("1/nm2", 18)],
-    ),
-    (
-        "W/(m K)",
-        "50 W/(m K)",
-        &[
-            ("mW/(mK)", -3),
-            ("mW/mK", -3),
-            ("W/(mK)", 0),
-            ("W/mK", 0),
-            ("W/m/K", 0),
-            ("kW/(mK)", 3),
-            ("kW/mK", 3),
-            ("W/(cmK)", 2),
-            ("W/(mmK)", 3),
-        ],
-    ),
-    ("W/K", "2 kW/K", &[("W/K", 0), ("mW/K", -3), ("kW/K", 3)]),
-    (
-        "W/m2/K",
-        "5 kW/m2/K",
-        &[
-            ("W/m2/K", 0),
-            ("W/(m2K)", 0),
-            ("W/m2K", 0),
-            ("kW/m2/K", 3),
-            ("kW/(m2K)", 3),
-            ("kW/m2K", 3),
-            ("W/cm2/K", 4),
-            ("W/(cm2K)", 4),
-            ("W/cm2K", 4),
-        ],
-    ),
-    ("S", "2 kS", &[("S", 0), ("uS", -6), ("mS", -3), ("kS", 3), ("1/ohm", 0)]),
-    ("S/m2", "2 S/mm2", &[("S/m2", 0), ("S/cm2", 4), ("S/mm2", 6), ("kS/m2", 3)]),
-    (
-        "ohm m",
-        "17 uohm cm",
-        &[("uohmcm", -8), ("uohmm", -6), ("nohmm", -9), ("mohmm", -3), ("ohmcm", -2), ("ohmm", 0)],
-    ),
-];
-/// Units that are not read, with their size in one that is.
-const OTHERS: [(&str, &str, f64, &str); 17] = [
-    ("Pa", "kN/mm2", 1.0, "GPa"),
-    ("Pa", "kN/cm2", 10.0, "MPa"),
-    ("Pa", "kN/m2", 1.0, "kPa"),
-    ("Pa", "N/cm2", 10.0, "kPa"),
-    ("Pa", "kgf/mm2", 9.80665, "MPa"),
-    ("Pa", "Msi", 6.894_757_3, "GPa"),
-    ("Pa", "ksi", 6.894_757_3, "MPa"),
-    ("Pa", "psi", 6.894_757_3, "kPa"),
-    ("N", "kgf", 9.80665, "N"),
-    ("N", "lbf", 4.448_221_6, "N"),
-    ("m", "uin", 25.4, "nm"),
-    ("m", "in", 25.4, "mm"),
-    ("m", "micron", 1.0, "um"),
-    ("m", "microns", 1.0, "um"),
-    ("m", "\u{c5}", 0.1, "nm"),
-    ("m", "\u{212b}", 0.1, "nm"),
-    ("m^2", "in2", 645.16, "mm2"),
-];
 
 /// Whether a text is a unit of one of the quantities, or the name of a scale: kN, W/(m K), psi, HV.
 #[must_use]
 pub fn is_unit(text: &str) -> bool {
     let unit = plain(text);
     let decimal = UNITS.iter().flat_map(|(.., units)| units.iter().map(|(name, _)| *name));
-    let others = OTHERS.iter().map(|(_, name, ..)| *name).chain(["%", "HV"]);
+    let others = OTHER_UNITS.iter().map(|(_, name, ..)| *name).chain(["%", "HV"]);
     decimal.chain(others).any(|known| known == unit)
 }
 
@@ -123,7 +26,7 @@ pub fn converted(given: &str, si: &str) -> Option<String> {
     let (number, power, rest) = leading(given)?;
     let unit = plain(rest);
     let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;
-    let (.., factor, decimal) = OTHERS.iter().find(other)?;
+    let (.., factor, decimal) = OTHER_UNITS.iter().find(other)?;
     let value = scale(&number, power)?;
     Some(format!("{} {decimal}", asperity::short(factor * value)))
 }

@@ -4,9 +4,13 @@ use crate::Compared;
 
 /// Number of models listed.
 const MOST_LISTED: usize = 3;
-/// The quantities that the table and every model have, with their names in the program.
-pub(crate) const NAMES: [(Compared, &str); 2] =
-    [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
+/// The quantities in which models are ranked, with their names in the program; the first two are
+/// known of every scan that is solved.
+pub(crate) const NAMES: [(Compared, &str); 3] = [
+    (Compared::Area, "area"),
+    (Compared::Stiffness, "stiffness in first loading"),
+    (Compared::UnloadingStiffness, "unloading stiffness"),
+];
 
 /// The models nearest to boundary elements in a quantity of this name, each with its largest
 /// deviation, in one sentence with at most `most` of them; `None` if none has the quantity
@@ -39,8 +43,8 @@ pub fn nearest_to_bem<'m>(
     (!listed.is_empty()).then_some(sentence)
 }
 
-/// The sentences of these quantities with their names; `off` returns the deviations of a model in a
-/// quantity.
+/// The sentences of these quantities with their names, or one that no model is known everywhere in
+/// any; `off` returns the deviations of a model in a quantity.
 pub(crate) fn nearest_in_each<'m>(
     models: impl IntoIterator<Item = &'m str>,
     off: impl Fn(&str, Compared) -> Vec<Option<f64>>,
@@ -52,7 +56,13 @@ pub(crate) fn nearest_in_each<'m>(
     };
     let found: Vec<String> = names.iter().filter_map(of).collect();
     match found.is_empty() {
-        true => vec!["no model has an area or a stiffness at every load".into()],
+        true => {
+            let names: Vec<&str> = names.iter().map(|(_, name)| *name).collect();
+            vec![format!(
+                "no model can be compared with boundary elements in {} everywhere",
+                names.join(" or ")
+            )]
+        }
         false => found,
     }
 }
@@ -94,7 +104,7 @@ mod tests {
         let area = "b (less than 1 % off), a (at most 20 % off), d (at most 50 % high)";
         let stiffness = "c (at most 25 % off), a (at most 30 % off), d (at most 50 % low)";
         assert_eq!(
-            nearest_in_each(["d", "a", "b", "c"], off, &NAMES),
+            nearest_in_each(["d", "a", "b", "c"], off, &NAMES[..2]),
             [
                 format!("nearest to boundary elements in area are {area}"),
                 format!(
@@ -102,8 +112,11 @@ mod tests {
                 )
             ]
         );
-        let one = nearest_in_each(["b"], off, &NAMES);
+        let one = nearest_in_each(["b"], off, &NAMES[..2]);
         assert_eq!(one, ["nearest to boundary elements in area is b (less than 1 % off)"]);
-        assert!(nearest_in_each([], off, &NAMES)[0].starts_with("no model has"));
+        // Only what is asked for.
+        let none = nearest_in_each(["b"], off, &NAMES[1..2]);
+        let wanted = "no model can be compared with boundary elements in stiffness in first loading everywhere";
+        assert_eq!(none, [wanted]);
     }
 }

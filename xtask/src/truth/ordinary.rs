@@ -59,12 +59,15 @@ fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
     let asperity = actual.asperity()?;
     let unit = asperity.equivalent_modulus * (2.0 * moments.m2).sqrt();
     let family = Family::of_bandwidth(moments.bandwidth(), FAMILIES[1].hurst, 512)?;
-    // The hardness over E g, on the surface that is solved.
     let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
-    let one = scene(&family.surface(family.pixels)?, 1.0)?.interface.hardness;
-    let index = one.context("a hardness")? / hardness;
-    let case = |p: &f64| Case { family, index, load: p / unit, seeds: [LEAST_SEEDS, SEEDS] };
-    Ok(pressures.iter().map(case).collect())
+    let case = |pressure: &f64| -> Result<Case> {
+        let load = pressure / unit;
+        // Moments change with the number of pixels, and with them the index of one hardness.
+        let surface = family.surface(family.pixels_for(load))?;
+        let one = scene(&surface, 1.0)?.interface.hardness.context("a hardness")?;
+        Ok(Case { family, index: one / hardness, load, seeds: [LEAST_SEEDS, SEEDS] })
+    };
+    pressures.iter().map(case).collect()
 }
 
 /// The contacts of a scene that are kept in this folder.
@@ -132,6 +135,21 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
 mod tests {
     use super::super::kept::Contact;
     use super::*;
+
+    #[test]
+    fn every_case_is_solved_with_the_hardness_of_its_scene() -> Result<()> {
+        for (name, actual, pressures) in scenes()? {
+            for (case, pressure) in cases(&actual, &pressures)?.iter().zip(&pressures) {
+                let surface = case.family.surface(case.family.pixels_for(case.load))?;
+                let solved =
+                    scene(&surface, case.index)?.interface.hardness.context("a hardness")?;
+                let share = case.load * MODULUS * GRADIENT / solved;
+                let wanted = pressure / actual.interface.hardness.context("a hardness")?;
+                assert!((share / wanted - 1.0).abs() < 1e-9, "{name}: {share} is not {wanted}");
+            }
+        }
+        Ok(())
+    }
 
     #[test]
     fn kept_cases_are_shown_beside_the_given_evidence_and_others_are_not_solved() -> Result<()> {

@@ -2,9 +2,7 @@
 //! models as they are.
 
 use anyhow::{Result, bail};
-use asperity::{
-    At, Compared, ContactError, Corrected, CorrectedRow, Datum, Described, Scene, SeparationUnit,
-};
+use asperity::{At, Compared, ContactError, Corrected, CorrectedRow, Datum, Scene, SeparationUnit};
 
 use crate::ask::{Lacking, Question, Row, column_beside, count};
 use crate::output::table::{Cell, Table};
@@ -55,12 +53,13 @@ impl Question<'_> {
     ) {
         let _progress = progress(own);
         let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
-        let compiled = shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
         let id = format!("{own}-corrected");
-        let prefix = format!("{}-corrected: ", model.id());
-        let without_id = |reason: ContactError| {
-            let text = reason.to_string();
-            text.strip_prefix(&prefix).map_or(text.clone(), Into::into)
+        let compiled = shape
+            .and_then(|shape| Ok(Corrected::new(model, scene, shape, &self.request)?.named(own)));
+        // Stands in front of every message.
+        let without_id = |reason: ContactError| match reason {
+            ContactError::Refused { model, reason } if model.ends_with("-corrected") => reason,
+            other => other.to_string(),
         };
         let rows = self.request.at.len();
         let lacks = |count: usize, what: &str, reason: ContactError| {

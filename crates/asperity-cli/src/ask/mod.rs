@@ -2,7 +2,7 @@
 
 mod corrected;
 
-use std::mem::discriminant;
+use std::mem::{Discriminant, discriminant};
 
 use anyhow::{Context, Result, bail};
 use asperity::{
@@ -252,18 +252,24 @@ impl<'s> Question<'s> {
 /// A quantity without a value in a row with other values, and the reason.
 type Lacking<E> = (Option<Quantity>, E);
 
-/// Counts the reasons for missing values, each kind once.
+/// Counts the reasons for missing values, each kind once; refusals are alike up to their numbers.
 fn count(
     kinds: &mut Vec<(usize, Lacking<ContactError>)>,
     (partly, reason): Lacking<&ContactError>,
 ) {
-    let same = |known: &Lacking<ContactError>| {
-        known.0 == partly && discriminant(&known.1) == discriminant(reason)
-    };
+    let same = |known: &Lacking<ContactError>| known.0 == partly && kind(&known.1) == kind(reason);
     match kinds.iter_mut().find(|(_, known)| same(known)) {
         Some((count, _)) => *count += 1,
         None => kinds.push((1, (partly, reason.clone()))),
     }
+}
+
+fn kind(reason: &ContactError) -> (Discriminant<ContactError>, &str) {
+    let words = match reason {
+        ContactError::Refused { reason, .. } => reason.split(|c: char| c.is_ascii_digit()).next(),
+        _ => None,
+    };
+    (discriminant(reason), words.unwrap_or_default())
 }
 
 /// The name of a column beside that of a quantity: `mean_pressure_error`.

@@ -50,7 +50,7 @@ pub struct BemCommand {
     #[command(flatten)]
     way: Way,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
-    /// chord between pressures 5 % to either side, by two more solutions), quantities of joints
+    /// chord between pressures up to 5 % to either side, by two more solutions), quantities of joints
     /// (unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance,
     /// -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
@@ -148,9 +148,6 @@ impl BemCommand {
         let quantities = added(&self.quantities);
         // Refuses what boundary elements or the scene lack before anything is solved.
         bem.compile(&scene.file.scene, &Request::new(quantities.iter().copied()))?;
-        if bem.continuation() == Continuation::Free && has_both_stiffnesses(&quantities) {
-            print_message("note", FREE_STIFFNESSES);
-        }
         let mut run = Run {
             scene: &scene,
             quantities: &quantities,
@@ -188,6 +185,12 @@ impl BemCommand {
                 interrupt::end(0, given.len());
             }
             bail!("{}: no load was solved", scene.name);
+        }
+        // A contact that has yielded may unload stiffer.
+        let is_elastic = whole.iter().flatten().any(|row| row.plastic <= 0.0);
+        let free = bem.continuation() == Continuation::Free;
+        if free && is_elastic && has_both_stiffnesses(&quantities) {
+            print_message("note", FREE_STIFFNESSES);
         }
         let nominal_area = scene.file.scene.nominal_area;
         let mut table = table(&whole, half.as_deref(), nominal_area, &quantities);

@@ -11,9 +11,10 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
+use crate::commands::fit_lists::{List, all, free, targets};
 use crate::input::args::{OutputArgs, model_id, svg_file};
 use crate::input::numbers::{load, pressure};
-use crate::input::target::{metres, target};
+use crate::input::target::metres;
 use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
@@ -67,15 +68,15 @@ pub struct FitCommand {
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
     /// Free parameters, at least one, each with bounds if these are given
-    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
-    free: Vec<Free>,
+    #[arg(long, value_name = "KEY[=A:B]", value_parser = free)]
+    free: Vec<List<Free>>,
     /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
-    #[arg(long, value_name = "Q=V", value_delimiter = ',', value_parser = target)]
+    #[arg(long, value_name = "Q=V", value_parser = targets)]
     #[arg(group = "source", requires = "place")]
-    target: Vec<(String, f64)>,
+    target: Vec<List<(String, f64)>>,
     /// Load of the target, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "P", value_parser = load, group = "place", conflicts_with = "data")]
     load: Option<f64>,
@@ -96,6 +97,9 @@ impl FitCommand {
     pub fn run(self) -> Result<()> {
         self.check_plot();
         let scene = LoadedScene::load(&self.scene)?;
+        if output::has_error() {
+            bail!("{}: fits need a scene without errors; correct it first", scene.name);
+        }
         if self.free.is_empty() {
             let keys = scene.file.all_inputs().into_iter();
             let keys = keys.filter(|(_, input)| scene.file.value_of(*input).is_some());
@@ -159,7 +163,7 @@ impl FitCommand {
                     false => ControlFlow::Continue(()),
                 }
             };
-            match scene.file.fit(model, data, &self.free, &mut watch) {
+            match scene.file.fit(model, data, &all(&self.free), &mut watch) {
                 Ok(mut found) => {
                     // The name in the result, where options of the scene give the model another.
                     found.model.clone_from(id);
@@ -194,7 +198,7 @@ impl FitCommand {
     }
 
     fn write(&self, report: &Report<'_>) -> Result<()> {
-        report.print_notes(&self.free);
+        report.print_notes(&all(&self.free));
         report.print_findings()?;
         if let Some(file) = &self.plot {
             output::write_text(Some(file), &report.svg()?)?;
@@ -218,8 +222,9 @@ impl FitCommand {
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
         let (area, free) = (scene.file.scene.nominal_area, |one: &Free| one.name == "nominal_area");
-        let largest = self.target.iter().find(|(name, value)| name == "area_m2" && *value > area);
-        if let Some((_, value)) = largest.filter(|_| !self.free.iter().any(free)) {
+        let targets = all(&self.target);
+        let largest = targets.iter().find(|(name, value)| name == "area_m2" && *value > area);
+        if let Some((_, value)) = largest.filter(|_| !all(&self.free).iter().any(free)) {
             let [value, area] = [*value, area].map(rounded);
             bail!("--target: area is {value} m2, above the nominal area of {area} m2")
         }
@@ -230,7 +235,7 @@ impl FitCommand {
         ];
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
-        let columns = places.chain(self.target.iter().cloned());
+        let columns = places.chain(targets);
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
         scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
     }

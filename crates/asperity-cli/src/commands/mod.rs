@@ -11,6 +11,7 @@ mod conductivity;
 mod curve;
 mod export;
 mod fit;
+mod fit_lists;
 mod generate;
 mod glance;
 mod history;

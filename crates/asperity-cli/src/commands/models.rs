@@ -1,6 +1,6 @@
 //! `asperity models`: the models, their range of validity and their sources.
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use asperity::{Described, Model};
 use clap::Args;
 
@@ -24,15 +24,18 @@ the provenance of each model's equations:
   seen      read in public text or code that quotes the paper
   derived   proved or checked numerically, not read in the paper
   recalled  from general knowledge of the literature, the paper was not available
-csv and json also hold titles, notes and how variants differ. The models from gw to af
-exist with -random behind the id as well: averaged over the asperities of a random
-surface, whose heights and radii differ.
+csv and json also hold titles, notes and how variants differ. The models from gw to af,
+and ghaednia, exist with -random behind the id as well: averaged over the asperities of
+a random surface, whose heights and radii differ. bem, boundary elements, needs a scan.
 
 Examples:
   asperity models
+  asperity models ke
   asperity models --format csv --output models.csv"
 )]
 pub struct Models {
+    /// Only the models of this id, or with this word in their name, authors or year
+    word: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -49,9 +52,7 @@ impl Models {
             if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
         let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
         let mut variants = vec![];
-        for model in
-            [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat()
-        {
+        for model in like(&self.word.unwrap_or_default())? {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();
@@ -81,4 +82,27 @@ impl Models {
         }
         Ok(())
     }
+}
+
+/// The models of this id and its variants; without any, those with the word in their name, authors
+/// or year.
+fn like(word: &str) -> Result<Vec<Model>> {
+    let wanted = word.trim().to_lowercase();
+    // Random asperities have the row of equal ones.
+    let wanted = wanted.strip_suffix("-random").unwrap_or(&wanted);
+    let mut all =
+        [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat();
+    let of_id = |model: &Model| {
+        let rest = model.id().strip_prefix(wanted);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    };
+    let has_word = |model: &Model| {
+        let source = model.citation();
+        let words = format!("{} {} {}", source.name, source.authors, source.year);
+        words.to_lowercase().contains(wanted)
+    };
+    let any = all.iter().any(of_id);
+    all.retain(|model| if any { of_id(model) } else { has_word(model) });
+    ensure!(!all.is_empty(), "no model is like {word:?}; `asperity models` lists all");
+    Ok(all)
 }

@@ -2,7 +2,7 @@
 //! from boundary elements on similar surfaces.
 
 use anyhow::{Context, Result};
-use asperity::{At, Described, Evidence, Quantity, linspace};
+use asperity::{At, Compared, Described, Evidence, Model, Quantity, linspace};
 use clap::Args;
 
 use crate::ask::column_beside;
@@ -43,7 +43,8 @@ Agreement with the reference is no proof of accuracy: columns .._off_bem have th
 deviation of a model from boundary elements at the loads, interpolated between solved random
 surfaces ({solved}),
 the largest over the separations or loads that have one; .._spread is half the width of the
-interval that holds nine of ten surfaces. Notes about the requested quantities name the
+interval that holds nine of ten surfaces. Those of unloading-stiffness and conductances are
+shown if one of them is requested, the mean gap with force in the notes. Notes about the requested quantities name the
 nearest models, give the expected deviations of the reference and of the recommended model
 one by one, and say where no solved case is near. `asperity truth` solves the scan of the
 scene itself, and
@@ -76,6 +77,11 @@ impl Recommend {
         table.head.extend(request.quantities.iter().map(|q| column_beside(*q, "deviation")));
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
+        let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
+        if unloading {
+            let head = ["unloading_stiffness_off_bem", "unloading_stiffness_off_bem_spread"];
+            table.head.extend(head.map(Into::into));
+        }
         let simplest = advice.simplest.as_ref().map(Described::id);
         let far = format!("no: too far from {}", advice.reference.id());
         let mut lacking = vec![];
@@ -115,8 +121,12 @@ impl Recommend {
                 Ok(_) => far.as_str().into(),
             });
             let off = found.off.unwrap_or_default();
-            let off = [off.area, off.area_spread, off.stiffness, off.stiffness_spread];
-            row.extend(off.map(Cell::Number));
+            row.extend([off.area, off.area_spread].map(Cell::Number));
+            row.extend([off.stiffness, off.stiffness_spread].map(Cell::Number));
+            if unloading {
+                let off = [off.unloading_stiffness, off.unloading_stiffness_spread];
+                row.extend(off.map(Cell::Number));
+            }
             table.rows.push(row);
         }
         for text in by_reason(&lacking) {
@@ -125,9 +135,13 @@ impl Recommend {
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
         let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
         let checked = [&advice.reference].into_iter().chain(&advice.simplest);
-        let checked = checked.chain(outside.map(|found| &found.model));
-        let checked: Vec<_> = checked.map(|m| (m.id().to_string(), m.clone())).collect();
-        scene.report_answers(&checked.iter().collect::<Vec<_>>(), &places);
+        let mut once: Vec<(String, Model)> = vec![];
+        for model in checked.chain(outside.map(|found| &found.model)) {
+            if !once.iter().any(|(id, _)| id == model.id()) {
+                once.push((model.id().to_string(), model.clone()));
+            }
+        }
+        scene.report_answers(&once.iter().collect::<Vec<_>>(), &places);
         let verdict = advice.verdict(|model| model.id().to_string());
         print_message(
             "note",

@@ -64,7 +64,7 @@ pub struct Slip {
     #[arg(long, value_name = "LAW", default_value = "hertz")]
     law: UnloadingLaw,
     /// Coefficient of friction, for example 0.2 or 20%
-    #[arg(long, value_name = "MU", value_parser = friction)]
+    #[arg(long, alias = "mu", value_name = "MU", value_parser = friction)]
     friction: f64,
     #[command(flatten)]
     cycle: Cycle,

@@ -6,7 +6,7 @@ use asperity::joints::PartialSlip;
 use asperity_plot::{Axis, Curve, Scale};
 
 use super::slip::Slip;
-use crate::joints::{amplitude_at, given_preload, preload};
+use crate::joints::{SLIDES, amplitude_at, given_preload, preload};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::print_message;
@@ -49,14 +49,20 @@ impl Slip {
                 row.extend(numbers.map(Cell::Number));
                 table.rows.push(row);
             }
-            let count = refused.len();
-            reasons.extend(refused.into_iter().take(1).map(|first| match count {
-                1 => first,
-                _ => format!("{count} of {} forces have no cycle, first: {first}", forces.len()),
-            }));
+            // Forces that are too large are no reason for those that are too small.
+            let slides = |reason: &String| reason.ends_with(SLIDES);
+            let (large, small): (Vec<_>, Vec<_>) = refused.into_iter().partition(slides);
+            for refused in [large, small] {
+                let (count, all) = (refused.len(), forces.len());
+                reasons.extend(refused.into_iter().next().map(|first| match count {
+                    1 if all == 1 => first,
+                    1 => format!("1 of {all} forces has no cycle: {first}"),
+                    _ => format!("{count} of {all} forces have no cycle, first: {first}"),
+                }));
+            }
         }
-        if let (false, Some(first)) = (answered, reasons.first()) {
-            bail!("{first}");
+        if !answered && !reasons.is_empty() {
+            bail!("{}", reasons.join("; "));
         }
         for reason in reasons {
             print_message("warning", &format!("{}: {id}: {reason}", scene.name));

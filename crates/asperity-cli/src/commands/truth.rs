@@ -25,7 +25,8 @@ and the models use the asperities of the same scan.
 Deviations are relative to bem; of the mean gap, over the rms height of the scan.
 A model that needs more than the nominal area, or a mean pressure above 1.5 times the
 hardness, has no result. Rows and values without a result are blank; the reason is printed.
-The stiffness of bem is a difference between pressures 5 % to either side.
+Where contacts yield, the stiffness of bem is the chord between pressures up to 5 % to
+either side.
 
 Examples:
   asperity truth scan.toml --pressure 1e7,1e8,1e9

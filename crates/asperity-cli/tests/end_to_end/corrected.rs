@@ -35,6 +35,14 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
     ] {
         assert!(run.messages.contains(printed), "{}", run.messages);
     }
+    let apart = bench.run("curve scene.toml --model ke --pressure 1e-6,1e7,1e12 --corrected");
+    for reason in ["less than one asperity touches (8.", "p/(E g) = "] {
+        let line = "ke-corrected: no value in 1 of 3 rows, first: no boundary-element solution is";
+        let printed = format!("{line} close: {reason}");
+        assert!(apart.messages.contains(&printed), "{}", apart.messages);
+    }
+    let far = bench.run("curve scene.toml --model ke --pressure 1e100 --corrected").messages;
+    assert!(far.contains("p/(E g) = 1.49e90; solved up to "), "{far}");
     let refused = bench.run("curve scene.toml --model ke --corrected");
     assert!(refused.messages.contains("--corrected needs --load or --pressure"));
     assert_eq!(refused.code, Some(1));

@@ -131,9 +131,12 @@ fn other_solvers_get_the_same_lines_in_their_formats() {
         assert!((moved[0] - pair[0]).abs() <= 1e-9 * pair[0]);
         assert!((moved[1] - (pair[1] + begins)).abs() < 1e-9 * begins);
     }
-    // ccx reads 20 characters of a number.
-    let longest = calculix.out.lines().filter(|line| !line.starts_with('*'));
-    assert!(longest.flat_map(|line| line.split(", ")).all(|word| word.len() <= 20));
+    // Both codes read 20 characters of a number.
+    let conductance = of("abaqus", "--max-error 0.1 --conductance clearance").out;
+    for text in [&calculix.out, &abaqus.out, &conductance] {
+        let longest = text.lines().filter(|line| !line.starts_with('*'));
+        assert!(longest.flat_map(|line| line.split(", ")).all(|word| word.len() <= 20));
+    }
 
     let ansys = of("ansys", "--max-error 0.1").out;
     let constants = ansys.lines().filter(|line| line.starts_with('R'));

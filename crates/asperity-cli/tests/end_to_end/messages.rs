@@ -195,6 +195,44 @@ fn the_list_of_models_has_every_source() {
 }
 
 #[test]
+fn evidence_is_about_what_is_requested() {
+    let bench = Bench::new();
+    let run = bench.run("recommend scene.toml --model ke --pressure 1e9 --quantity area");
+    // The reference is also the recommended model.
+    assert!(run.messages.contains("KE: area_fraction is "), "{}", run.messages);
+    assert!(!run.messages.contains("2 rows"), "{}", run.messages);
+    let ask = "--model ke,jg --quantity unloading-stiffness --format csv";
+    let run = bench.run(&format!("recommend scene.toml --pressure 1e6 {ask}"));
+    let off = cells(&run.out, "unloading_stiffness_off_bem");
+    assert!(off.iter().all(|off| off.parse::<f64>().is_ok()), "{}", run.out);
+    let nearest = "nearest to boundary elements in unloading stiffness are ";
+    assert!(run.messages.contains(nearest), "{}", run.messages);
+    let heavy = bench.run(&format!("recommend scene.toml --pressure 8e8 {ask}"));
+    let none = "boundary elements have no expected value of the unloading stiffness";
+    assert!(heavy.messages.contains(none), "{}", heavy.messages);
+    let area = bench.data("recommend scene.toml --pressure 1e6 --quantity area --format csv");
+    assert!(!area.contains("unloading"), "{area}");
+}
+
+#[test]
+fn models_are_listed_by_id_name_authors_or_year() {
+    let bench = Bench::new();
+    let ids = |word: &str| {
+        let table = bench.data(&format!("models {word} --format csv"));
+        cells(&table, "model").join(" ")
+    };
+    assert_eq!(ids("ke"), "ke");
+    assert_eq!(ids("Kogut"), "ke");
+    assert_eq!(ids("jkr"), "jkr jkr-separation");
+    assert_eq!(ids("gw-random"), "gw");
+    assert_eq!(ids("2005"), "etsion jg jg-cosine af");
+    let run = bench.run("models westergaard");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let wanted = "no model is like \"westergaard\"; `asperity models` lists all";
+    assert!(run.messages.contains(wanted), "{}", run.messages);
+}
+
+#[test]
 fn persson_is_compared_with_asperity_models_at_loads() {
     let bench = Bench::new();
     let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";

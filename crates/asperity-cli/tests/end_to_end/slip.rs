@@ -169,3 +169,17 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
         assert_eq!(bench.run(&format!("{arguments} {wrong}")).code, Some(code), "{wrong}");
     }
 }
+
+#[test]
+fn forces_that_are_too_large_and_too_small_have_reasons_of_their_own() {
+    let bench = Bench::new();
+    let slip = "slip scene.toml --model ke --mu 0.25 --load 4kN --format csv --tangential-force";
+    let run = bench.run(&format!("{slip} 1e-300,999.9999999,1001"));
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    for wanted in [
+        "2 of 3 forces have no cycle, first: a tangential force of 999.9999999 N is within the tolerance of mu F = 1000 N: the joint slides; ",
+        "; 1 of 3 forces has no cycle: amplitude is ",
+    ] {
+        assert!(run.messages.contains(wanted), "{}", run.messages);
+    }
+}

@@ -118,7 +118,7 @@ quantities! {
     Tangent {
         name: "tangent", symbol: "-dF/dd", unit: "N/m", label: "tangent stiffness",
         definition: "Fall of the force with the separation, -dF/dd, jumps of the law included; of \
-            yielded boundary elements the chord between loads 5 % to either side.",
+            yielded boundary elements the chord between pressures up to 5 % to either side.",
         derivation: Derivation::Slope(Quantity::Force),
     }
     Pressure {

@@ -392,7 +392,10 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 
 
 def models() -> list[Model]:
-    """Every model with its default options, from simplest to most complex.
+    """The models of asperities without adhesion and hardening, with their default options, by year.
+
+    persson, dmt, jkr, ghaednia and ids with -random are known by name; ``asperity models`` lists
+    all of them.
 
     >>> import asperity
     >>> [model.id for model in asperity.models()][:4]

@@ -130,13 +130,14 @@ impl Engine {
         }
     }
 
-    /// The id by which the model was asked for: that of `model`, unless the options of a scene make
-    /// another of it.
+    /// The id of the model with its own options, without those of a scene; that of `model` if it
+    /// is written in Python or exists on a scan only.
     pub(crate) fn id_asked(&self, model: &Model) -> String {
-        match &self.0 {
-            Kind::Named { id, .. } => id.trim().to_ascii_lowercase(),
-            Kind::Python { .. } => model.id().to_string(),
-        }
+        let own = match &self.0 {
+            Kind::Named { .. } => self.with(ModelOptions::default(), None).ok(),
+            Kind::Python { .. } => None,
+        };
+        own.as_ref().unwrap_or(model).id().to_string()
     }
 
     /// The model's id and its own options: options of other models may differ between scenes.
@@ -203,7 +204,7 @@ pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {
     Tolerance::new(rtol).map_err(refused)
 }
 
-/// The ids of all models, from simplest to most complex.
+/// The ids of the models of asperities without adhesion and hardening, by year.
 #[pyfunction]
 pub(crate) fn model_ids() -> Vec<String> {
     Model::all().iter().map(|model| model.id().to_string()).collect()

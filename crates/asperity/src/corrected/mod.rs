@@ -4,7 +4,7 @@ use crate::bem::Bem;
 use crate::evidence::{Counted, Lacking, compile_known};
 use crate::{
     At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, SurfaceShape,
+    Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
 };
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
@@ -186,48 +186,72 @@ impl CorrectedRow<'_> {
                 ),
             }));
         };
-        let here = compared.of_contact(contact, self.expected.pressure)?;
+        let Some(behind) = compared.quantity().filter(|behind| *behind != quantity) else {
+            return self.compared(compared, quantity, value);
+        };
+        // The limits of what it depends on are its own.
+        let own = contact.evaluate(behind, self.at)?.value();
+        let found = self.value(behind)?;
+        let of = |behind: f64| value * (behind / own).powf(power);
+        let ends = [of(found.lower), of(found.upper)];
+        let [lower, upper] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        Ok(self.in_range(quantity, CorrectedValue { value: of(found.value), lower, upper }))
+    }
+
+    /// The value of a compared quantity over its expected ratio. An area carries the load, and what
+    /// yielded in loading unloads at least as stiff.
+    fn compared(
+        &self,
+        compared: Compared,
+        quantity: Quantity,
+        value: f64,
+    ) -> Result<CorrectedValue, ContactError> {
+        let here = compared.of_contact(&*self.of.contact, self.expected.pressure)?;
         let ratio = self.expected.ratio(compared, here).ok_or_else(|| {
             let why = self.expected.undetermined(compared);
             self.of
                 .refused(format!("the solved surfaces do not determine the {quantity} here: {why}"))
         })?;
-        let of = |ratio: f64| value / ratio.powf(power);
-        let ends = [of(ratio.low), of(ratio.high)];
-        let [lower, upper] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        self.within_limits(quantity, CorrectedValue { value: of(ratio.ratio), lower, upper })
-    }
-
-    /// A value within its limits to the last digit, of which dividing by a ratio can leave it
-    /// short: the area is at least F/H, and the unloading stiffness at least the tangent.
-    fn within_limits(
-        &self,
-        quantity: Quantity,
-        found: CorrectedValue,
-    ) -> Result<CorrectedValue, ContactError> {
-        let scene = self.of.contact.scene();
-        let hardness = || scene.asperity().ok()?.hardness;
-        let all = |number: f64| CorrectedValue { value: number, lower: number, upper: number };
+        let [value, lower, upper] = [ratio.ratio, ratio.high, ratio.low].map(|ratio| value / ratio);
+        let found = CorrectedValue { value, lower, upper };
         let least = match quantity {
-            Quantity::Area => hardness().zip(self.at.load(scene)).map(|(h, load)| all(load / h)),
-            Quantity::AreaFraction => {
-                hardness().zip(self.at.pressure(scene)).map(|(h, p)| all(p / h))
-            }
-            Quantity::UnloadingStiffness => self.value(Quantity::Tangent).ok(),
-            _ => None,
+            Quantity::UnloadingStiffness => match self.value(Quantity::Tangent) {
+                Ok(tangent) => tangent,
+                Err(_) => return Ok(found),
+            },
+            _ => self.in_range(quantity, CorrectedValue { value: 0.0, lower: 0.0, upper: 0.0 }),
         };
-        let Some(least) = least else { return Ok(found) };
-        if found.upper < least.lower && self.is_extrapolated() {
+        if upper < least.lower && self.is_extrapolated() {
             return Err(self.of.refused(format!(
-                "the {quantity} extrapolated from the lightest solved load would be below {:e}, the least that is possible",
-                least.lower
+                "the {quantity} extrapolated from the lightest solved load is below its least value, {} {}; use a larger load",
+                short(least.lower),
+                quantity.unit()
             )));
         }
         Ok(CorrectedValue {
-            value: found.value.max(least.value),
-            lower: found.lower.max(least.lower),
-            upper: found.upper.max(least.upper),
+            value: value.max(least.value),
+            lower: lower.max(least.lower),
+            upper: upper.max(least.upper),
         })
+    }
+
+    /// A value within the range that the hardness leaves, to the last digit, of which a quotient
+    /// can fall short: the area is at least F/H, and the mean pressure at most H.
+    fn in_range(&self, quantity: Quantity, found: CorrectedValue) -> CorrectedValue {
+        let scene = self.of.contact.scene();
+        let Some(hardness) = scene.asperity().ok().and_then(|asperity| asperity.hardness) else {
+            return found;
+        };
+        let over_hardness = |load: Option<f64>| load.map_or(0.0, |load| load / hardness);
+        let [least, most] = match quantity {
+            Quantity::Area => [over_hardness(self.at.load(scene)), f64::INFINITY],
+            Quantity::AreaFraction => [over_hardness(self.at.pressure(scene)), f64::INFINITY],
+            Quantity::MeanPressure => [0.0, hardness],
+            _ => return found,
+        };
+        let CorrectedValue { value, lower, upper } = found;
+        let [value, lower, upper] = [value, lower, upper].map(|x| x.max(least).min(most));
+        CorrectedValue { value, lower, upper }
     }
 
     /// The separation of the model less the expected difference of mean gaps, with its interval, in

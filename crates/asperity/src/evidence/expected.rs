@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::evidence::case::Compared;
 use crate::evidence::place::{Place, SurfaceShape, gradient};
 use crate::evidence::{Evidence, Ratio};
-use crate::{ContactError, Scene};
+use crate::{ContactError, Scene, short};
 
 /// With fewer contacts, scatter alone exceeds the widest interval.
 const FEWEST: f64 = 4.0;
@@ -17,6 +17,7 @@ const FEWEST: f64 = 4.0;
 /// gap: 12 and 16 of 30 were in their interval at exponents of 0.3 to 0.5.
 const BROAD: f64 = 10.0;
 const LEAST_HURST: f64 = 0.6;
+
 /// Boundary elements at a load, interpolated between solved surfaces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -71,14 +72,14 @@ impl ExpectedContact {
         if let Some(hurst) = self.hurst.filter(|_| quantity != Compared::Area && self.is_rough()) {
             let what = if quantity == Compared::MeanGap { "the gap" } else { "stiffness" };
             return format!(
-                "the Hurst exponent of the scan is {hurst:.1}; solved surfaces have 0.8, and {what} depends on it at a bandwidth of {:.0}",
+                "the Hurst exponent of the scan is {hurst:.2}; solved surfaces have 0.8, and {what} depends on it at a bandwidth of {:.0}",
                 self.alpha
             );
         }
         match self.pressure_over_hardness > highest {
             true => format!(
-                "it is interpolated up to {highest} H, and the pressure is {:.2} H",
-                self.pressure_over_hardness
+                "it is interpolated up to {highest} H, and the pressure is {} H",
+                short(self.pressure_over_hardness)
             ),
             false => "its interval would exceed a factor of 1.5".into(),
         }
@@ -149,7 +150,7 @@ impl Evidence {
     ) -> Result<ExpectedContact, ContactError> {
         let mut place = Place::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
-            return Err(Self::none(format!("less than one asperity touches ({few:.1e})")));
+            return Err(Self::none(format!("less than one asperity touches ({})", short(few))));
         }
         place.contacts = contacts.unwrap_or(f64::INFINITY);
         self.check(&place)?;
@@ -175,7 +176,7 @@ impl Evidence {
                 Compared::UnloadingStiffness if place.strain == 0.0 => Compared::Stiffness,
                 other => other,
             };
-            if place.of_hardness() > solved.highest_pressure() {
+            if place.of_hardness() > quantity.highest_pressure() {
                 return None;
             }
             let least = match quantity {

@@ -27,9 +27,9 @@ impl Compared {
         }
     }
 
-    /// The compared quantities that tell of these: a force at a separation errs as the mean gap
-    /// does at a load. All, if none does.
-    pub(crate) fn telling_of(asked: &[Quantity]) -> Vec<Self> {
+    /// The compared quantities on which these depend; all, if none is compared. A force at a
+    /// separation depends on the mean gap.
+    pub(crate) fn for_request(asked: &[Quantity]) -> Vec<Self> {
         let of = |quantity: &Quantity| match quantity {
             Quantity::Force | Quantity::Pressure => Some(Self::MeanGap),
             Quantity::Stiffness => Some(Self::Stiffness),
@@ -39,6 +39,16 @@ impl Compared {
         let mut all = Self::ALL.to_vec();
         all.retain(|compared| asked.is_empty() || asked.contains(compared));
         all
+    }
+
+    /// The quantity of a contact that is compared; none is the distance of the mean planes.
+    pub(crate) fn quantity(self) -> Option<Quantity> {
+        match self {
+            Self::Area => Some(Quantity::Area),
+            Self::Stiffness => Some(Quantity::Tangent),
+            Self::UnloadingStiffness => Some(Quantity::UnloadingStiffness),
+            Self::MeanGap => None,
+        }
     }
 
     /// The compared quantity to which a quantity at a load is proportional, with the sign of the

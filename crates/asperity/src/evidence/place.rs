@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::evidence::case::EvidenceCase;
 use crate::evidence::{Evidence, NONE};
-use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface};
+use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface, short};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.15;
@@ -154,6 +154,7 @@ impl Evidence {
                 let plain = |x: f64| match x {
                     small if small < 0.1 => format!("{small:.1e}"),
                     below_one if below_one < 1.0 => format!("{below_one:.2}"),
+                    large if large >= 1e4 => short(large),
                     usual => format!("{usual:.1}"),
                 };
                 let solved = match low > 0.0 {

@@ -73,7 +73,7 @@ impl Ratio {
 
 impl Compared {
     /// Its name in sentences.
-    fn label(self) -> &'static str {
+    pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Area => "the area",
             Self::Stiffness => "the stiffness of first loading",

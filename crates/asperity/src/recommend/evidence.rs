@@ -47,7 +47,14 @@ pub struct Deviation {
     pub stiffness: Option<f64>,
     /// Half the width of its interval.
     pub stiffness_spread: Option<f64>,
+    /// Of the unloading stiffness and of conductances, if one is requested.
+    pub unloading_stiffness: Option<f64>,
+    /// Half the width of its interval.
+    pub unloading_stiffness_spread: Option<f64>,
 }
+
+/// The quantities of a [`Deviation`].
+const RELATIVE: [Compared; 3] = [Compared::Area, Compared::Stiffness, Compared::UnloadingStiffness];
 
 impl EvidenceAt {
     /// The ratio of a quantity of a model, if it is known.
@@ -60,17 +67,18 @@ impl EvidenceAt {
     /// The deviation of a model; `None` if nothing of it is known here.
     #[must_use]
     pub fn deviation(&self, id: &str) -> Option<Deviation> {
-        Deviation::of([Compared::Area, Compared::Stiffness].map(|q| self.ratio(id, q)))
+        Deviation::of(RELATIVE.map(|quantity| self.ratio(id, quantity)))
     }
 
     /// Compares a model at this place.
     pub(super) fn add(&mut self, model: &Model, contact: &dyn Contact, quantities: &[Compared]) {
         let Ok(expected) = &self.expected else { return };
         for &quantity in quantities {
-            let known = self.ratio(model.id(), quantity).is_some();
+            if self.ratio(model.id(), quantity).is_some() {
+                continue;
+            }
             let value = quantity.of_contact(contact, expected.pressure).ok();
-            let ratio = value.and_then(|value| expected.ratio(quantity, value));
-            if let Some(ratio) = ratio.filter(|_| !known) {
+            if let Some(ratio) = value.and_then(|value| expected.ratio(quantity, value)) {
                 self.ratios.push(Expectation { model: model.id().into(), quantity, ratio });
             }
         }
@@ -78,16 +86,33 @@ impl EvidenceAt {
 }
 
 impl Deviation {
-    /// From the ratios of area and stiffness.
-    fn of([area, stiffness]: [Option<Ratio>; 2]) -> Option<Self> {
+    /// From the ratios of [`RELATIVE`].
+    fn of([area, stiffness, unloading]: [Option<Ratio>; 3]) -> Option<Self> {
         let off = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.ratio - 1.0);
         let spread = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.half_width());
-        area.or(stiffness).map(|_| Self {
+        area.or(stiffness).or(unloading).map(|_| Self {
             area: off(area),
             area_spread: spread(area),
             stiffness: off(stiffness),
             stiffness_spread: spread(stiffness),
+            unloading_stiffness: off(unloading),
+            unloading_stiffness_spread: spread(unloading),
         })
+    }
+
+    /// The deviation in a quantity and half the width of its interval; none in the mean gap, which
+    /// is not relative.
+    #[must_use]
+    pub fn in_quantity(&self, quantity: Compared) -> Option<[f64; 2]> {
+        let (off, spread) = match quantity {
+            Compared::Area => (self.area, self.area_spread),
+            Compared::Stiffness => (self.stiffness, self.stiffness_spread),
+            Compared::UnloadingStiffness => {
+                (self.unloading_stiffness, self.unloading_stiffness_spread)
+            }
+            Compared::MeanGap => (None, None),
+        };
+        off.zip(spread).map(|(off, spread)| [off, spread])
     }
 
     /// The largest deviations of a model at these places, each quantity separately.
@@ -97,7 +122,7 @@ impl Deviation {
             ratios
                 .max_by(|a, b| a.deviation(quantity).abs().total_cmp(&b.deviation(quantity).abs()))
         };
-        Self::of([Compared::Area, Compared::Stiffness].map(worst))
+        Self::of(RELATIVE.map(worst))
     }
 }
 

@@ -78,8 +78,8 @@ pub struct Recommendation {
     pub comparisons: Vec<Comparison>,
     /// The finding that contacts of that model merge, if they do.
     pub merging: Option<Diagnostic>,
-    /// The compared quantities of which the request tells, the only ones in
-    /// [`summary`](Self::summary) and [`expectations`](Self::expectations).
+    /// The compared quantities of the request; [`summary`](Self::summary) and
+    /// [`expectations`](Self::expectations) are about these only.
     #[serde(skip)]
     pub compared: Vec<Compared>,
     /// For each separation or load, and for 24 of them if there are more, the models relative to
@@ -156,6 +156,12 @@ pub fn recommend_among(
     let column = |quantity: &Quantity| answer(&*of_reference, *quantity, &request.at);
     let wanted: Vec<_> = request.quantities.iter().map(column).collect::<Result<_, _>>()?;
     let mut evidence = evidence_of(reference, &*of_reference, shape, request)?;
+    let asked = Compared::for_request(&request.quantities);
+    // All tables have the area and the stiffness.
+    let mut beside = vec![Compared::Area, Compared::Stiffness];
+    beside.extend(
+        asked.contains(&Compared::UnloadingStiffness).then_some(Compared::UnloadingStiffness),
+    );
     let compared = |model: Model| {
         let regimes = regimes(&model, scene, request);
         let (contact, mut lacking, mut deviations) = match compile_known(&model, scene, request) {
@@ -175,7 +181,7 @@ pub fn recommend_among(
                 }
             }
             for place in &mut evidence {
-                place.add(&model, &**contact, &[Compared::Area, Compared::Stiffness]);
+                place.add(&model, &**contact, &beside);
             }
         }
         if let (Ok([]), [(_, error), ..]) = (deviations.as_deref(), &lacking[..]) {
@@ -206,7 +212,7 @@ pub fn recommend_among(
     let merging = simplest.as_ref().and_then(|model| merging(model, scene, &request.at));
     let comparisons = comparisons.into_iter().map(|(found, _)| found).collect();
     let reference = reference.clone();
-    let compared = Compared::telling_of(&request.quantities);
+    let compared = asked;
     Ok(Recommendation { reference, within, simplest, merging, comparisons, compared, evidence })
 }
 

@@ -27,9 +27,10 @@ impl Recommendation {
         }
     }
 
-    /// The evidence in lines: the separations or loads without any, and which of these models are
-    /// expected to be nearest to boundary elements, a line for area and one for stiffness in first
-    /// loading, if requested.
+    /// The evidence in lines: the separations or loads without any; which of these models are
+    /// expected to be nearest to boundary elements, a line each for area, stiffness in first loading
+    /// and unloading stiffness, if requested; and requested quantities that the solved surfaces do
+    /// not determine.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
@@ -50,24 +51,51 @@ impl Recommendation {
             }
         }
         let mut lines: Vec<String> = groups.iter().map(|group| self.without(group)).collect();
-        let known = self.evidence.iter().filter(|place| place.expected.is_ok());
-        let known: Vec<&EvidenceAt> = known.collect();
-        if let ([first, ..], [_, ..]) = (&known[..], names) {
-            let off = |id: &str, quantity| {
-                let of = |place: &&EvidenceAt| Some(place.ratio(id, quantity)?.deviation(quantity));
-                known.iter().map(of).collect()
-            };
-            let ids = self.comparisons.iter().map(|c| c.model.id());
-            let nearest = ranking::nearest_in_each(ids, off, names);
-            let basis = first.expected.as_ref().map_or_else(|_| String::new(), |e| e.basis());
-            let here = match (known.len(), self.evidence.len()) {
-                (1, 1) => String::new(),
-                (1, _) => format!("at {}, ", first.at.rounded()),
-                (some, _) => format!("over these {some} places, "),
-            };
-            lines.extend(nearest.iter().map(|nearest| format!("{here}{nearest} ({basis})")));
-        }
+        lines.extend(names.iter().filter_map(|name| self.nearest(*name)));
+        lines.extend(self.compared.iter().filter_map(|quantity| self.undetermined(*quantity)));
         lines
+    }
+
+    /// Places that have an expected value of a quantity, or have none of it beside others.
+    fn places(&self, quantity: Compared, has: bool) -> Vec<(&EvidenceAt, &ExpectedContact)> {
+        let known = self.evidence.iter().filter_map(|at| Some((at, at.expected.as_ref().ok()?)));
+        known.filter(|(_, expected)| expected.estimate(quantity).is_some() == has).collect()
+    }
+
+    /// The models nearest to boundary elements in a quantity of this name, where it has an expected
+    /// value.
+    fn nearest(&self, named: (Compared, &str)) -> Option<String> {
+        let places = self.places(named.0, true);
+        let (first, expected) = places.first()?;
+        let off = |id: &str, quantity| {
+            let of = |(at, _): &(&EvidenceAt, &ExpectedContact)| {
+                Some(at.ratio(id, quantity)?.deviation(quantity))
+            };
+            places.iter().map(of).collect()
+        };
+        let ids = self.comparisons.iter().map(|c| c.model.id());
+        let nearest = ranking::nearest_in_each(ids, off, &[named]).join("; ");
+        let here = match (places.len(), self.evidence.len()) {
+            (1, 1) => String::new(),
+            (1, _) => format!("at {}, ", first.at.rounded()),
+            (some, _) => format!("over these {some} places, "),
+        };
+        Some(format!("{here}{nearest} ({})", expected.basis()))
+    }
+
+    /// Where a quantity has no expected value beside others that have, and why.
+    fn undetermined(&self, quantity: Compared) -> Option<String> {
+        let places = self.places(quantity, false);
+        let ((first, expected), (last, _)) = (places.first()?, places.last()?);
+        let here = match (places.len(), self.evidence.len()) {
+            (1, 1) => "here".into(),
+            (1, _) => format!("at {}", first.at.rounded()),
+            (some, _) => {
+                format!("at {some} places from {} to {}", first.at.rounded(), last.at.rounded())
+            }
+        };
+        let (label, why) = (quantity.label(), expected.undetermined(quantity));
+        Some(format!("boundary elements have no expected value of {label} {here}: {why}"))
     }
 
     /// How far the reference and the recommended model are expected to be from boundary elements, a
@@ -152,11 +180,15 @@ impl fmt::Display for Recommendation {
                     for (quantity, deviation) in all {
                         write!(f, " {quantity} {} %", percent(*deviation))?;
                     }
-                    if let Some((area, spread)) = off.and_then(|o| o.area.zip(o.area_spread)) {
-                        let [area, spread] = [area, spread].map(|x| 100.0 * x);
+                    for (quantity, name) in ranking::NAMES {
+                        let asked = self.compared.contains(&quantity);
+                        let off = off.filter(|_| asked).and_then(|off| off.in_quantity(quantity));
+                        let Some([off, spread]) = off.map(|off| off.map(|x| 100.0 * x)) else {
+                            continue;
+                        };
                         write!(
                             f,
-                            ", area {area:+.0} % relative to boundary elements (half interval {spread:.0} %)"
+                            ", {name} {off:+.0} % relative to boundary elements (half interval {spread:.0} %)"
                         )?;
                     }
                     if let Some(outside) = outside {

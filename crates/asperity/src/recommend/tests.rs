@@ -63,7 +63,7 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
     let scene = Scene::new(interface, surface, 3e-5);
     let unit = 116e9 * surface.rms_slope();
-    let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 1e-1].map(|p| At::Pressure(p * unit));
+    let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 5e-2].map(|p| At::Pressure(p * unit));
     let asked = [Quantity::Force, Quantity::Area, Quantity::Tangent];
     let request = Request::new(asked).at(pressures);
     let ke: Model = "ke".parse().unwrap();
@@ -116,6 +116,41 @@ fn sentences_are_about_the_quantities_asked_for() {
     assert_eq!(said(&text(Quantity::Force)), [false, false, false, true]);
     // Contacts have no counterpart; what is known is said.
     assert_eq!(said(&text(Quantity::Contacts)), [true; 4]);
+}
+
+#[test]
+fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let ke: Model = "ke".parse().unwrap();
+    let ask = |asked: Quantity, shares: &[f64]| {
+        let places = shares.iter().map(|share| At::Pressure(share * 1.12e9));
+        recommend(&scene, &Request::new([asked]).at(places), &ke, 0.05).unwrap()
+    };
+    let heavy = ask(Quantity::Tangent, &[0.39]);
+    let why = "it is interpolated up to 0.15 H, and the pressure is 0.39 H";
+    let none = "boundary elements have no expected value of the stiffness of first loading";
+    assert_eq!(heavy.summary(), [format!("{none} here: {why}")]);
+    assert!(heavy.expectations().is_empty() && !heavy.to_string().contains("area"), "{heavy}");
+    // Others are ranked where they have a value.
+    let some = ask(Quantity::Tangent, &[0.1, 0.12, 0.39, 0.4]).summary();
+    assert!(some[0].starts_with("over these 2 places, nearest to boundary elements"), "{some:?}");
+    assert!(some[1].starts_with(&format!("{none} at 2 places from a pressure of ")), "{some:?}");
+    let unloading = ask(Quantity::UnloadingStiffness, &[0.1]);
+    let summary = unloading.summary();
+    let nearest = "nearest to boundary elements in unloading stiffness are ";
+    assert!(summary.len() == 1 && summary[0].starts_with(nearest), "{summary:?}");
+    let off = unloading.comparisons.iter().find(|c| c.model.id() == "ke").unwrap().off.unwrap();
+    let found = unloading.evidence[0].ratio("ke", Compared::UnloadingStiffness).unwrap();
+    assert_eq!(off.unloading_stiffness, Some(found.ratio - 1.0));
+    let line = format!(
+        "KE           unloading-stiffness 0 %, unloading stiffness {:+.0} % relative to boundary elements",
+        100.0 * (found.ratio - 1.0)
+    );
+    assert!(unloading.to_string().contains(&line), "{unloading}");
+    let heavy = ask(Quantity::UnloadingStiffness, &[0.39]).summary();
+    assert!(heavy[0].contains("the unloading stiffness and conductances here: "), "{heavy:?}");
 }
 
 #[test]

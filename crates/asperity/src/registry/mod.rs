@@ -83,8 +83,8 @@ impl Model {
         self.equal.as_deref().unwrap_or(self)
     }
 
-    /// Every model of asperities of this project with its default options, in the order of their
-    /// years.
+    /// Every model of asperities that needs no work of adhesion and no tangent modulus, with its
+    /// default options, in the order of years; [`named`](Self::named) has the others, too.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };

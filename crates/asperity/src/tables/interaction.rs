@@ -188,7 +188,7 @@ impl ContactTable {
             text += &if calculix {
                 format!("{conductance:.9e}, {place:.9e}, 273.\n")
             } else {
-                format!("{}, {}\n", shortest_digits(conductance), shortest_digits(place))
+                format!("{conductance:.9e}, {place:.9e}\n")
             };
         }
         Ok(text)

@@ -92,7 +92,8 @@ clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
     Ok(text)
 }
 
-/// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure.
+/// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure, numbers of at most 20 characters, the
+/// limit of Abaqus (recalled).
 fn abaqus(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
@@ -111,7 +112,7 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
 "
     );
     for (clearance, pressure) in head.lines()? {
-        text += &format!("{}, {}\n", shortest_digits(pressure), shortest_digits(-clearance));
+        text += &format!("{pressure:.9e}, {:.9e}\n", 0.0 - clearance);
     }
     Ok(text)
 }

@@ -84,7 +84,7 @@ pub fn summary(found: &[Truth]) -> String {
         resolved().map(of).collect()
     };
     let ids = models.iter().map(|(model, _)| model.id());
-    let nearest = ranking::nearest_in_each(ids, off, &ranking::NAMES).join("; ");
+    let nearest = ranking::nearest_in_each(ids, off, &ranking::NAMES[..2]).join("; ");
     match found.len() {
         all if all == count => format!("over these loads, {nearest}"),
         all => format!(
