@@ -156,6 +156,36 @@ test("a masked scan names the share of missing points at its own field", async (
   assert.deepEqual([await page.phase(), await page.text("scene-error")], ["ready", ""]);
 });
 
+test("a scan with values is kept if many points of another are missing, and the message can be closed", async () => {
+  const name = () => page.value("field-surface-file");
+  await page.scene(example("wheel-rail"));
+  await page.file("whole.txt", matrix(nanometres()));
+  await page.change([field("surface.unit"), "nm"], [field("surface.pixel_size"), "1 um"]);
+  assert.equal(await page.phase(), "ready");
+  const kept = [await name(), await page.values()];
+  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
+  await page.file("masked.txt", `# Width: 60 um\n# Height: 60 um\n# Value units: nm\n${rows}`);
+  assert.match(await page.text("message"), /masked.txt: the share of missing points is .* is kept: raise "Missing points, at most"/);
+  assert.deepEqual([await name(), await page.values()], kept);
+  await page.run("document.querySelector('#message button').click()");
+  assert.equal(await page.run("return document.getElementById('message').hidden"), true);
+});
+
+test("values of an implausible number are dimmed, and a link of a refused load is not given", async () => {
+  const dimmed = () => page.run("return getComputedStyle(document.getElementById('answers')).opacity");
+  await page.scene(example("wheel-rail"));
+  assert.equal(await dimmed(), "1");
+  await page.change([field("body[1].youngs_modulus"), "210"]);
+  assert.deepEqual([await dimmed(), await page.text("status")], ["0.4", "implausible number"]);
+  await page.change([field("body[1].youngs_modulus"), "210 GPa"]);
+  assert.deepEqual([await dimmed(), await page.text("status")], ["1", "ready"]);
+  const link = () => page.run("return document.getElementById('copy-link').disabled");
+  await page.change(["#load", "1,5 kN"]);
+  assert.equal(await link(), true);
+  await page.change(["#load", "1.5 kN"]);
+  assert.equal(await link(), false);
+});
+
 test("the message of a field has its name and the text as typed, and no line", async () => {
   await page.scene(example("wheel-rail"));
   for (const [path, typed, wanted] of [

@@ -108,7 +108,10 @@ impl Desk {
                 json(fields::edit(&text, &surface_keys::changes(&way, self.scene()?)?)?)
             }
             Message::UseScan { text, name } => json(surface_keys::with_scan(&text, &name)?),
-            Message::Usable { name } => json(usable(&name, self.file(&name).unwrap_or_default())?),
+            Message::Usable { name, kept } => {
+                let bytes = self.file(&name).unwrap_or_default();
+                json(usable(&name, bytes, kept.as_deref())?)
+            }
             Message::Admit { name, size } => json(admit(&name, size)?),
             Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {

@@ -30,8 +30,9 @@ pub(crate) enum Message {
     UseScan { text: String, name: String },
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
     Admit { name: String, size: u64 },
-    /// Whether a file that was handed over can be the surface of a scene.
-    Usable { name: String },
+    /// Whether a file that was handed over can be the surface of a scene, in place of the scan of
+    /// the scene `kept`, if that has values.
+    Usable { name: String, kept: Option<String> },
     /// The keys of a random surface from texts as typed.
     RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.

@@ -29,7 +29,8 @@ const GREEK: [(&str, &str); 9] = [
 ];
 
 /// What the program advises, and what the page has instead.
-const PROGRAM: [(&str, &str); 5] = [
+const PROGRAM: [(&str, &str); 6] = [
+    ("use bem", "use boundary elements"),
     ("use `asperity truth`", "solve the scan by boundary elements"),
     (" (asperity materials)", ""),
     ("the numbers that `asperity materials` lists", "its numbers (own values)"),
@@ -64,12 +65,17 @@ impl From<&Diagnostic> for FindingShown {
 }
 
 /// All findings as shown, with the models that the scene has: of random asperities those for them.
+/// Where contacts merge, no model of asperities is advised.
 pub(crate) fn findings(all: &Diagnostics, file: &SceneFile) -> Vec<FindingShown> {
     let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
     let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ");
+    let merged = all.into_iter().any(|found| found.code == "crowded");
+    let (advice, own) = (format!("; use {YIELDING}"), format!("; use {yielding}"));
+    let own = if merged { "" } else { own.as_str() };
     let shown = |found: &Diagnostic| {
         let found = FindingShown::from(found);
-        FindingShown { message: found.message.replace(YIELDING, &yielding), ..found }
+        let message = found.message.replace(&advice, own).replace(YIELDING, &yielding);
+        FindingShown { message, ..found }
     };
     all.into_iter().map(shown).collect()
 }
@@ -243,6 +249,24 @@ mod tests {
         assert!(shown.iter().any(|found| found.message.ends_with("use ke-random or jg-random")));
     }
 
+    #[test]
+    fn where_contacts_merge_no_model_of_asperities_is_advised() {
+        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        let file = file.unwrap();
+        let messages = |pressure: f64| {
+            let found = |id: &str| {
+                let at = [asperity::At::Pressure(pressure)];
+                file.findings_at(&file.model(id).unwrap(), &at).into_iter()
+            };
+            let all = ["gw", "ke"].into_iter().flat_map(found).collect();
+            findings(&all, &file).into_iter().map(|found| found.message).collect::<String>()
+        };
+        assert!(messages(1e7).contains("use ke or jg"), "{}", messages(1e7));
+        let merged = messages(5e8);
+        assert!(merged.contains("GW ignores yielding") && merged.contains("contacts merge"));
+        assert!(!merged.contains("use ke or jg"), "{merged}");
+    }
+
     /// The template on a scan of waves with one point far above the others.
     fn spiked() -> SceneFile {
         let height = |k: u32| {
@@ -270,7 +294,9 @@ mod tests {
         let file = spiked();
         let ke = file.model("ke").unwrap();
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
+        let merged = file.findings_at(&ke, &[At::Pressure(1e11)]);
         let messages = [
+            merged.iter().map(Diagnostic::to_string).collect(),
             file.surface_shape().unwrap_err().to_string(),
             refused("material = \"unobtainium\""),
             refused("material = \"steel-a36\"\nhardness = 2e9"),

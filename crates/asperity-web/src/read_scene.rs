@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Described, Model, shortest_digits};
+use asperity::{Described, HARDNESS_OVER_YIELD, Model, shortest_digits};
 use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
 
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
@@ -89,7 +89,14 @@ pub(crate) fn material(material: &'static Material) -> MaterialShown {
     let number = |(name, value, unit): (&str, Option<f64>, &str)| {
         value.map(|value| format!("{name} {}", shown(value, unit)))
     };
-    let shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    let mut shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    if let (None, Some(strength)) = (body.hardness, body.yield_strength) {
+        let hardness = self::shown(HARDNESS_OVER_YIELD * strength, "Pa");
+        shown += &format!(
+            "; hardness {hardness} ({HARDNESS_OVER_YIELD} times the yield strength; metals that \
+             harden are harder: a measured hardness is better)"
+        );
+    }
     MaterialShown { id: &material.id, name: &material.name, shown, source: &material.source }
 }
 
@@ -128,5 +135,8 @@ mod tests {
         let all: Vec<_> = asperity_scene::materials().iter().map(material).collect();
         assert!(all.len() >= 25);
         assert!(all.iter().all(|one| one.shown.starts_with("E ") && !one.source.is_empty()));
+        let copper = all.iter().find(|one| one.id == "copper-hot-rolled").unwrap();
+        let hardness = "; hardness 193.2 MPa (2.8 times the yield strength; ";
+        assert!(copper.shown.contains(hardness), "{}", copper.shown);
     }
 }

@@ -37,7 +37,10 @@ const FIRST = "made-here";
 const TRIES = {
   [FIRST]: [
     UNLOAD,
-    ["What does a body of copper change?", "Second body: copper", value("body[2].material", "copper-cold-worked", 2)],
+    ["What does a body of copper change?", "Second body: copper", {
+      ...value("body[2].material", "copper-cold-worked", 2),
+      done: () => Boolean(page.shown?.fields["body[2].material"]?.startsWith("copper")),
+    }],
     INCLINED,
     ["Is the area that boundary elements find at this load that of the models?", "Solve this load", solution],
   ],

@@ -79,9 +79,11 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
-// A message above the page.
+// A message above the page, until something else is shown or it is closed.
 export function tell(text) {
   const box = $("message");
+  const close = element("button", { type: "button", className: "close", onclick: () => tell("") });
+  close.setAttribute("aria-label", "close the message");
   box.hidden = !text;
-  box.replaceChildren(text ?? "");
+  box.replaceChildren(text ?? "", ...(text ? [close] : []));
 }

@@ -19,7 +19,7 @@ export async function useScan(text, { file, typed }) {
   const given = typed ? { keys: await desks.quick.call("random-keys", { typed }) } : { file };
   const { name, checksum } = await desks.quick.hand(file?.name ?? "", given);
   // A file that cannot be read takes no other's place.
-  await desks.quick.call("usable", { name });
+  await desks.quick.call("usable", { name, kept: answers() && page.shown.scan ? text : null });
   const { name: named, message } = askedFor({ name, checksum });
   files.set(named, Object.assign(given, { checksum }));
   const made = await desks.quick.call("use-scan", { text, name: named });

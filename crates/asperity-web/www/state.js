@@ -25,15 +25,21 @@ export const missing = () => (page.shown?.error && page.shown.files.includes(pag
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
 
+// The scene has values, of which a finding says that they follow from an error.
+const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
+
 // The state follows from the work that is under way and from what it found.
 export function report() {
   const broken = page.failure || page.refused || page.shown?.error || Object.values(desks).some((desk) => desk.broken);
   const phase = !page.opened && !broken ? "loading" : turns.busy || page.typing ? "busy" : broken ? "failed" : "ready";
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
-  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : "ready" }[phase];
+  $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "implausible number" : "ready" }[phase];
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
+  // Values of numbers that cannot be meant.
+  document.documentElement.toggleAttribute("data-implausible", implausible());
+  $("copy-link").disabled = Boolean(page.refused);
   const none = Boolean(page.refused) || !page.load;
   $("save-values").disabled = none;
   $("save-csv").disabled = none || chosen().length === 0;

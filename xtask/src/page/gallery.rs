@@ -48,9 +48,9 @@ pub(super) fn write(folder: &Path) -> Result<()> {
         for one in scenes {
             let label = escape(&one.label).replace("_z", "<sub>z</sub>");
             let link = link(&one)?;
-            write!(links, "<a href=\"index.html#s={link}\">{label}</a> ")?;
+            write!(links, "<a href=\"index.html#s={link}\">{label}</a>, ")?;
         }
-        let links = links.trim_end();
+        let links = links.trim_end_matches(", ");
         let other = if title.contains("stiffness") { OTHER_STIFFNESS } else { "" };
         let number = figure.name.trim_start_matches("fig").split('-').next().unwrap_or_default();
         let number = number.trim_start_matches('0');
