@@ -1,7 +1,7 @@
 //! Other names of quantities in headers of measurements.
 
 /// Other names, in lower case.
-const OTHER_NAMES: [(&str, &str); 16] = [
+const OTHER_NAMES: [(&str, &str); 17] = [
     ("normal_force", "load"),
     ("preload", "load"),
     ("f", "load"),
@@ -18,6 +18,7 @@ const OTHER_NAMES: [(&str, &str); 16] = [
     ("contact_stiffness", STIFFNESS),
     ("normal_stiffness", STIFFNESS),
     ("k", STIFFNESS),
+    ("kn", STIFFNESS),
 ];
 /// A stiffness of which kind its name does not say.
 pub(crate) const STIFFNESS: &str = "stiffness";
@@ -26,9 +27,6 @@ pub(crate) const STIFFNESS: &str = "stiffness";
 /// have many meanings without a unit, and are none.
 pub(crate) fn usual_name(name: &str, has_unit: bool) -> Option<String> {
     let lower = name.trim().to_lowercase().replace([' ', '-'], "_");
-    if lower == "kn" && has_unit {
-        return Some(STIFFNESS.into());
-    }
     let known = OTHER_NAMES.into_iter().find(|(other, _)| *other == lower);
     match known {
         Some((other, usual)) => (has_unit || other.len() > 2).then(|| usual.into()),

@@ -12,10 +12,11 @@ use crate::{FitError, Measured, Observation};
 /// Stiffnesses that are taken for each other: on loading, and at the start of unloading.
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::Stiffness];
-/// Another stiffness explains the data if it leaves less than this share of the misfit, as errors
-/// of models are shared unevenly,
+/// Largest share of the misfit that another stiffness leaves which explains the data: errors of the
+/// model itself make smaller differences.
 const SHARE: f64 = 0.6;
-/// and if its criterion is lower by this much: odds of 150 to 1, which few data do not give.
+/// Least difference of the Bayesian criterion in favour of a stiffness that explains the data: odds
+/// of 150 to 1, which the scatter of a few data does not give.
 const CLEAR: f64 = 10.0;
 /// Evaluations for each free parameter before the search with another stiffness gives up.
 const PATIENCE: usize = 60;

@@ -8,11 +8,10 @@ use crate::likely_unit::unit_of_value;
 use crate::problem::{Minimum, Problem};
 use crate::{Data, FitError, Observation};
 
-/// A line is an outlier if it is this far from a fit to the others: as a logarithm, and in standard
-/// deviations.
+/// Least distance of an outlier from a fit to the others.
 const FAR: Distances = Distances { logarithm: 0.05, deviations: 6.0 };
-/// And if normal errors as large as those of the others had a line that far with this chance at
-/// most, by Student's distribution for the number of lines.
+/// Largest chance that normal errors, as large as those of the other lines, put one of all lines as
+/// far from the fit as an outlier is: by Student's distribution.
 const CHANCE: f64 = 2e-3;
 /// Two lines are doubted among more than this many.
 const LINES_FOR_TWO: usize = 6;
@@ -48,7 +47,7 @@ struct Without {
     count: usize,
 }
 
-/// A sentence about the lines without which the misfit is far smaller, at most two.
+/// A sentence about the lines that the others contradict, at most two.
 pub(crate) fn outlier(
     problem: &Problem<'_>,
     best: &Minimum,

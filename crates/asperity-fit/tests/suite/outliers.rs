@@ -150,7 +150,7 @@ fn a_line_sixteen_standard_deviations_off_is_named_among_many() {
     assert_eq!(outlier_of_twelve(&[(4, 1.05)], Some(0.01)), None);
 }
 
-/// The outlier of unloading stiffnesses of KE with normal errors of 3 %, some of which are multiplied.
+/// The outlier of unloading stiffnesses of KE with normal errors of 3 %, some of them multiplied.
 fn outlier_of_noisy(count: usize, draw: u64, off: &[(usize, f64)]) -> Option<String> {
     let loads: Vec<f64> = (0..count).map(|k| 10f64.powf(3.0 * k as f64 / count as f64)).collect();
     let mut columns = columns(&KogutEtsion, &loads, &[Quantity::UnloadingStiffness]);
