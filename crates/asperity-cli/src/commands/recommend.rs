@@ -44,8 +44,8 @@ deviation of a model from boundary elements at the loads, interpolated between s
 surfaces ({solved}),
 the largest over the separations or loads that have one; .._spread is half the width of the
 interval that holds nine of ten surfaces. Those of unloading-stiffness and conductances are
-shown if one of them is requested, the mean gap with force in the notes. Notes about the requested quantities name the
-nearest models, give the expected deviations of the reference and of the recommended model
+shown if one of them is requested, the mean gap with force in the notes. Notes about the
+requested quantities name the nearest models, give the expected deviations of the reference and of the recommended model
 one by one, and say where no solved case is near. `asperity truth` solves the scan of the
 scene itself, and
 `asperity curve --corrected` divides by the expected ratios.

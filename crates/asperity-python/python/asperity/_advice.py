@@ -61,7 +61,8 @@ class Recommendation:
     #: ``off`` place by place (24 of them if there are more), or the reason for no evidence.
     evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
     #: Expected relative deviations of models from boundary elements, and half the width of their
-    #: intervals: area, area_spread, stiffness, stiffness_spread, by model; the largest of all places
+    #: intervals: area, area_spread, stiffness, stiffness_spread, and if requested the same of
+    #: unloading_stiffness (None otherwise), by model; the largest of all places
     #: with evidence.
     off: dict[str, dict[str, float | None]]
     text: str = field(repr=False)
