@@ -75,7 +75,7 @@ impl SceneFile {
         // The number that was given, in place of findings about the asperities that follow from it.
         let of_asperities = |found: &Diagnostic| ASPERITY_FIELDS.contains(&&*found.field);
         let is_wrong =
-            |found: &Diagnostic| of_asperities(found) && found.severity <= Severity::Warning;
+            |found: &Diagnostic| of_asperities(found) && found.severity == Severity::Error;
         if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
             of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
             of_interface.push(odd);

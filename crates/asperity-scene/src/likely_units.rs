@@ -20,8 +20,6 @@ pub(crate) struct OddNumber {
     pub(crate) value: f64,
     /// What is wrong with it: "looks like um; 1.1 um is 1.1e-6 m".
     pub(crate) reason: String,
-    /// Whether the number, and others that the reason names, are in another unit.
-    pub(crate) has_other_unit: bool,
 }
 
 /// A number in a unit.
@@ -45,20 +43,15 @@ const STEPS: i32 = 20;
 const DECADES: i32 = 9;
 
 impl Given<'_> {
-    /// The number that does not go with the others; `None` for usual surfaces, and where more than
-    /// one of the numbers may be wrong.
+    /// The number that does not go with the others; `None` for surfaces without an error, and where
+    /// more than one of the numbers may be wrong.
     pub(crate) fn odd_number(&self) -> Option<OddNumber> {
-        let worst = self.worst(self.numbers);
-        if worst.is_some_and(|worst| worst >= Severity::Note) {
-            return None;
-        }
-        if worst.is_none() && self.is_near() {
-            return None;
-        }
-        // Large numbers in another unit may be unusual in that as well.
-        let least =
-            if worst == Some(Severity::Warning) { Severity::Note } else { Severity::Warning };
-        self.in_units(least).or_else(|| self.out_of_range())
+        let is_explained = match self.worst(self.numbers) {
+            Some(worst) => worst == Severity::Error,
+            None => !self.is_near(),
+        };
+        let odd = || self.in_units().or_else(|| self.out_of_range());
+        is_explained.then(odd).flatten()
     }
 
     /// Whether numbers without a surface have one if one of them changes by a factor that is none
@@ -97,8 +90,8 @@ impl Given<'_> {
     }
 
     /// The numbers that, in other units, describe the surface nearest to a typical one, of those
-    /// whose worst finding is at most `least`.
-    fn in_units(&self, least: Severity) -> Option<OddNumber> {
+    /// without an error: large numbers may be unusual in their unit as well.
+    fn in_units(&self) -> Option<OddNumber> {
         let [first, second, third] = [0, 1, 2].map(|k| self.readings(k));
         let pairs = first.iter().flat_map(|a| second.iter().map(move |b| (a, b)));
         let all = pairs.flat_map(|(a, b)| third.iter().map(move |c| [*a, *b, *c]));
@@ -116,8 +109,9 @@ impl Given<'_> {
             };
             distance + readings.iter().map(rarity).sum::<f64>()
         };
-        let usual =
-            all.filter(|readings| self.worst(readings.map(|reading| reading.value)) >= Some(least));
+        let usual = all.filter(|readings| {
+            self.worst(readings.map(|reading| reading.value)) >= Some(Severity::Warning)
+        });
         let best = usual.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
         let given = self.keys.into_iter().zip(self.numbers);
         let mut changed = best.into_iter().zip(given).filter(|(r, _)| r.unit != r.si);
@@ -130,7 +124,7 @@ impl Given<'_> {
             format!("; {key} = {} {}", short(value), hint(reading, value))
         });
         let reason = others.fold(hint(reading, value), |all, other| all + &other);
-        Some(OddNumber { key, value, reason, has_other_unit: true })
+        Some(OddNumber { key, value, reason })
     }
 
     /// The only number without a unit of which another value alone makes the surface usual.
@@ -157,7 +151,7 @@ impl Given<'_> {
             others.join(" and ")
         );
         let (key, value) = (self.keys.get(k)?, self.numbers.get(k)?);
-        Some(OddNumber { key, value: *value, reason, has_other_unit: false })
+        Some(OddNumber { key, value: *value, reason })
     }
 }
 

@@ -1,6 +1,6 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Severity, Surface};
+use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
 use crate::document::{COUNTERFACE, Document};
@@ -267,12 +267,9 @@ fn numbers(
         }
     })?;
     surface.check().map_err(&refused)?;
-    let odd = odd.map(|OddNumber { key, value, reason, has_other_unit }| {
-        // Another unit is off by orders of magnitude.
-        let of_asperities = surface.findings().first().map_or(Severity::Warning, |f| f.severity);
-        let severity = if has_other_unit { Severity::Error } else { of_asperities };
+    let odd = odd.map(|OddNumber { key, value, reason }| {
         let fact = format!("{} = {} {reason}", document.place(&at(key)), asperity::short(value));
-        Diagnostic::warning("unusual-size", key, value).severity(severity).fact(fact)
+        Diagnostic::error("unusual-size", key, value).fact(fact)
     });
     let follows_from = match (&roughness, way) {
         (Some(roughness), _) => roughness.keys(),

@@ -224,8 +224,8 @@ fn histories_turn_at_separations_and_at_loads() {
         open.messages
     );
     for (turns, wanted) in [
-        ("--history-load 1kN,1kN", "1000 N follows 1000 N; a joint turns at loads that differ"),
-        ("--history 1um,1um", "1e-6 m follows 1e-6 m; a joint turns at separations that differ"),
+        ("--history-load 1kN,1kN", "1kN follows 1kN; a joint turns at loads that differ"),
+        ("--history 1um,1um", "1um follows 1um; a joint turns at separations that differ"),
     ] {
         let run = bench.run(&format!("unload scene.toml --model ke {turns}"));
         assert!(run.code == Some(2) && run.messages.contains(wanted), "{}", run.messages);

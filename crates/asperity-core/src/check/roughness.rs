@@ -199,10 +199,11 @@ fn makes_sense(surface: &Surface) -> bool {
 /// `of_surface`, whose density may be wrong, only an area that is impossible has one.
 pub(crate) fn of_area(scene: &Scene, of_surface: &Diagnostics) -> Option<Diagnostic> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
-    let enough = AREA[0].max(POPULATION[1] / density);
+    let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
+    let population = if has_unit { 0.0 } else { POPULATION[1] / density };
+    let enough = AREA[0].max(population);
     let usual = [enough, if enough < AREA[1] { AREA[1] } else { f64::INFINITY }];
     let odd_surface = !of_surface.is_empty();
-    let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
     let is_possible = area <= FIELD && (has_unit || area * density >= 1.0);
     if within(area, [enough, AREA[1]]) || odd_surface && is_possible {
         return None;

@@ -173,10 +173,10 @@ fn every_way_gives_the_surface_of_the_library() {
     let refused = message(&pair.replace("sq = 1e-3", "sq = 1e-6"));
     assert!(refused.contains("surface.counterface.sdq = 7 looks like degrees"), "{refused}");
     // A curvature in 1/mm.
-    let curvature = read(&text("", INTERFACE, &iso.replace("\"2.5 1/mm\"", "5"))).unwrap();
-    let warned: Vec<String> = curvature.warnings.iter().map(ToString::to_string).collect();
-    let wanted = "spc is 5 1/m, peaks of radius 0.2 m: 5 looks like 1/mm; 5 1/mm is 5000 1/m";
-    assert!(warned.iter().any(|text| text.contains(wanted)), "{warned:?}");
+    let curvature = read(&text("", INTERFACE, &iso.replace("\"2.5 1/mm\"", "2.5"))).unwrap();
+    let found = curvature.findings();
+    let wanted = "surface.spc = 2.5 looks like 1/mm; 2.5 1/mm is 2500 1/m";
+    assert!(found[0].message().ends_with(wanted), "{found:?}");
     let warned = read(&angle("12", "1 mm")).unwrap().warnings;
     assert!(warned.iter().any(|one| one.to_string().contains(hint)), "{warned:?}");
     for (surface, wanted) in [
