@@ -170,7 +170,10 @@ mod tests {
         let contact = on(&scene(), PerssonVariance::Full).unwrap();
         let refused = |q, at: At| contact.evaluate(q, at).unwrap_err().to_string();
         let contacts = refused(Quantity::Contacts, At::Load(1.0));
-        assert!(contacts.starts_with("Persson cannot give contacts (it gives force"), "{contacts}");
+        assert!(
+            contacts.starts_with("Persson cannot give contacts (available: force"),
+            "{contacts}"
+        );
         let gap = At::Separation(Separation::sigmas(1.0));
         for text in [refused(Quantity::Tangent, At::Load(1.0)), refused(Quantity::Area, gap)] {
             assert!(

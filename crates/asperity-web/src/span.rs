@@ -157,7 +157,8 @@ mod tests {
         {
             for unit in ["N", "Pa"] {
                 let refused = load(&keys(text, None, unit), &scene).unwrap_err();
-                let wanted = format!("load: {text:?}: write {same}, which is the same");
+                let wanted =
+                    format!("load: {text:?} is not a known unit: write {same}, which is the same");
                 assert_eq!(refused.message, wanted);
             }
         }

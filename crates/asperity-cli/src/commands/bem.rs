@@ -51,7 +51,8 @@ pub struct BemCommand {
     way: Way,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
-    /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance,
+    /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
+    /// electrical-conductance,
     /// -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,

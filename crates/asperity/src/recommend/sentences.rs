@@ -28,9 +28,9 @@ impl Recommendation {
     }
 
     /// The evidence in lines: the separations or loads without any; which of these models are
-    /// expected to be nearest to boundary elements, a line each for area, stiffness in first loading
-    /// and unloading stiffness, if requested; and requested quantities that the solved surfaces do
-    /// not determine.
+    /// expected to be nearest to boundary elements, a line each for area, stiffness in first
+    /// loading and unloading stiffness, if requested; and requested quantities that the solved
+    /// surfaces do not determine.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
