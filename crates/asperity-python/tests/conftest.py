@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import signal
+
 import asperity
 import pytest
+
+# Shells start background jobs with an ignored Ctrl-C, which Python then ignores, too.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture
