@@ -36,6 +36,8 @@ const CHANGE: f64 = 3.0;
 const CENTIMETRES: f64 = 1.0;
 /// σ_z \[m\], R \[m\] and β_z of a typical machined surface.
 const TYPICAL: [f64; 3] = [1e-6, 5e-5, 0.04];
+/// Numbers as they are written in units other than SI.
+const WRITTEN: std::ops::Range<f64> = 1e-4..1e7;
 /// A factor below those of units.
 const SLIGHT: f64 = 3.0;
 /// Values that are tried for each decade of a number, and decades to either side.
@@ -79,8 +81,9 @@ impl Given<'_> {
         };
         let units = units_of("surface", key).map_or(&[][..], |(.., units)| units);
         let si = units.iter().find(|(_, power)| *power == 0).map_or("", |(si, _)| si);
-        let others =
-            units.iter().filter(|(_, power)| *power != 0 && self.stated.get(k) == Some(&false));
+        // Nobody writes 9e-7 cm or 8e8 1/cm2.
+        let may_differ = WRITTEN.contains(&given.abs()) && self.stated.get(k) == Some(&false);
+        let others = units.iter().filter(|(_, power)| *power != 0 && may_differ);
         let other = |(unit, power): &(&'static str, i32)| Reading {
             unit,
             si,

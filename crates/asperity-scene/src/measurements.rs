@@ -23,7 +23,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let text = read_text(path, SAVE_AS_CSV, || *place(None, "the data"))?;
     // A spreadsheet's mark of UTF-8.
     let text = text.trim_start_matches('\u{feff}');
-    if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
+    let begins_table = |line: &str| {
+        ["[[body]]", "[surface]", "[interface]"].iter().any(|head| line.trim().starts_with(head))
+    };
+    if text.lines().any(begins_table) {
         let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
         return Err(SceneError::Syntax { at: place(None, "CSV"), reason: reason.into() });
     }

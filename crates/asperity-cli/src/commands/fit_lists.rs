@@ -35,7 +35,17 @@ fn items<T>(text: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<List
             written.push(if begins(part) { '.' } else { ',' });
             written.push_str(part);
         }
-        return Err(format!("numbers have decimal points, commas separate items; write {written}"));
+        // Three digits are thousands, and 1GPa.5GPa is no number.
+        let groups = text
+            .split(',')
+            .skip(1)
+            .map(|part| part.chars().take_while(char::is_ascii_digit).count());
+        let is_clear = written.split(',').all(|part| read(part).is_ok())
+            && !groups.into_iter().any(|digits| digits == 3);
+        return Err(match is_clear {
+            true => format!("numbers have decimal points, commas separate items; write {written}"),
+            false => "commas separate items; write numbers with decimal points and without thousands separators, and bounds as low:high".into(),
+        });
     }
     text.split(',').map(read).collect::<Result<_, _>>().map(List)
 }
@@ -51,6 +61,14 @@ mod tests {
             ("area=1e-6,area_fraction=0,1%", "write area=1e-6,area_fraction=0.1%"),
         ] {
             assert!(targets(text).unwrap_err().ends_with(wanted), "{text}");
+        }
+        for (text, not) in [
+            ("hardness=1GPa,5GPa", "1GPa.5GPa"),
+            ("hardness=1,000,000:5e9", "1.000"),
+            ("hardness=1,500:5e9", "1.500"),
+        ] {
+            let refused = free(text).unwrap_err();
+            assert!(refused.ends_with("bounds as low:high") && !refused.contains(not), "{refused}");
         }
         let refused = free("hardness,asperity_height_std=0,1um:2,5um").unwrap_err();
         assert!(refused.ends_with("write hardness,asperity_height_std=0.1um:2.5um"), "{refused}");

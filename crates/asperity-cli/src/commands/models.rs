@@ -89,7 +89,8 @@ impl Models {
 fn like(word: &str) -> Result<Vec<Model>> {
     let wanted = word.trim().to_lowercase();
     // Random asperities have the row of equal ones.
-    let wanted = wanted.strip_suffix("-random").unwrap_or(&wanted);
+    let equal = wanted.strip_suffix("-random").filter(|_| wanted.parse::<Model>().is_ok());
+    let wanted = equal.unwrap_or(&wanted);
     let mut all =
         [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat();
     let of_id = |model: &Model| {
@@ -103,6 +104,9 @@ fn like(word: &str) -> Result<Vec<Model>> {
     };
     let any = all.iter().any(of_id);
     all.retain(|model| if any { of_id(model) } else { has_word(model) });
-    ensure!(!all.is_empty(), "no model is like {word:?}; `asperity models` lists all");
+    ensure!(
+        !all.is_empty(),
+        "no model has the id {word:?}, or this word in its name, authors or year; `asperity models` lists all but bem and those with -random"
+    );
     Ok(all)
 }

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
-use asperity_scene::with_decimal_point;
+use asperity_scene::{with_decimal_point, without_thousands};
 
 use crate::input::ambiguous::refuse_one_number;
 use crate::input::numbers::{count_up_to, number, of_unit, positive};
@@ -61,8 +61,13 @@ impl Numbers {
 /// Refuses lists whose values are not separated by single commas.
 fn refuse_separators(text: &str) -> Result<(), String> {
     if text.contains(';') {
+        if text.split(';').any(|part| without_thousands(part).is_some()) {
+            return Err(format!(
+                "{text} has semicolons and thousands separators; write each number without them, separated by commas, for example 1000,2000"
+            ));
+        }
         let list = text.replace(',', ".").replace(';', ",");
-        return Err(format!("{text} has semicolons; values are separated by commas: {list}"));
+        return Err(format!("{text} has semicolons; values are separated by commas: write {list}"));
     }
     match text.split(',').any(|part| part.trim().is_empty()) {
         true => Err(format!("a value of {text:?} is empty; separate values by single commas")),
@@ -266,8 +271,8 @@ mod tests {
     #[test]
     fn separators_of_lists_are_named() {
         for (text, wanted) in [
-            ("10;20;30", "10;20;30 has semicolons; values are separated by commas: 10,20,30"),
-            ("1,5;2", "1,5;2 has semicolons; values are separated by commas: 1.5,2"),
+            ("10;20;30", "10;20;30 has semicolons; values are separated by commas: write 10,20,30"),
+            ("1,5;2", "1,5;2 has semicolons; values are separated by commas: write 1.5,2"),
             ("1kN,2kN,", "a value of \"1kN,2kN,\" is empty; separate values by single commas"),
             (
                 "1,500,2,000",

@@ -228,7 +228,7 @@ fn models_are_listed_by_id_name_authors_or_year() {
     assert_eq!(ids("2005"), "etsion jg jg-cosine af");
     let run = bench.run("models westergaard");
     assert_eq!(run.code, Some(1), "{}", run.messages);
-    let wanted = "no model is like \"westergaard\"; `asperity models` lists all";
+    let wanted = "no model has the id \"westergaard\", or this word in its name, authors or year";
     assert!(run.messages.contains(wanted), "{}", run.messages);
 }
 

@@ -3,7 +3,7 @@
 use super::materials::{CHECK_UNIT, unusual, within};
 use super::units::{PRESSURES, Unit, likely};
 use crate::diagnostic::short;
-use crate::{Diagnostic, Diagnostics, Severity, hardness_of_vickers};
+use crate::{Diagnostic, Diagnostics, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -71,6 +71,10 @@ impl Material {
         if plausible(modulus, strength) {
             return vec![];
         }
+        // Another unit changes the ratio by more than ten.
+        if let Some(strength) = strength.filter(|s| s.is_nearly_usual(modulus)) {
+            return vec![strength.found(modulus)];
+        }
         match meant(modulus, strength) {
             Some((unit, units)) => {
                 let times = |value: f64, unit: Option<&Unit>| unit.map_or(value, |u| u.1 * value);
@@ -120,9 +124,18 @@ impl Strength {
     /// Strength over modulus of materials with this modulus.
     fn ratios(self, modulus: f64) -> [f64; 2] {
         match ratios(modulus) {
-            [_, most] if self.field == "hardness" && modulus >= STIFF => [SOFTEST, most],
+            [least, most] if self.field != "hardness" => [least / HARDNESS_OVER_YIELD, most],
+            [_, most] if modulus >= STIFF => [SOFTEST, most],
             usual => usual,
         }
+    }
+
+    /// Whether strength and modulus are usual, and their ratio is within ten times its usual range.
+    fn is_nearly_usual(self, modulus: f64) -> bool {
+        let [least, most] = self.ratios(modulus);
+        within(modulus, MODULUS)
+            && within(self.value, HARDNESS)
+            && within(self.value / modulus, [0.1 * least, 10.0 * most])
     }
 
     /// Units, the likeliest first, in which this is the strength of a body with this modulus.
@@ -272,6 +285,23 @@ mod tests {
         assert!(gel[0].message().contains("40 looks like GPa"), "{gel:?}");
         let gel = Body::new(50.0, 0.5, 50.0).findings();
         assert!(gel[0].message().contains("50 looks like"), "{gel:?}");
+    }
+
+    #[test]
+    fn soft_polymers_are_usual_and_slightly_odd_ratios_are_warnings_in_their_own_units() {
+        // PTFE and polyethylene, on a rigid body and alone.
+        for (modulus, poisson, strength) in [(500e6, 0.46, 12e6), (1e9, 0.45, 20e6)] {
+            for modulus in [modulus, modulus / (1.0 - poisson * poisson)] {
+                let found = Body::yielding(modulus, poisson, strength).findings();
+                assert!(found.is_empty(), "{found:?}");
+            }
+        }
+        for (modulus, hardness) in [(6e8, 8e6), (3e7, 3e5), (210e9, 2e8), (50e9, 1.2e7)] {
+            let found = Body::new(modulus, 0.4, hardness).findings();
+            let [one] = &found[..] else { panic!("{found:?}") };
+            assert!(one.field == "hardness" && one.severity == Severity::Warning, "{one}");
+            assert_eq!(one.likely_unit, None, "{one}");
+        }
     }
 
     #[test]

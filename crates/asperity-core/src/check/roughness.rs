@@ -17,6 +17,9 @@ const MICRON: f64 = 1e-6;
 const RARE: f64 = 5.0;
 /// A_n \[m²\], from the tip of an instrument to a large flange.
 const AREA: [f64; 2] = [1e-16, 0.03];
+/// σ_z \[m\] of surfaces, from polished to rough, of which a length in another unit is not one.
+const FINE: f64 = 1e-9;
+const COARSE: f64 = 1e-4;
 /// Largest plausible A_n of a joint \[m²\].
 const FIELD: f64 = 1.0;
 /// Numbers of asperities below which the average is meaningless, and uncertain.
@@ -108,10 +111,11 @@ impl Surface {
             .filter(makes_sense)
             .min_by(nearest)
             .or_else(|| others.filter(makes_sense).min_by(nearest))?;
-        // Two numbers outside their ranges have the same cause.
+        // Two numbers outside their ranges have the same cause; fine but wide waves have them, too.
         let sizes = self.criteria().into_iter().take(3);
         let odd = sizes.filter(|(_, value, usual, ..)| !within(*value, *usual)).count();
-        let severity = if odd > 1 { Severity::Error } else { self.severity() };
+        let is_unit = odd > 1 && !(FINE..COARSE).contains(&std);
+        let severity = if is_unit { Severity::Error } else { self.severity() };
         let found = Diagnostic::warning(CODE, "asperity_height_std", std)
             .usual(HEIGHT_STD)
             .severity(severity)

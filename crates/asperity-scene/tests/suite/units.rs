@@ -160,7 +160,7 @@ fn a_unit_that_was_given_is_never_reinterpreted() {
 
 #[test]
 fn a_likely_unit_is_within_the_usual_range_beside_it() {
-    let wanted = "body[1].youngs_modulus is 2.1e5 Pa (usual: 1.333e9 to 1.333e12): 2.1e5 looks like MPa; 2.1e5 MPa is 2.1e11 Pa";
+    let wanted = "body[1].youngs_modulus is 2.1e5 Pa (usual: 1.333e9 to 3.733e12): 2.1e5 looks like MPa; 2.1e5 MPa is 2.1e11 Pa";
     assert_eq!(findings("youngs_modulus = 210000", "1e-4", GROUND), [wanted]);
     let surface = "asperity_radius = 50\nasperity_density = 2000\nasperity_height_std = 1";
     let wanted = "asperity_height_std is 1 m, asperity_radius 50 m: all lengths look like um, and the density 2000 like 1/mm2; give m and 1/m2";
@@ -189,6 +189,20 @@ fn a_hardness_without_a_unit_looks_like_vickers_or_megapascals() {
     assert!(found.len() == 1 && found[0].ends_with(wanted), "{found:?}");
     // Annealed copper.
     assert!(asperity::Body::new(120e9, 0.34, 400e6).findings().is_empty());
+}
+
+#[test]
+fn right_numbers_in_si_units_are_not_taken_for_centimetres() {
+    for surface in [
+        "sq = 0.9e-6\nspd = 8e8\nspc = 1.3e6",
+        "asperity_radius = \"0.1 mm\"\nasperity_density = 1e8\nsurface_height_std = 1e-7",
+        "sq = 1e-7\nspd = 1e9\nspc = 1e5",
+        "m0 = 1e-14\nm2 = 0.05\nm4 = 1e9",
+        "sq = 0.9\nspd = 8e8\nsdq = 0.31",
+    ] {
+        let found = findings(STEEL, "1e-4", surface).join("\n");
+        assert!(!found.contains("like cm") && !found.contains("like 1/cm"), "{found}");
+    }
 }
 
 #[test]
