@@ -33,6 +33,8 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
+#[doc(hidden)]
+pub use check::CHECK_UNIT;
 pub use check::{Check, DerivedNumber};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity, short};
 pub use engine::arrays::FillReport;

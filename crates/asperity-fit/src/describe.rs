@@ -11,14 +11,12 @@ use crate::misfit::misfit;
 use crate::other_stiffness::other_stiffness;
 use crate::outlier::outlier;
 use crate::problem::{Minimum, Problem, squares};
+use crate::ranking::{ACCURACY, bic};
 use crate::reach::unreachable;
 use crate::remark::{Remark, concerns, sentences};
 use crate::search::Found;
 use crate::spread::Spread;
 use crate::{Data, Estimate, FitError, Fitted, Parameter, Residual};
-
-/// Residuals below this, relative, are errors of the values: they read 0 and rank no model.
-const ACCURACY: f64 = 1e-12;
 
 /// Values, intervals and remarks of a minimum.
 pub(crate) fn describe(problem: &Problem<'_>, found: &Found) -> Result<Fitted, FitError> {
@@ -118,20 +116,6 @@ fn each_residual(data: &Data, values: &[f64], residuals: &[f64]) -> Vec<Residual
         residual: *residual,
     })
     .collect()
-}
-
-/// The Bayesian information criterion, for normal residuals of known or unknown deviation.
-pub(crate) fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
-    let count = data.len() as f64;
-    // One value ranks no model, also where no parameter changes it.
-    if data.len() <= rank.max(1) {
-        return None;
-    }
-    let misfit = match data.has_std() {
-        true => squares,
-        false => count * (squares / count).max(ACCURACY * ACCURACY).ln(),
-    };
-    Some(misfit + rank as f64 * count.ln())
 }
 
 /// Remarks on parameters without an interval that no other remark explains.

@@ -1,29 +1,15 @@
 //! Fitted values with fewer contacts than one, which are no contact at all.
 
-use asperity_core::{Quantity, short};
+use asperity_core::short;
 
-use crate::forward::Forward;
+use crate::FitError;
+use crate::contacts::counts;
 use crate::likely_unit::likely_units;
 use crate::problem::Problem;
-use crate::{FitError, Measured, Observation};
 
 /// Other units explain the data if they leave less than this share of the misfit: of fits with
 /// contacts in some rows, and of those without.
 const SHARE: [f64; 2] = [0.5, 1.5];
-
-/// The number of contacts in each row; `None` for models that do not count them.
-fn counts(problem: &Problem<'_>, coordinates: &[f64]) -> Option<Vec<f64>> {
-    let measured = Measured::Quantity(Quantity::Contacts);
-    let counted = |one: &Observation| Observation { measured, value: 1.0, std: None, ..*one };
-    let data = problem.data.with(problem.data.iter().map(counted).collect());
-    let forward = Forward::new(problem.model, &data).ok()?;
-    Problem { data: &data, forward: &forward, ..*problem }.predicted(coordinates).ok()
-}
-
-/// Whether a fit has a contact in every row, or its model does not count them.
-pub(crate) fn has_contacts(problem: &Problem<'_>, coordinates: &[f64]) -> bool {
-    counts(problem, coordinates).is_none_or(|counts| counts.iter().all(|count| *count >= 1.0))
-}
 
 /// A sentence about a fit with fewer contacts than one in some row, if other units explain it.
 pub(crate) fn few_contacts(

@@ -2,6 +2,7 @@
 
 mod columns;
 mod combinations;
+mod contacts;
 mod data;
 mod describe;
 mod deviations;

@@ -2,8 +2,8 @@
 
 use asperity_core::short;
 
+use crate::contacts::has_contacts;
 use crate::distance::distance;
-use crate::few_contacts::has_contacts;
 use crate::forward::Forward;
 use crate::problem::{Problem, squares};
 use crate::recorded::{Recorded, Rescaled};

@@ -2,11 +2,11 @@
 
 use asperity_core::Quantity;
 
-use crate::describe::bic;
 use crate::distance::rms;
 use crate::forward::Forward;
 use crate::outlier::rounded;
 use crate::problem::{Minimum, Problem};
+use crate::ranking::bic;
 use crate::{FitError, Measured, Observation};
 
 /// Stiffnesses that are taken for each other: on loading, and at the start of unloading.

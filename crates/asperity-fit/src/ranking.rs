@@ -2,12 +2,15 @@
 
 use serde::Serialize;
 
-use crate::Fitted;
 use crate::combinations::list;
+use crate::{Data, Fitted};
 
 /// A difference of the criterion below which two models are hardly distinguished: a factor of 20
 /// in their odds.
 const STRONG: f64 = 6.0;
+
+/// Residuals below this, relative, are errors of the values: they read 0 and rank no model.
+pub(crate) const ACCURACY: f64 = 1e-12;
 
 /// Fitted models, ordered by BIC, lowest first, or by rms where one of them has no BIC.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -62,4 +65,18 @@ fn summary(models: &[Fitted], has_bic: bool) -> String {
     format!(
         "{lead}; a low BIC does not say that a model is right, or that its numbers are those of the surface"
     )
+}
+
+/// The Bayesian information criterion, for normal residuals of known or unknown deviation.
+pub(crate) fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
+    let count = data.len() as f64;
+    // One value ranks no model, also where no parameter changes it.
+    if data.len() <= rank.max(1) {
+        return None;
+    }
+    let misfit = match data.has_std() {
+        true => squares,
+        false => count * (squares / count).max(ACCURACY * ACCURACY).ln(),
+    };
+    Some(misfit + rank as f64 * count.ln())
 }

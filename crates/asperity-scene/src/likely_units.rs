@@ -1,6 +1,6 @@
 //! Numbers of a surface that do not go with the others: their likely units and usual values.
 
-use asperity::{Diagnostic, Severity, Surface, short};
+use asperity::{CHECK_UNIT, Diagnostic, Severity, Surface, short};
 
 use crate::quantity::units_of;
 
@@ -150,7 +150,7 @@ impl Given<'_> {
         let others: Vec<&str> = others.map(|(_, key)| key).collect();
         let [least, most] = [least, most].map(short);
         let reason = format!(
-            "does not go with {}, beside which {least} to {most} is usual; check the number and its unit",
+            "does not go with {}, beside which {least} to {most} is usual; {CHECK_UNIT}",
             others.join(" and ")
         );
         let (key, value) = (self.keys.get(k)?, self.numbers.get(k)?);
@@ -168,7 +168,7 @@ pub(crate) fn likely_curvature(spc: f64) -> Option<Diagnostic> {
         let hint = format!("{given} looks like 1/mm; {given} 1/mm is {meant} 1/m");
         Diagnostic::warning("unit", "spc", spc)
             .fact(format!("spc is {given} 1/m, peaks of radius {radius} m"))
-            .advice("check the number and its unit")
+            .advice(CHECK_UNIT)
             .likely_unit(hint)
     })
 }

@@ -9,6 +9,9 @@ use crate::document::{SAVE_AS_CSV, read_text, shorten};
 use crate::notation::{notation_hint, without_thousands};
 use crate::{Place, SceneError, is_unit};
 
+/// The advice about a scene and measurements in the wrong order.
+pub(crate) const SCENE_FIRST: &str = "give the scene first, then the measurements";
+
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
 /// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
 /// commas. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
@@ -27,8 +30,8 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         ["[[body]]", "[surface]", "[interface]"].iter().any(|head| line.trim().starts_with(head))
     };
     if text.lines().any(begins_table) {
-        let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
-        return Err(SceneError::Syntax { at: place(None, "CSV"), reason: reason.into() });
+        let reason = format!("the file looks like a scene, not like measurements; {SCENE_FIRST}");
+        return Err(SceneError::Syntax { at: place(None, "CSV"), reason });
     }
     let delimiter = delimiter(text);
     let mut reader = csv::ReaderBuilder::new();

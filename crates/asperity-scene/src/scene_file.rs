@@ -15,7 +15,7 @@ use crate::document::{Document, Files, HandedFiles, read_text};
 use crate::heights::{HeightKeys, HeightsKey, compare_std};
 use crate::interface::{InterfaceKeys, interface};
 use crate::measured::Asked;
-use crate::measurements::is_measurements;
+use crate::measurements::{SCENE_FIRST, is_measurements};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
@@ -104,7 +104,7 @@ fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
         let name = path.display();
         if std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text)) {
             return format!(
-                "the file looks like measurements, not like a scene in TOML ({reason}); give the scene first, then the measurements"
+                "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
             );
         }
         format!(

@@ -2,13 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use asperity::Diagnostic;
+use asperity::{Diagnostic, plain_unit as plain};
 
-use crate::Roughness;
 use crate::notation::with_decimal_point;
 use crate::scaled::{leading, scale};
-use crate::surface::{GRADIENT, MEAN_SLOPE};
-use asperity::plain_unit as plain;
 
 /// The gradient above which it is probably in degrees or per cent: 45 degrees.
 const STEEP: f64 = 1.0;
@@ -90,31 +87,6 @@ pub fn gradient(text: &str) -> Option<f64> {
     let angle = || in_units(text, &ANGLES).filter(|angle| (0.0..FRAC_PI_2).contains(angle));
     let found = in_units(text, &RATIOS).or_else(|| angle().map(f64::tan));
     found.filter(|found| found.is_finite())
-}
-
-/// The field of an error for moments that no isotropic Gaussian surface has.
-pub(crate) const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
-
-/// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,
-/// and what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
-pub(crate) fn too_steep(roughness: &Roughness) -> Option<(&'static str, f64, String)> {
-    let rough = |std: f64, density: f64| (8.0 * 3f64.sqrt() * density).sqrt() * std;
-    let (key, slope, most, formula) = match *roughness {
-        Roughness::Gradient([sq, spd, sdq]) => {
-            let most = PI.sqrt() * rough(sq, spd);
-            (GRADIENT, sdq, most, "6.598 sq sqrt(spd)")
-        }
-        Roughness::MeanSlope([std, slope, density]) => {
-            let formula = "3.722 surface_height_std sqrt(asperity_density)";
-            (MEAN_SLOPE, slope, rough(std, density), formula)
-        }
-        _ => return None,
-    };
-    let hint = angle_hint(slope).unwrap_or_else(|| {
-        let most = asperity::short(most);
-        format!("is too steep: at most {formula} = {most} was required, as of every isotropic Gaussian surface")
-    });
-    Some((key, slope, hint))
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{ContactError, Diagnostic, Interface, ProfileMoments, Surface};
+use asperity::{Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
+use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
 use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
 use crate::likely_units::{Given, OddNumber, likely_curvature};
 use crate::measured::{Asked, SurfaceDescription, measured};
-use crate::slopes::{BANDWIDTH, likely_angle, too_steep};
+use crate::slopes::likely_angle;
 use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
 
@@ -26,11 +27,6 @@ const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
-/// The alternative to the radius, with `SURFACE_STD` and the density.
-pub(crate) const MEAN_SLOPE: &str = "mean_slope";
-
-/// The alternative to `spc`, with `sq` and `spd`.
-pub(crate) const GRADIENT: &str = "sdq";
 
 /// The numbers among the keys of `[surface]`.
 #[derive(Deserialize)]
@@ -277,12 +273,4 @@ fn numbers(
         _ => WAYS[way],
     };
     Ok(Some((Numbers { surface, roughness, follows_from, unit, odd }, key)))
-}
-
-/// The slope above which a surface that is too steep is rather that than given in another unit.
-const ROUGH: f64 = 0.3;
-
-/// Whether an error is that of moments that no isotropic Gaussian surface has.
-fn is_of_bandwidth(error: &ContactError) -> bool {
-    matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. })
 }

@@ -2,8 +2,9 @@
 
 use super::moduli::Material;
 use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, likely_unit};
+use super::usual::{CHECK_UNIT, unusual, with_unit, within};
 use crate::diagnostic::short;
-use crate::{Body, Diagnostic, Diagnostics, Interface, Severity};
+use crate::{Body, Diagnostic, Diagnostics, Interface};
 
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
@@ -80,29 +81,4 @@ fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagno
     let electrical = resistivity
         .and_then(|rho| check("electrical_resistivity", rho, RESISTIVITY, RESISTIVITIES, "ohm m"));
     thermal.into_iter().chain(electrical).collect()
-}
-
-pub(crate) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
-    (from..=to).contains(&value)
-}
-
-/// An error ten times outside the usual range, otherwise a warning.
-pub(crate) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
-    if value < 0.1 * from || value > 10.0 * to { Severity::Error } else { Severity::Warning }
-}
-
-/// What to do where no unit is likely.
-pub(crate) const CHECK_UNIT: &str = "check the number and its unit";
-
-/// A finding with the likely unit, if there is one.
-fn with_unit(found: Diagnostic, unit: Option<String>) -> Diagnostic {
-    match unit {
-        Some(unit) => found.likely_unit(unit),
-        None => found,
-    }
-}
-
-/// A finding for a number outside the usual range of materials.
-pub(super) fn unusual(field: &'static str, value: f64, usual: [f64; 2]) -> Diagnostic {
-    Diagnostic::warning("unusual-size", field, value).usual(usual).severity(severity(value, usual))
 }

@@ -9,11 +9,14 @@ mod materials;
 mod moduli;
 mod roughness;
 mod units;
+mod usual;
 
 use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
+#[doc(hidden)]
+pub use self::usual::CHECK_UNIT;
 use crate::diagnostic::short;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use crate::{ContactError, Diagnostic, Diagnostics, HeightDistribution, Scene};

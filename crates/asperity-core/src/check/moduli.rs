@@ -1,7 +1,7 @@
 //! Plausibility of a modulus beside a hardness or a yield strength.
 
-use super::materials::{CHECK_UNIT, unusual, within};
 use super::units::{PRESSURES, Unit, likely};
+use super::usual::{CHECK_UNIT, unusual, within};
 use crate::diagnostic::short;
 use crate::{Diagnostic, Diagnostics, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
 

@@ -1,7 +1,7 @@
 //! Plausibility of asperity sizes and numbers.
 
-use super::materials::{CHECK_UNIT, severity, within};
 use super::units::{AREAS, DENSITIES, LENGTHS, Unit, likely_unit};
+use super::usual::{CHECK_UNIT, severity, within};
 use crate::diagnostic::{FEW_ASPERITIES, short};
 use crate::{Diagnostic, Diagnostics, Scene, Severity, Surface};
 
