@@ -40,8 +40,8 @@ pub struct Fitted {
     /// The column of another stiffness that describes the data clearly better than the one given.
     pub other_column: Option<String>,
     /// If no values within the bounds describe the data (an rms above 1 or 30 standard deviations,
-    /// or no contact), or other units do that fit fewer contacts than one: by how much, and the
-    /// line or the units that explain it.
+    /// or no contact), or the fit has less than one contact in a row and other units describe the
+    /// data as well: how large the misfit is, and the line or the units that explain it.
     pub misfit: Option<String>,
     /// Remarks on intervals and other values of the parameters that fit as well.
     pub notes: Vec<String>,

@@ -43,11 +43,11 @@ Agreement with the reference is no proof of accuracy: columns .._off_bem have th
 deviation of a model from boundary elements at the loads, interpolated between solved random
 surfaces ({solved}),
 the largest over the separations or loads that have one; .._spread is half the width of the
-interval that holds nine of ten surfaces. Those of unloading-stiffness and conductances are
-shown if one of them is requested, the mean gap with force in the notes. Notes about the
-requested quantities name the nearest models, give the expected deviations of the reference and of the recommended model
-one by one, and say where no solved case is near. `asperity truth` solves the scan of the
-scene itself, and
+interval that holds nine of ten surfaces. Columns of the unloading stiffness are shown if it or a
+conductance is requested, or no quantity that is compared with boundary elements; the mean gap is
+in the notes, if a force is requested. Notes name the models nearest in the requested quantities,
+the expected deviations of the reference and of the recommended model, and the loads without a
+solved case nearby. `asperity truth` solves the scan of the scene itself, and
 `asperity curve --corrected` divides by the expected ratios.
 Default: force and area (at loads the area) at separations of 0:4:401 in units of
 asperity_height_std.

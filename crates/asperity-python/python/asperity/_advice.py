@@ -55,8 +55,8 @@ class Recommendation:
     deviations: dict[str, dict[str, float]]
     #: The reasons of models without a value, of all quantities or of some, by model.
     refused: dict[str, str]
-    #: Evidence from boundary elements on solved surfaces: the nearest models, the expected deviations
-    #: of the reference and of the simplest model, and the reason for none.
+    #: Evidence from boundary elements on solved surfaces: the nearest models, the expected
+    #: deviations of the reference and of the simplest model, and the reason for none.
     evidence: str
     #: ``off`` place by place (24 of them if there are more), or the reason for no evidence.
     evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]

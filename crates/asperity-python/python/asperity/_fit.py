@@ -63,8 +63,8 @@ class Fit:
     outlier: str | None
     #: The column of another stiffness that describes the data clearly better than the one given.
     other_column: str | None
-    #: If no values within the bounds describe the data, or other units do that fit fewer contacts
-    #: than one: by how much, and the line or the units that explain it.
+    #: If no values within the bounds describe the data, or the fit has less than one contact in a
+    #: row and other units describe the data as well: how large the misfit is, and what explains it.
     misfit: str | None
     #: Remarks on intervals, and other values that fit as well.
     notes: tuple[str, ...]
