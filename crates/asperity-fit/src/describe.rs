@@ -1,4 +1,4 @@
-//! What is said of a minimum: values, intervals and remarks.
+//! Values, intervals and remarks of a minimum.
 
 use asperity_core::short;
 

@@ -126,7 +126,7 @@ test("a file that cannot be used gives the last working scan back, with the newe
   }
 });
 
-test("a decimal comma of a pixel size is said at its field and at its line", async () => {
+test("a decimal comma of a pixel size is reported at its field and at its line", async () => {
   await page.scene(example("wheel-rail"));
   await page.file("bare.csv", "1;2;4;3\n2;1;5;2\n".repeat(8));
   await page.change([field("surface.unit"), "um"], [field("surface.pixel_size"), "1,5 um"]);

@@ -1,4 +1,4 @@
-//! What data do not determine, what they cannot be, and what is refused.
+//! Parameters that the data do not determine, data that no parameters reach, refused input.
 
 use std::ops::ControlFlow;
 
