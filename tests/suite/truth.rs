@@ -1,7 +1,8 @@
 //! A small case of the truth report is solved again by the program that made the committed table.
 
+use xtask::figures::truth_ranges::models;
 use xtask::table::agree_by;
-use xtask::truth::{models, small, with_new_models};
+use xtask::truth::{small, with_new_models};
 
 /// Numbers of models are thousandths, those of boundary elements have four digits and their errors
 /// two, of which the last may differ; solutions stop at 1e-6 of Sq, and stiffnesses are differences

@@ -8,11 +8,9 @@ use asperity::Evidence;
 use asperity_plot::draw;
 use rayon::prelude::*;
 
-use crate::figures::{FIGURES, FigureSpec};
+use crate::figures::{FIGURES, FigureSpec, measured, truth_ranges};
 use crate::folder::{Fresh, save};
-use crate::report;
 use crate::table::{GUARD, agree};
-use crate::truth;
 
 /// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
 fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
@@ -38,8 +36,8 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
-        all.extend(report::pictures(folder)?);
-        all.push(("truth.md".to_owned(), truth::markdown(Evidence::CSV)?));
+        all.extend(measured::pictures(folder)?);
+        all.push(("truth.md".to_owned(), truth_ranges::table(Evidence::CSV)?));
     }
     Ok(all)
 }

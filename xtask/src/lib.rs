@@ -2,18 +2,27 @@
 //!
 //! [`figures`] lists the figures: for each a [`table`] of numbers from the models, and the
 //! description of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes
-//! or checks both. [`report`] measures speed and accuracy of the integrals, [`truth`] compares the
-//! models with boundary elements.
+//! or checks both. The other tasks are features, so that the figures need not wait for what they
+//! are built from: `report` measures speed and accuracy of the integrals, `truth` compares the
+//! models with boundary elements, `guide`, `page` and `dist` make what users read and install.
 
+#[cfg(feature = "dist")]
 pub mod dist;
 pub mod docs;
 pub mod figures;
 pub mod files;
 pub mod folder;
+#[cfg(feature = "guide")]
 pub mod guide;
+#[cfg(feature = "guide")]
 pub mod head;
+#[cfg(feature = "guide")]
 pub mod html;
+pub mod needs;
+#[cfg(feature = "page")]
 pub mod page;
+#[cfg(feature = "report")]
 pub mod report;
 pub mod table;
+#[cfg(feature = "truth")]
 pub mod truth;

@@ -1,15 +1,15 @@
 //! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
+//!
+//! The figures and the documentation are compiled by default; another task starts the program again
+//! with its feature.
 
 use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
-use xtask::dist::{self, Build};
-use xtask::files;
-use xtask::folder::{figures_folder, target_folder};
-use xtask::report::{self, Scope, throughput};
-use xtask::{docs, guide, page, truth};
+use xtask::folder::figures_folder;
+use xtask::{docs, files, needs};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -76,15 +76,45 @@ enum Task {
         #[arg(long)]
         keep_module: bool,
     },
-    #[command(name = throughput::TASK, hide = true)]
+    /// One sweep of the report, in a process of its own
+    #[command(name = "report-throughput", hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
 
+impl Task {
+    /// The name of the task, and of its feature if it has one.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Figures { .. } => "figures",
+            Self::Report { .. } | Self::Throughput { .. } => "report",
+            Self::Truth { .. } => "truth",
+            Self::Docs => "docs",
+            Self::Dist { .. } => "dist",
+            Self::Guide { .. } => "guide",
+            Self::Page { .. } => "page",
+        }
+    }
+}
+
 fn main() -> Result<()> {
-    match Task::parse() {
+    let task = Task::parse();
+    needs::check(task.name(), matches!(task, Task::Dist { quick: true }))?;
+    match task {
         Task::Figures { check, names } => figures(check, &names),
-        Task::Report { quick: false, .. } if cfg!(debug_assertions) => run_in_release(),
+        Task::Docs => {
+            println!("{}", docs::write()?.display());
+            Ok(())
+        }
+        #[cfg(feature = "report")]
+        Task::Report { quick, out } if !cfg!(debug_assertions) => report(quick, out),
+        #[cfg(feature = "report")]
+        Task::Throughput { model, kind, count, threads } => {
+            println!("{}", xtask::report::throughput::run(&model, &kind, count, threads)?);
+            Ok(())
+        }
+        #[cfg(feature = "truth")]
         Task::Truth { small, models, quick, kept, anew } => {
+            use xtask::truth;
             print(match (small, models) {
                 (true, _) => truth::write_small()?,
                 (_, true) => truth::update_models(&figures_folder())?,
@@ -93,39 +123,41 @@ fn main() -> Result<()> {
             });
             Ok(())
         }
-        Task::Report { quick, out } => {
-            let scope = if quick { Scope::Quick } else { Scope::Full };
-            let target = target_folder().join("report");
-            let folder = if quick { target } else { figures_folder() };
-            print(report::write(scope, &out.unwrap_or(folder))?);
-            Ok(())
-        }
-        Task::Docs => {
-            println!("{}", docs::write()?.display());
-            Ok(())
-        }
+        #[cfg(feature = "dist")]
         Task::Dist { quick } => {
-            print(dist::write(if quick { Build::Quick } else { Build::Release })?);
+            use xtask::dist::{Build, write};
+            print(write(if quick { Build::Quick } else { Build::Release })?);
             Ok(())
         }
+        #[cfg(feature = "guide")]
         Task::Guide { api } => {
-            let page = target_folder().join("page");
+            let page = xtask::folder::target_folder().join("page");
             if api {
-                guide::api::write(&page)?;
+                xtask::guide::api::write(&page)?;
             }
-            println!("{}", guide::write(&page)?.display());
+            println!("{}", xtask::guide::write(&page)?.display());
             Ok(())
         }
+        #[cfg(feature = "page")]
         Task::Page { serve, keep_module } => {
+            use xtask::page;
             let folder = page::write(keep_module)?;
             println!("{}", folder.join("index.html").display());
             if serve { page::serve(&folder) } else { Ok(()) }
         }
-        Task::Throughput { model, kind, count, threads } => {
-            println!("{}", throughput::run(&model, &kind, count, threads)?);
-            Ok(())
-        }
+        #[allow(unreachable_patterns, reason = "with all features only the report is left")]
+        other => start_again(other.name()),
     }
+}
+
+#[cfg(feature = "report")]
+fn report(quick: bool, out: Option<PathBuf>) -> Result<()> {
+    use xtask::report::{self, Scope};
+    let scope = if quick { Scope::Quick } else { Scope::Full };
+    let target = xtask::folder::target_folder().join("report");
+    let folder = if quick { target } else { figures_folder() };
+    print(report::write(scope, &out.unwrap_or(folder))?);
+    Ok(())
 }
 
 fn print(paths: Vec<PathBuf>) {
@@ -147,14 +179,18 @@ fn figures(check: bool, names: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Runs the same command in a release build: times of a development build are not those of users.
-fn run_in_release() -> Result<()> {
+/// Runs the same command in a program with the feature of the task; the report in a release build:
+/// times of a development build are not those of users.
+fn start_again(feature: &str) -> Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let release: &[&str] = if feature == "report" { &["--release"] } else { &[] };
     let status = Command::new(cargo)
-        .args(["run", "--quiet", "--release", "--package", "xtask", "--"])
+        .args(["run", "--quiet", "--package", "xtask", "--features", feature])
+        .args(release)
+        .arg("--")
         .args(std::env::args_os().skip(1))
         .status()
         .context("cargo")?;
-    ensure!(status.success(), "the release build's report failed: {status}");
+    ensure!(status.success(), "cargo xtask {feature} failed: {status}");
     Ok(())
 }

@@ -3,33 +3,49 @@
 //! A map is cut into chunks of one fixed length; a chunk is summed by one thread, and the sums of
 //! the chunks are added in their order. This file alone knows of threads.
 
-#[cfg(feature = "rayon")]
-use rayon::prelude::*;
-
 /// Numbers in a chunk: large against the price of a task, small against the second-level cache.
 const CHUNK: usize = 4096;
 /// Sums that run side by side in a chunk, so that an addition need not wait for the last one.
 const LANES: usize = 8;
 
-/// The results of `f` for each task, in order; `scratch` is made once for every run of tasks.
+/// Runs of tasks for each thread, so that one that is late delays the others little.
 #[cfg(feature = "rayon")]
+const RUNS: usize = 4;
+
+/// The results of `f` for each task, in order; `scratch` is made once for every run of tasks.
 pub(crate) fn map<T: Send, S, R: Send>(
     tasks: impl Iterator<Item = T>,
-    scratch: impl Fn() -> S + Sync + Send,
-    f: impl Fn(&mut S, T) -> R + Sync + Send,
+    scratch: impl Fn() -> S + Sync,
+    f: impl Fn(&mut S, T) -> R + Sync,
 ) -> Vec<R> {
-    tasks.collect::<Vec<T>>().into_par_iter().map_init(scratch, f).collect()
+    let mut slots: Vec<(Option<T>, Option<R>)> = tasks.map(|task| (Some(task), None)).collect();
+    let run = |slots: &mut [(Option<T>, Option<R>)]| {
+        let mut scratch = scratch();
+        for (task, result) in slots {
+            *result = task.take().map(|task| f(&mut scratch, task));
+        }
+    };
+    #[cfg(feature = "rayon")]
+    halves(&mut slots, RUNS * rayon::current_num_threads(), &run);
+    #[cfg(not(feature = "rayon"))]
+    run(&mut slots);
+    slots.into_iter().filter_map(|(_, result)| result).collect()
 }
 
-/// The results of `f` for each task, in order, with one `scratch`.
-#[cfg(not(feature = "rayon"))]
-pub(crate) fn map<T, S, R>(
-    tasks: impl Iterator<Item = T>,
-    scratch: impl Fn() -> S,
-    f: impl Fn(&mut S, T) -> R,
-) -> Vec<R> {
-    let mut scratch = scratch();
-    tasks.map(|task| f(&mut scratch, task)).collect()
+/// Hands out `runs` runs of the slots, half of them to other threads that are free.
+#[cfg(feature = "rayon")]
+fn halves<T: Send>(slots: &mut [T], runs: usize, run: &(dyn Fn(&mut [T]) + Sync)) {
+    if runs < 2 || slots.len() < 2 {
+        return run(slots);
+    }
+    let (first, second) = slots.split_at_mut(slots.len() / 2);
+    join(&mut || halves(first, runs / 2, run), &mut || halves(second, runs - runs / 2, run));
+}
+
+/// Both at the same time. Not generic: the pool's code is compiled once, not for every pass.
+#[cfg(feature = "rayon")]
+fn join(first: &mut (dyn FnMut() + Send), second: &mut (dyn FnMut() + Send)) {
+    rayon::join(first, second);
 }
 
 /// `f` inside the pool: from outside, each of its passes would wait for a thread to wake.

@@ -11,6 +11,8 @@ pub const DMT: &str = "dmt";
 pub const JKR: &str = "jkr";
 /// The same on separation.
 pub const JKR_SEPARATION: &str = "jkr-separation";
+/// Boundary elements on a scan.
+pub const BEM: &str = "bem";
 /// For merging contacts; the theories of the whole surface ignore yielding.
 pub const WHOLE_SURFACE: &str = "bem, or persson if nothing yields";
 /// The same for real areas near the nominal one.

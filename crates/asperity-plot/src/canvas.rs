@@ -152,26 +152,6 @@ impl Canvas<'_> {
         ));
     }
 
-    /// A polygon of any colour, without gaps to its neighbours.
-    pub(crate) fn shade(&self, corners: &[Point], colour: &str) {
-        let corners = places(corners);
-        self.add(&format!(
-            "<polygon points=\"{corners}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>\n"
-        ));
-    }
-
-    /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
-    /// own: a page in the dark gives it another colour.
-    pub(crate) fn image(&self, rect: &Rect, address: &str) {
-        let Rect { left, top, .. } = rect;
-        let (width, height) = (rect.width(), rect.height());
-        let place =
-            format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
-        self.add(&format!(
-            "<rect class=\"ground\" {place} fill=\"{WHITE}\"/>\n<image {place} preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n"
-        ));
-    }
-
     /// The outline of a rectangle.
     pub(crate) fn outline(&self, rect: &Rect, colour: Colour, width: f64) {
         let around: Vec<Point> = rect.corners().into_iter().cycle().take(6).collect();
@@ -212,6 +192,30 @@ impl Canvas<'_> {
             let baseline = top + CAPITAL * face.size + index as f64 * face.size * LINE;
             self.text(line, (x, baseline), face);
         }
+    }
+}
+
+/// Of maps.
+#[cfg(feature = "scan")]
+impl Canvas<'_> {
+    /// A polygon of any colour, without gaps to its neighbours.
+    pub(crate) fn shade(&self, corners: &[Point], colour: &str) {
+        let corners = places(corners);
+        self.add(&format!(
+            "<polygon points=\"{corners}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>\n"
+        ));
+    }
+
+    /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
+    /// own: a page in the dark gives it another colour.
+    pub(crate) fn image(&self, rect: &Rect, address: &str) {
+        let Rect { left, top, .. } = rect;
+        let (width, height) = (rect.width(), rect.height());
+        let place =
+            format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
+        self.add(&format!(
+            "<rect class=\"ground\" {place} fill=\"{WHITE}\"/>\n<image {place} preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n"
+        ));
     }
 }
 

@@ -27,24 +27,30 @@ mod error;
 mod figure;
 mod layout;
 mod legend;
+#[cfg(feature = "scan")]
 mod map;
 mod matrix;
 mod panel;
 mod ruler;
+#[cfg(feature = "scan")]
 mod scan;
 mod series;
 mod size;
 mod style;
+#[cfg(feature = "scan")]
 mod surface;
 mod text;
 mod trace;
 
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+#[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
 pub use matrix::{Cell, Matrix, draw_matrix};
+#[cfg(feature = "scan")]
 pub use scan::{ScanPicture, draw_scan};
 pub use style::Curve;
+#[cfg(feature = "scan")]
 pub use surface::draw_surface;
 pub use text::{number, power_of_ten};
 

@@ -1,11 +1,15 @@
 #![doc = include_str!("../README.md")]
 
+#[cfg(feature = "evidence")]
 mod corrected;
 mod evidence;
+#[cfg(feature = "evidence")]
 mod ranking;
+#[cfg(feature = "evidence")]
 mod recommend;
 mod registry;
 mod tables;
+#[cfg(all(feature = "bem", feature = "evidence"))]
 mod truth;
 
 #[doc = include_str!("../DEFINITIONS.md")]
@@ -16,10 +20,12 @@ pub use asperity_adhesion::{
 };
 pub use asperity_af::{AbdoFarhang, FlowPressure};
 pub use asperity_at::{AminiTehrani, AtReading};
+#[cfg(feature = "bem")]
 pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
+#[cfg(feature = "fit")]
 pub use asperity_fit as fit;
 pub use asperity_gao::{
     AngleDensity, Displacement, ForceComponent, Gao, LateralOptions, ObliqueContact, Stick,
@@ -33,11 +39,14 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
+#[cfg(feature = "evidence")]
 pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue};
-pub use evidence::{
-    Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, Ratio, SurfaceShape,
-};
+pub use evidence::{Compared, Evidence, EvidenceCase, EvidenceRow};
+#[cfg(feature = "evidence")]
+pub use evidence::{Estimate, ExpectedContact, Ratio, SurfaceShape};
+#[cfg(feature = "evidence")]
 pub use ranking::nearest_to_bem;
+#[cfg(feature = "evidence")]
 pub use recommend::{
     Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
     usual_reference,
@@ -48,4 +57,5 @@ pub use tables::error::TableError;
 pub use tables::format::{Interpolation, TableFormat};
 pub use tables::interaction::ConductanceAgainst;
 pub use tables::units::UnitSystem;
+#[cfg(all(feature = "bem", feature = "evidence"))]
 pub use truth::{ContactState, Truth, Unranked, beside_table, compare_with_bem, summary, unranked};

@@ -3,23 +3,27 @@
 mod angles;
 mod joints;
 mod laws;
+pub mod measured;
 mod metals;
 pub(crate) mod models;
 pub(crate) mod paper;
 mod readings;
+pub mod report_csv;
 mod shares;
 mod slip;
+pub mod truth;
+pub mod truth_ranges;
 mod unloading;
 
 use anyhow::Result;
 use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 
-pub(crate) use laws::some as some_laws;
+pub use laws::some as some_laws;
 
 use crate::table::Table;
-use crate::truth::{self, Shown};
 use asperity_plot::Figure;
+use truth::Shown;
 
 /// One figure.
 pub struct FigureSpec {

@@ -11,10 +11,9 @@ use serde::de::DeserializeOwned;
 use super::ours::Laws;
 use super::outcome::{Failure, Outcome};
 use super::problem::{ContactState, Problem, law_behind, tightest};
+use crate::figures::report_csv::ORDINARY;
 use crate::folder::figures_folder;
 
-/// The family of the ordinary scenes.
-pub const ORDINARY: &str = "ordinary";
 /// Ranges of d/σ_z and w_c/σ_z of the worst errors in `speed-vs-error`.
 const HARD_GRID: ([f64; 2], [f64; 2]) = ([-3.0, 40.0], [1e-8, 1e4]);
 

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use crate::figures::report_csv::median;
+
 /// The measuring time of a row: a number of batches of a least duration, within a total time.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
@@ -30,13 +32,6 @@ impl Effort {
         }
         median(batches).unwrap_or(0.0)
     }
-}
-
-/// The median; `None` without numbers.
-#[must_use]
-pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
-    numbers.sort_by(f64::total_cmp);
-    numbers.get(numbers.len() / 2).copied()
 }
 
 #[cfg(test)]

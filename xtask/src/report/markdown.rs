@@ -6,8 +6,9 @@ use anyhow::Result;
 
 use super::external::External;
 use super::methods::{HARD_TOLERANCE, METHODS};
-use super::tables::{Row, read, significant};
+use super::tables::significant;
 use super::throughput::Throughput;
+use crate::figures::report_csv::{Row, read};
 
 const METHODS_END: &str = "| `build-law` | building the law of a quantity, with its tables |
 | `build-scene` | compiling a scene for eight separations from -1 to 6, law built before |
@@ -91,12 +92,6 @@ Tolerance {HARD_TOLERANCE:e}, for methods that have one.
     Ok(text + METHODS_END)
 }
 
-/// The machine named in a text.
-#[must_use]
-pub fn machine(text: &str) -> Option<&str> {
-    Some(text.split_once("measured on ")?.1.split_once(". Times")?.0)
-}
-
 /// Ratios of times in this run.
 fn ratios(text: &mut String, rows: &[Row]) -> Result<()> {
     *text += "\n## Ratios in this run\n\n";
@@ -135,6 +130,7 @@ fn duration(row: &Row) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figures::report_csv::machine;
 
     const CSV: &str = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations
 ke,force,compiled,1e-9,40,1e-12,8

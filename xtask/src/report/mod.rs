@@ -12,17 +12,15 @@ mod markdown;
 mod methods;
 mod ours;
 mod outcome;
-mod picture;
 mod points;
 mod problem;
 mod scope;
 mod tables;
 pub mod throughput;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use indicatif::ProgressBar;
 
 pub use scope::Scope;
@@ -30,6 +28,7 @@ pub use scope::Scope;
 use ours::Laws;
 use tables::Run;
 
+use crate::figures::measured::pictures;
 use crate::folder::save;
 
 /// Measures and writes; returns the paths written. Progress is shown on a terminal only.
@@ -59,23 +58,6 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?;
     paths.extend(save(folder, pictures(folder)?)?);
     Ok(paths)
-}
-
-/// The pictures by name, drawn from the tables in a folder.
-///
-/// # Errors
-/// Tables that are missing or not those of the report.
-pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
-    let read = |name: &str| {
-        let path = folder.join(name);
-        fs::read_to_string(&path).with_context(|| path.display().to_string())
-    };
-    let text = read("speed-vs-error.md")?;
-    let machine = markdown::machine(&text).context("speed-vs-error.md names no machine")?;
-    Ok([
-        ("speed-vs-error.svg".into(), picture::frontier(&read("speed-vs-error.csv")?, machine)?),
-        ("hard-cases.svg".into(), picture::hard_cases(&read("hard-cases.csv")?)?),
-    ])
 }
 
 /// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use anyhow::{Context, Result, ensure};
 use asperity::{Model, Quantity};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use super::cases::Case;
 use super::external::{self, External};
@@ -17,6 +16,7 @@ use super::outcome::{Failure, Job};
 use super::points::points;
 use super::problem::{ContactState, Problem, is_slope};
 use super::scope::Scope;
+use crate::figures::report_csv::{BEFORE, Row};
 
 /// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
@@ -28,25 +28,6 @@ fn worse(a: Worst, b: Worst) -> Worst {
         (Ok(a), Ok(b)) => Ok(a.max(b)),
         (Err(failure), _) | (_, Err(failure)) => Err(failure),
     }
-}
-
-/// A row of `speed-vs-error.csv`; a cell may be empty.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Row {
-    /// The model's id.
-    pub model: String,
-    /// The quantity.
-    pub quantity: String,
-    /// The method.
-    pub method: String,
-    /// The tolerance, of a method that has one.
-    pub tolerance: String,
-    /// Median time of one evaluation or of one build \[ns\], if it was taken.
-    pub median_ns: String,
-    /// Worst error on the hard grid, or a failure; empty for a build.
-    pub max_relative_error: String,
-    /// Mean number of evaluations.
-    pub evaluations: String,
 }
 
 impl Row {
@@ -74,14 +55,6 @@ impl Row {
     pub fn requested(&self) -> Option<f64> {
         self.tolerance.parse().ok()
     }
-}
-
-/// The rows of a `speed-vs-error.csv`.
-///
-/// # Errors
-/// Another csv.
-pub fn read(text: &str) -> Result<Vec<Row>> {
-    Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
 }
 
 /// The inputs of a run.
@@ -245,10 +218,6 @@ impl Run<'_> {
         Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
     }
 }
-
-/// The columns before those of the methods.
-pub const BEFORE: [&str; 6] =
-    ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
 
 /// The mean; `None` without numbers.
 fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {

@@ -4,8 +4,8 @@ use anyhow::Result;
 use asperity::bem::RandomSurface;
 use asperity::{Evidence, Interface, Scene, Surface};
 
-/// Pixels per shortest wave.
-pub const PIXELS_PER_WAVE: f64 = 8.0;
+use crate::figures::truth::PIXELS_PER_WAVE;
+
 /// Root mean square gradient. E g is the unit of pressures, so that neither E nor g changes a
 /// result.
 pub const GRADIENT: f64 = Evidence::GRADIENT;

@@ -8,9 +8,7 @@
 pub mod family;
 pub mod feeding;
 pub mod kept;
-mod markdown;
 pub mod ordinary;
-mod picture;
 pub mod plan;
 mod rows;
 mod solve;
@@ -20,14 +18,13 @@ pub mod yielded;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use asperity::bem::RandomSurface;
-use asperity::{Evidence, Model, Persson, PerssonVariance};
+use asperity::Evidence;
 
-pub use markdown::table as markdown;
-pub use picture::{Shown, style, table};
 pub use plan::{FULL, QUICK, SMALL, Scope};
 pub use rows::evidence;
 
+use crate::figures::truth::{Shown, style, table};
+use crate::figures::truth_ranges::table as markdown;
 use crate::folder::{figures_folder, save};
 use kept::Kept;
 use solve::solve;
@@ -146,35 +143,6 @@ fn draw(figures: &Path, solve_missing: bool) -> Result<Vec<PathBuf>> {
     drawn.extend(unseen.map(|table| ("truth-unseen.md".to_owned(), table)));
     save(figures, drawn)
 }
-
-/// The models that are compared with boundary elements. Persson's spectrum is a power law, as that
-/// of the solved surfaces beyond their roll-off.
-#[must_use]
-pub fn models() -> Vec<Model> {
-    let hurst_exponent = Some(RandomSurface::HURST);
-    let whole = PerssonVariance::ALL
-        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
-    let compared = |model: &Model| COMPARED.contains(&model.id());
-    let of_asperities = Model::all().into_iter().chain(Model::all_random());
-    of_asperities.filter(compared).chain(whole).collect()
-}
-
-/// Models of asperities in the table: each of the paper's once, and four with random asperities.
-const COMPARED: [&str; 13] = [
-    "gw",
-    "ceb",
-    "zmc",
-    "ke",
-    "etsion",
-    "jg",
-    "af",
-    "gao",
-    "at",
-    "gw-random",
-    "zmc-random",
-    "ke-random",
-    "jg-random",
-];
 
 #[cfg(test)]
 mod tests {

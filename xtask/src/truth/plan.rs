@@ -3,6 +3,7 @@
 use anyhow::Result;
 
 use super::family::{FAMILIES, Family, LOADS, is_carried, scene};
+use crate::figures::truth;
 
 /// Number of seeds behind every row.
 pub const LEAST_SEEDS: u64 = 4;
@@ -91,8 +92,6 @@ const PLASTIC: &[f64] = &[0.03, 0.05];
 
 /// Most surfaces of a case.
 pub const MOST_SEEDS: u64 = 16;
-/// Most surfaces of broad spectra, which have few contacts, under light loads, which cost little.
-pub const MOST_LIGHT_SEEDS: u64 = 64;
 
 /// The committed evidence: what matters most first.
 pub const FULL: Scope = Scope {
@@ -101,7 +100,7 @@ pub const FULL: Scope = Scope {
             families: &[FAMILIES[2], FAMILIES[3]],
             indices: &[0.0, 2.0, 4.0],
             loads: LIGHT_LOADS,
-            most_seeds: MOST_LIGHT_SEEDS,
+            most_seeds: truth::MOST_SEEDS,
         },
         part(FAMILIES.split_at(2).0, &[0.0, 2.0, 4.0], &LOADS),
         part(&[FAMILIES[2]], &[0.0, 2.0, 4.0], HEAVY_LOADS),

@@ -8,8 +8,8 @@ use asperity::{
 
 use super::family::{Family, GRADIENT, MODULUS, scene};
 use super::kept::{self, Kept};
-use super::models;
 use super::plan::{Case, Scope};
+use crate::figures::truth_ranges::models;
 
 /// Mean and standard error of the surfaces, in the order of [`Compared::ALL`].
 pub struct Bem {

@@ -1,7 +1,7 @@
 //! Models divided by their expected ratio to boundary elements.
 
-use crate::bem::Bem;
 use crate::evidence::{Counted, Lacking, compile_known};
+use crate::recommended::BEM;
 use crate::{
     At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
     Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
@@ -93,7 +93,7 @@ impl Corrected {
     ) -> Result<Self, ContactError> {
         let id = format!("{}-corrected", model.id());
         let unlike = match model.id() {
-            Bem::ID => Some("boundary elements are the reference; solve without correction"),
+            BEM => Some("boundary elements are the reference; solve without correction"),
             "ghaednia" => Some("the solved surfaces do not harden; solve without correction"),
             _ => None,
         };

@@ -1,44 +1,61 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
 mod case;
+#[cfg(feature = "evidence")]
 mod contacts;
 mod csv;
+#[cfg(feature = "evidence")]
 mod expected;
+#[cfg(feature = "evidence")]
 mod interval;
+#[cfg(feature = "evidence")]
 mod of_model;
+#[cfg(feature = "evidence")]
 mod place;
+#[cfg(feature = "evidence")]
 mod process;
+#[cfg(feature = "evidence")]
 mod ratio;
 
 use std::sync::OnceLock;
 
+#[cfg(feature = "evidence")]
 use place::Place;
+#[cfg(feature = "evidence")]
 use process::Process;
 
+#[cfg(feature = "evidence")]
 pub(crate) use contacts::Counted;
+#[cfg(feature = "evidence")]
 pub(crate) use of_model::{Lacking, compile, compile_known};
 
 use crate::ContactError;
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
+#[cfg(feature = "evidence")]
 pub use crate::evidence::expected::{Estimate, ExpectedContact};
+#[cfg(feature = "evidence")]
 pub use crate::evidence::place::SurfaceShape;
+#[cfg(feature = "evidence")]
 pub use crate::evidence::ratio::Ratio;
 
 /// First clause of a refusal.
+#[cfg(feature = "evidence")]
 pub(crate) const NONE: &str = "no boundary-element solution is close";
 
 /// Boundary elements on generated surfaces, and models beside them, as `cargo xtask truth` computes
 /// them: periodic, 256 x 256 to 2048 x 2048 pixels with shortest waves of 8 pixels, from
-/// [`RandomSurface`](crate::bem::RandomSurface); isotropic and Gaussian, or skewed, or with a lay;
+/// `bem::RandomSurface`; isotropic and Gaussian, or skewed, or with a lay;
 /// elastic and with plasticity indices (moments, E, S and H as the models use them).
 ///
-/// [`expected`](Self::expected) interpolates between them.
+/// With the feature `evidence`, `expected` interpolates between them.
 #[derive(Debug, Clone)]
 pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
+    #[cfg(feature = "evidence")]
     places: Vec<Place>,
     /// Through the cases, one for each of [`Compared::ALL`], made at first use.
+    #[cfg(feature = "evidence")]
     processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
 }
 
@@ -52,6 +69,9 @@ impl Evidence {
     /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
     /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
     pub const COLUMNS: [&'static str; 16] = csv::COLUMNS;
+
+    /// Hurst exponent of the spectra of the solved surfaces.
+    pub const HURST: f64 = 0.8;
 
     /// Root mean square gradient of the solved surfaces, to which stiffnesses are proportional.
     pub const GRADIENT: f64 = 0.05;
@@ -81,8 +101,13 @@ impl Evidence {
     }
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
-        let places = cases.iter().map(Place::of_case).collect::<Result<_, _>>()?;
-        Ok(Self { cases, places, processes: Default::default() })
+        Ok(Self {
+            #[cfg(feature = "evidence")]
+            places: cases.iter().map(Place::of_case).collect::<Result<_, _>>()?,
+            #[cfg(feature = "evidence")]
+            processes: Default::default(),
+            cases,
+        })
     }
 
     /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic
@@ -115,4 +140,5 @@ impl Evidence {
 }
 
 #[cfg(test)]
+#[cfg(feature = "evidence")]
 mod tests;

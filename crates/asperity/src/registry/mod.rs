@@ -211,6 +211,11 @@ impl FromStr for Model {
     fn from_str(name: &str) -> Result<Self, ContactError> {
         let models = Self::named();
         let wanted = name.trim().to_lowercase();
+        #[cfg(not(feature = "bem"))]
+        if wanted == crate::recommended::BEM {
+            let reason = "asperity is compiled without bem; add its feature bem".into();
+            return Err(ContactError::Refused { model: wanted, reason });
+        }
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
         }
@@ -264,7 +269,7 @@ mod tests {
             let ids = ids(text);
             // Boundary elements need a scan and are not listed.
             ids.split(", ")
-                .filter(|id| *id != crate::bem::Bem::ID)
+                .filter(|id| *id != crate::recommended::BEM)
                 .map(|id| id.parse().unwrap())
                 .collect()
         };

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::bem::Bem;
+use crate::recommended::BEM;
 use crate::tables::contact_table::{ContactNode, ContactTable};
 use crate::tables::cubic;
 use crate::tables::error::TableError;
@@ -98,7 +98,7 @@ impl Builder {
         interpolation: Interpolation,
     ) -> Result<Self, TableError> {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
-        if model.citation().id == Bem::ID {
+        if model.citation().id == BEM {
             return Err(TableError::Contact(ContactError::Refused {
                 model: model.name().into(),
                 reason: "a table with a bound of its error takes thousands of solutions; use the curve of pressure, tangent and separation at some loads".into(),

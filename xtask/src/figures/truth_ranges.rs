@@ -3,9 +3,7 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
-use asperity::{Compared, Described, Evidence, EvidenceCase};
-
-use super::models;
+use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
 
 /// Light loads are those up to this p/(E g).
 const LIGHT: f64 = 5e-4;
@@ -22,6 +20,35 @@ rms height; elastic surfaces have no hardness. The last rows state the largest s
 boundary elements, and the bandwidths that were solved.
 
 ";
+
+/// Models of asperities in the table: each of the paper's once, and four with random asperities.
+const COMPARED: [&str; 13] = [
+    "gw",
+    "ceb",
+    "zmc",
+    "ke",
+    "etsion",
+    "jg",
+    "af",
+    "gao",
+    "at",
+    "gw-random",
+    "zmc-random",
+    "ke-random",
+    "jg-random",
+];
+
+/// The models that are compared with boundary elements. Persson's spectrum is a power law, as that
+/// of the solved surfaces beyond their roll-off.
+#[must_use]
+pub fn models() -> Vec<Model> {
+    let hurst_exponent = Some(Evidence::HURST);
+    let whole = PerssonVariance::ALL
+        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
+    let compared = |model: &Model| COMPARED.contains(&model.id());
+    let of_asperities = Model::all().into_iter().chain(Model::all_random());
+    of_asperities.filter(compared).chain(whole).collect()
+}
 
 /// Numbers of the table are equal digit by digit.
 fn same(a: f64, b: f64) -> bool {

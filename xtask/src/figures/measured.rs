@@ -1,13 +1,31 @@
-//! The two pictures, each from the text of its csv.
+//! The two pictures of the report, each from the text of its csv.
 
-use anyhow::Result;
+use std::fs;
+use std::path::Path;
 
-use super::cases::ORDINARY;
-use super::effort::median;
-use super::tables::{BEFORE, Row, read};
+use anyhow::{Context, Result};
+
+use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
 use asperity_plot::{
     Axis, Cell, Curve, Figure, Legend, Matrix, Panel, Strip, draw, draw_matrix, power_of_ten,
 };
+
+/// The pictures by name, drawn from the tables in a folder.
+///
+/// # Errors
+/// Tables that are missing or not those of the report.
+pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
+    let text = |name: &str| {
+        let path = folder.join(name);
+        fs::read_to_string(&path).with_context(|| path.display().to_string())
+    };
+    let measured = text("speed-vs-error.md")?;
+    let machine = machine(&measured).context("speed-vs-error.md names no machine")?;
+    Ok([
+        ("speed-vs-error.svg".into(), frontier(&text("speed-vs-error.csv")?, machine)?),
+        ("hard-cases.svg".into(), hard_cases(&text("hard-cases.csv")?)?),
+    ])
+}
 
 /// Errors above this count as wrong.
 const WRONG: f64 = 1e-2;
@@ -80,7 +98,7 @@ fn summary(csv: &str) -> Result<String> {
 ///
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`.
-pub fn frontier(csv: &str, machine: &str) -> Result<String> {
+fn frontier(csv: &str, machine: &str) -> Result<String> {
     let summary = summary(csv)?;
     let drawn = |panel: &str, method: &str| summary.contains(&format!("\n{panel},{method},"));
     let mut panels = vec![];
@@ -117,7 +135,7 @@ pub fn frontier(csv: &str, machine: &str) -> Result<String> {
 ///
 /// # Errors
 /// A csv that is not `hard-cases.csv`.
-pub fn hard_cases(csv: &str) -> Result<String> {
+fn hard_cases(csv: &str) -> Result<String> {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let methods: Vec<String> =
         reader.headers()?.iter().skip(BEFORE.len()).map(str::to_owned).collect();

@@ -1,14 +1,17 @@
 //! The figures: models over boundary elements against the load, a panel for each case.
 
 use anyhow::Result;
-use asperity::bem::RandomSurface;
 use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
-use super::family::PIXELS_PER_WAVE;
-use super::plan::MOST_LIGHT_SEEDS as MOST_SEEDS;
-use crate::figures::models::MARKERS;
+use super::models::MARKERS;
 use crate::table::{Field, Table};
+
+/// Pixels per shortest wave of the solved surfaces.
+pub const PIXELS_PER_WAVE: f64 = 8.0;
+/// Most surfaces of a case: of broad spectra, which have few contacts, under light loads, which cost
+/// little.
+pub const MOST_SEEDS: u64 = 64;
 
 /// The quantity that is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -165,7 +168,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
             "Stiffness at the start of unloading, of boundary elements at fixed contact (conductances have the same ratio)",
         ),
     };
-    let hurst = RandomSurface::HURST;
+    let hurst = Evidence::HURST;
     let how = format!(
         "{what} over the mean of up to {MOST_SEEDS} surfaces with the same moments, whose standard error is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 256 × 256 to 2048 × 2048 pixels, shortest wave {PIXELS_PER_WAVE} pixels, Hurst exponent {hurst}."
     );

@@ -1,0 +1,51 @@
+//! The tables of the report, `speed-vs-error.csv` and `hard-cases.csv`, as they are read.
+
+use anyhow::Result;
+use serde::{Deserialize, Serialize};
+
+/// A row of `speed-vs-error.csv`; a cell may be empty.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Row {
+    /// The model's id.
+    pub model: String,
+    /// The quantity.
+    pub quantity: String,
+    /// The method.
+    pub method: String,
+    /// The tolerance, of a method that has one.
+    pub tolerance: String,
+    /// Median time of one evaluation or of one build \[ns\], if it was taken.
+    pub median_ns: String,
+    /// Worst error on the hard grid, or a failure; empty for a build.
+    pub max_relative_error: String,
+    /// Mean number of evaluations.
+    pub evaluations: String,
+}
+
+/// The rows of a `speed-vs-error.csv`.
+///
+/// # Errors
+/// Another csv.
+pub fn read(text: &str) -> Result<Vec<Row>> {
+    Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
+}
+
+/// The columns before those of the methods.
+pub const BEFORE: [&str; 6] =
+    ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
+
+/// The family of the ordinary scenes.
+pub const ORDINARY: &str = "ordinary";
+
+/// The median; `None` without numbers.
+#[must_use]
+pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied()
+}
+
+/// The machine named in a text.
+#[must_use]
+pub fn machine(text: &str) -> Option<&str> {
+    Some(text.split_once("measured on ")?.1.split_once(". Times")?.0)
+}
