@@ -37,14 +37,15 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    input::set_program(Cli::command());
-    let program = Cli::command();
+    input::set_program(Cli::command);
+    let mut program = Cli::command();
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let arguments = program.clone().try_get_matches_from(&arguments).unwrap_or_else(|error| {
+    let matches = program.try_get_matches_from_mut(&arguments);
+    let arguments = matches.unwrap_or_else(|error| {
         let is_known = |name: &str| program.find_subcommand(name).is_some();
         let Some(apart) = input::blanks::unit_apart(&arguments, is_known) else { error.exit() };
         // The advice is of no use where the number with its unit is refused as well.
-        match program.clone().try_get_matches_from(&apart.joined) {
+        match Cli::command().try_get_matches_from(&apart.joined) {
             Err(refused) if refused.kind() == ErrorKind::ValueValidation => refused.exit(),
             _ => input::usage_error(&apart.subcommand, ErrorKind::UnknownArgument, &apart.message),
         }

@@ -1,6 +1,8 @@
 //! The template declares every section and key with its unit and meaning; accepted names, units,
 //! suggestions and the order of written scenes follow from it.
 
+use std::sync::LazyLock;
+
 use asperity::Surface;
 use toml::Value;
 
@@ -63,6 +65,11 @@ const MEASURED: &str = "5. a measurement";
 
 /// The keys of the template, in its order.
 pub(crate) fn keys() -> impl Iterator<Item = Key> {
+    static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| read_keys().collect());
+    KEYS.iter().copied()
+}
+
+fn read_keys() -> impl Iterator<Item = Key> {
     let (mut inside, mut measured) = ("", false);
     template().lines().filter_map(move |line| {
         let line = line.trim_start_matches("# ");

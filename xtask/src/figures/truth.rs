@@ -9,8 +9,8 @@ use crate::table::{Field, Table};
 
 /// Pixels per shortest wave of the solved surfaces.
 pub const PIXELS_PER_WAVE: f64 = 8.0;
-/// Most surfaces of a case: of broad spectra, which have few contacts, under light loads, which cost
-/// little.
+/// Most surfaces of a case: of broad spectra, which have few contacts, under light loads, which
+/// cost little.
 pub const MOST_SEEDS: u64 = 64;
 
 /// The quantity that is compared.

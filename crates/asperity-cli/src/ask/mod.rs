@@ -153,14 +153,13 @@ impl<'s> Question<'s> {
         id: &str,
         model: &Model,
     ) -> Result<(Box<dyn Contact>, Vec<Quantity>), ContactError> {
-        let scene = &self.scene.file.scene;
-        let whole = match model.compile(scene, &self.request) {
+        let whole = match self.contact(model, &self.request) {
             Ok(contact) => return Ok((contact, self.request.quantities.clone())),
             Err(whole) => whole,
         };
         let compile = |quantities: &[Quantity]| {
             let request = Request::new(quantities.iter().copied()).within(self.request.tolerance);
-            model.compile(scene, &request.at(self.request.at.iter().copied()))
+            self.contact(model, &request.at(self.request.at.iter().copied()))
         };
         let mut given = vec![];
         // One message for all quantities with the same reason.
@@ -185,6 +184,12 @@ impl<'s> Question<'s> {
         };
         self.lacking.extend(refused.into_iter().map(message));
         Ok((contact, given))
+    }
+
+    /// The contact for this request: where each load has one row, few loads need no tables.
+    fn contact(&self, model: &Model, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        let scene = &self.scene.file.scene;
+        if self.all { model.compile(scene, request) } else { model.contact(scene, request) }
     }
 
     /// A load or separation as given and as evaluated; with `all`, each separation of a load.

@@ -2,7 +2,7 @@
 //! from boundary elements on similar surfaces.
 
 use anyhow::{Context, Result};
-use asperity::{At, Compared, Described, Evidence, Model, Quantity, linspace};
+use asperity::{At, Compared, Described, Model, Quantity, linspace};
 use clap::Args;
 
 use crate::ask::column_beside;
@@ -14,7 +14,7 @@ use crate::scene::{LoadedScene, by_reason};
 
 /// Recommend the simplest valid model near a reference, with evidence from boundary elements
 #[derive(Debug, Args)]
-#[command(after_help = help())]
+#[command(after_help = HELP)]
 pub struct Recommend {
     #[command(flatten)]
     asked: ModelArgs,
@@ -28,11 +28,9 @@ pub struct Recommend {
     output: OutputArgs,
 }
 
-/// The help, with the range of the solved cases.
-fn help() -> String {
-    let solved = Evidence::committed().map_or_else(|e| e.to_string(), Evidence::solved);
-    format!(
-        "Models are listed from simplest to most complex: asperities of one radius with upright
+/// The help. The range of the solved cases is that of the evidence, which is not read for it.
+const HELP: &str =
+    "Models are listed from simplest to most complex: asperities of one radius with upright
 contacts, random asperities, no asperities (Persson), inclined contacts; among these,
 force laws with fewer parts first, then older models first. The recommended model is the
 first that is near enough to the reference and valid for the scene (an elastic model is
@@ -41,7 +39,7 @@ largest over the separations or loads, relative to the reference (differences fo
 logarithms and shares).
 Agreement with the reference is no proof of accuracy: columns .._off_bem have the expected
 deviation of a model from boundary elements at the loads, interpolated between solved random
-surfaces ({solved}),
+surfaces (alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 0.7, 1, 2, 4, 8, p/(E g) from 0.00001 to 0.3),
 the largest over the separations or loads that have one; .._spread is half the width of the
 interval that holds nine of ten surfaces. Columns of the unloading stiffness are shown if it or a
 conductance is requested, or no quantity that is compared with boundary elements; the mean gap is
@@ -55,9 +53,7 @@ asperity_height_std.
 Examples:
   asperity recommend scene.toml
   asperity recommend scene.toml --load 1:1000:20:log --quantity area,tangent
-  asperity recommend scene.toml --reference gao --within 20% --quantity force --separation 0:3:7"
-    )
-}
+  asperity recommend scene.toml --reference gao --within 20% --quantity force --separation 0:3:7";
 
 impl Recommend {
     pub fn run(self) -> Result<()> {
@@ -157,5 +153,18 @@ impl Recommend {
         let notes = [advice.summary(), advice.expectations()].concat();
         notes.iter().for_each(|note| print_message("note", note));
         self.output.write(&table)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::Evidence;
+
+    use super::HELP;
+
+    #[test]
+    fn the_help_has_the_range_of_the_evidence() {
+        let solved = Evidence::committed().unwrap().solved();
+        assert!(HELP.contains(&format!("surfaces ({solved}),")), "{solved}");
     }
 }

@@ -14,18 +14,18 @@ use std::sync::OnceLock;
 use clap::Command;
 use clap::error::ErrorKind;
 
-/// The definition of the program, for the usage beside an error.
-static PROGRAM: OnceLock<Command> = OnceLock::new();
+/// Makes the definition of the program, for the usage beside an error.
+static PROGRAM: OnceLock<fn() -> Command> = OnceLock::new();
 
 /// Sets the program whose usage [`usage_error`] shows.
-pub fn set_program(mut program: Command) {
-    program.build();
+pub fn set_program(program: fn() -> Command) {
     let _ = PROGRAM.set(program);
 }
 
 /// Ends the program as clap does for arguments that it refuses.
 pub fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
-    let program = PROGRAM.get().cloned().unwrap_or_default();
+    let mut program = PROGRAM.get().map_or_else(Command::default, |make| make());
+    program.build();
     let command = program.find_subcommand(subcommand).cloned();
     command.unwrap_or(program).error(kind, text).exit()
 }

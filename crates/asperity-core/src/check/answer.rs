@@ -280,10 +280,12 @@ fn extremes(places: &[At], scene: &Scene) -> Vec<At> {
             At::Pressure(_) => kind == 2,
         };
         let by_number = |a: &&At, b: &&At| number(a).total_cmp(&number(b));
-        found.extend(places.iter().filter(same).max_by(by_number));
-        if kind > 0 {
-            found.extend(places.iter().filter(same).min_by(by_number));
-        }
+        let largest = places.iter().filter(same).max_by(by_number);
+        let smallest = places.iter().filter(same).min_by(by_number).filter(|_| kind > 0);
+        // One place is judged once.
+        let other =
+            smallest.filter(|least| largest.is_some_and(|most| by_number(&most, least).is_ne()));
+        found.extend(largest.into_iter().chain(other));
     }
     found
 }

@@ -68,6 +68,12 @@ pub(crate) trait Averages<'s> {
         falls.force(s)
     }
 
+    /// The place of a load that was found before.
+    #[inline(always)]
+    fn known(&self, _at: &At) -> Option<Place> {
+        None
+    }
+
     /// Makes the integrals for s if they were made too far from it for their bounds to hold;
     /// returns whether there were any.
     fn settle(&mut self, _base: Quantity, _place: (f64, &At)) -> Result<bool, ContactError> {
@@ -84,6 +90,9 @@ pub(crate) trait Averages<'s> {
 /// d/σ_z at a place; a load is inverted.
 #[inline(always)]
 pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: &At) -> Result<Place, ContactError> {
+    if let Some(place) = averages.known(at) {
+        return Ok(place);
+    }
     match at {
         At::Separation(separation) => separation.place(averages.scene()),
         At::Load(load) => place_of_load(averages, ("load", *load), 1.0),

@@ -13,6 +13,7 @@ use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;
+use crate::request::separation::Place;
 use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
 
 /// The distance in s within which the bound of an integral holds.
@@ -41,6 +42,8 @@ pub(crate) struct CaseIntegrals<'c> {
     laws: &'c Laws,
     tolerance: Tolerance,
     law_integrals: Vec<LawIntegrals<'c>>,
+    /// The place of the load for which they are, if it was found before.
+    known: Option<Place>,
 }
 
 impl<'c> CaseIntegrals<'c> {
@@ -92,7 +95,12 @@ impl<'c> CaseIntegrals<'c> {
             let sources = parts.map(|(j, part)| source((k, j), part)).collect();
             law_integrals.push(LawIntegrals { base: *base, law, units, sources });
         }
-        Ok(Self { scene, laws, tolerance, law_integrals })
+        Ok(Self { scene, laws, tolerance, law_integrals, known: None })
+    }
+
+    /// For a load whose place was found before.
+    pub(crate) fn knowing(self, known: Option<Place>) -> Self {
+        Self { known, ..self }
     }
 
     fn law(&mut self, base: Quantity) -> Result<&mut LawIntegrals<'c>, ContactError> {
@@ -112,6 +120,10 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
 
     fn tolerance(&self) -> Tolerance {
         self.tolerance
+    }
+
+    fn known(&self, at: &At) -> Option<Place> {
+        self.known.filter(|_| !matches!(at, At::Separation(_)))
     }
 
     fn units(&self, base: Quantity) -> Result<Units, ContactError> {

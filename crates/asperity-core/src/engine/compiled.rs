@@ -32,6 +32,21 @@ impl Compiled {
     ) -> Result<Self, ContactError> {
         Prepared::new(Arc::new(Facts::new(model, scene, request)?), scene).map(Self)
     }
+
+    /// The same laws on another scene.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherAsperity`] if its laws would be others.
+    pub(crate) fn moved(
+        facts: &Arc<Facts>,
+        scene: &Scene,
+    ) -> Result<Box<dyn Contact>, ContactError> {
+        if scene.asperity()? != facts.laws.asperity {
+            return Err(ContactError::OtherAsperity);
+        }
+        contact_radii::check(&facts.quantities, &scene.interface)?;
+        Ok(Box::new(Self(Prepared::new(facts.clone(), scene)?)))
+    }
 }
 
 impl Contact for Compiled {
@@ -117,11 +132,7 @@ impl Contact for Compiled {
     }
 
     fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
-        if scene.asperity()? != self.0.facts.laws.asperity {
-            return Err(ContactError::OtherAsperity);
-        }
-        contact_radii::check(&self.0.facts.quantities, &scene.interface)?;
-        Ok(Box::new(Self(Prepared::new(self.0.facts.clone(), scene)?)))
+        Self::moved(&self.0.facts, scene)
     }
 
     fn respond(&self, request: &Request) -> Response {

@@ -31,19 +31,15 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     request.at.len() <= few && !request.shares
 }
 
-/// The response to a request, row by row without preparation.
-///
-/// # Errors
-/// A scene that is refused for every row.
-pub(crate) fn answer_alone(
+/// The response to a request, row by row without preparation; `alone` makes the integrals of a row.
+pub(crate) fn answer_alone<'s>(
     facts: &Facts,
     scene: &Scene,
     request: &Request,
-) -> Result<Response, ContactError> {
-    let alone = || CaseIntegrals::alone(scene, &facts.laws, facts.tolerance);
-    alone()?;
+    alone: impl Fn(&At) -> Result<CaseIntegrals<'s>, ContactError> + Sync + Send,
+) -> Response {
     let columns = |places: &[At]| {
-        let rows = places.iter().map(|at| match alone() {
+        let rows = places.iter().map(|at| match alone(at) {
             Ok(mut averages) => cells(&mut averages, &request.quantities, at),
             Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
         });
@@ -54,14 +50,14 @@ pub(crate) fn answer_alone(
         columns
     };
     let cells = |places: &[At]| parallel::columns(places, (FEW + 1, FEW), columns);
-    Ok(answer(facts, scene, request, cells, alone))
+    answer(facts, scene, request, cells, &alone)
 }
 
 /// The response to a request from prepared integrals.
 pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
     let columns = |places: &[At]| columns(prepared, &request.quantities, places);
     let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-    answer(&prepared.facts, &prepared.scene, request, cells, || Ok(prepared))
+    answer(&prepared.facts, &prepared.scene, request, cells, |_: &At| Ok(prepared))
 }
 
 /// A response from its columns; its other parts come from `averages`.
@@ -70,16 +66,16 @@ fn answer<'s, A: Averages<'s>>(
     scene: &Scene,
     request: &Request,
     cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
-    averages: impl Fn() -> Result<A, ContactError>,
+    averages: impl Fn(&At) -> Result<A, ContactError>,
 ) -> Response {
-    let value = |quantity, at| {
-        let mut averages = averages().ok()?;
+    let value = |quantity, at: At| {
+        let mut averages = averages(&at).ok()?;
         let mut row = Row::<_>::new(&mut averages, &[quantity], &at).ok()?;
         Some(row.unchecked(quantity).ok()?.value())
     };
     let signed = facts.laws.are_signed();
     let behind = |quantity, at| if signed { value(quantity, at) } else { None };
-    let shares = |quantity, at| shares_at(facts, &mut averages()?, quantity, &at);
+    let shares = |quantity, at: At| shares_at(facts, &mut averages(&at)?, quantity, &at);
     respond((&facts.model, scene, facts.laws.adhesive), request, cells, shares, behind)
 }
 

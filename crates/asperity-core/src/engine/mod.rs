@@ -1,5 +1,6 @@
 //! Laws averaged over heights, and the separations of loads.
 
+pub(crate) mod alone;
 pub(crate) mod arrays;
 pub(crate) mod averages;
 pub(crate) mod case;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::engine::alone::Alone;
 use crate::engine::compiled::Compiled;
-use crate::engine::list::{answer_alone, answer_prepared, is_short};
+use crate::engine::list::{answer_prepared, is_short};
 use crate::engine::prepared::{Facts, Prepared};
 use crate::{
     Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
@@ -25,6 +26,15 @@ pub trait ContactModel: Described {
     /// # Errors
     /// [`ContactError`] naming the input that is out of range or missing.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError>;
+
+    /// Prepares a scene for the places of this request alone: few places cost what
+    /// [`solve`](Self::solve) takes for them, and no tables are made for others.
+    ///
+    /// # Errors
+    /// Those of [`compile`](Self::compile).
+    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        self.compile(scene, request)
+    }
 
     /// Answers a request, row by row.
     ///
@@ -63,11 +73,21 @@ impl<M: AsperityModel> ContactModel for M {
         Ok(Box::new(Compiled::new(self, scene, request)?))
     }
 
-    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        let facts = Facts::new(self, scene, request)?;
+    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         match is_short(request, scene) {
-            true => answer_alone(&facts, scene, request),
-            false => Ok(answer_prepared(&Prepared::new(Arc::new(facts), scene)?, request)),
+            true => {
+                let facts = Arc::new(Facts::new(self, scene, request)?);
+                Ok(Box::new(Alone::new(facts, scene)?))
+            }
+            false => self.compile(scene, request),
         }
+    }
+
+    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
+        let facts = Arc::new(Facts::new(self, scene, request)?);
+        Ok(match is_short(request, scene) {
+            true => Alone::new(facts, scene)?.respond(request),
+            false => answer_prepared(&Prepared::new(facts, scene)?, request),
+        })
     }
 }

@@ -184,6 +184,10 @@ impl ContactModel for Model {
         self.model.compile(scene, request)
     }
 
+    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        self.model.contact(scene, request)
+    }
+
     fn solve(&self, scene: &Scene, request: &Request) -> Result<crate::Response, ContactError> {
         self.model.solve(scene, request)
     }
