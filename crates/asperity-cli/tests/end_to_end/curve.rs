@@ -31,8 +31,7 @@ fn every_digit_agrees_with_the_library() {
         let data =
             bench.data(&format!("curve scene.toml --model jg --tolerance 1e-12 {arguments}"));
         let request = Request::new(quantities).at(at).within(tolerance);
-        let contact = "jg".parse::<Model>().unwrap().compile(&scene, &request).unwrap();
-        let answer = contact.respond(&request);
+        let answer = "jg".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
         for quantity in quantities {
             let printed = column(&data, &quantity.column());
             let computed = answer.values(quantity).unwrap();

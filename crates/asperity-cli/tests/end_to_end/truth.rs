@@ -28,7 +28,10 @@ fn models_are_compared_with_boundary_elements() {
         [("area_fraction", "area_fraction"), ("stiffness_N_per_m", "tangent_N_per_m")]
     {
         let all = column(&run.out, name);
-        assert_eq!([all[2], all[5]][..], column(&curve, other), "{name}");
+        // Two loads without tables, and each with its model's: the same to rounding.
+        let [light, heavy] = column(&curve, other)[..] else { panic!("{curve}") };
+        same(all[2], light);
+        same(all[5], heavy);
     }
     // Its shortest waves are 3.5 pixels long.
     let coarse = "models are not ranked: the grid is too coarse for the shortest waves";
