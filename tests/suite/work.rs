@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, AsperityModel, Case, Citation, Contact, ContactError, ContactModel,
-    Described, Formula, HeightDistribution, Law, ObliqueContact, Power, Provenance, Quantity,
-    Request, Scene, Sweep, Tolerance, angle_average,
+    AngleDensity, Asperity, AsperityModel, At, Case, Check, Citation, Contact, ContactError,
+    ContactModel, Described, Formula, HeightDistribution, Law, ObliqueContact, Power, Provenance,
+    Quantity, Request, Scene, Sweep, Tolerance, angle_average,
 };
 
 use crate::scenes::{named, with_index};
@@ -143,6 +143,32 @@ fn shares_are_computed_when_requested_and_once() {
     compiled.shares(Quantity::Force, 0.5).unwrap();
     assert!(spy.samples() == with_shares, "a second time they are there");
     assert!(spy.asked() == [Quantity::Force]);
+}
+
+/// What a program does for a load: judge the answer, show the separation, answer.
+#[test]
+fn a_load_is_compiled_and_inverted_once() {
+    let (spy, scene) = (Spy::default(), with_index(2.0));
+    let load = At::Load(100.0);
+    let request = Request::new(Quantity::JUDGED).at([load]);
+    let contact = spy.contact(&scene, &request).unwrap();
+    let laws = spy.asked();
+    assert!(laws == [Quantity::Force, Quantity::Area], "{laws:?}");
+    contact.separation(load).unwrap();
+    let inverted = spy.samples();
+    contact.separation(load).unwrap();
+    assert!(inverted > 0 && spy.samples() == inverted, "{inverted} {}", spy.samples());
+    let _ = Check::answers_of(&spy, &*contact, &[load]);
+    let judged = spy.samples() - inverted;
+    contact.respond(&request);
+    let answered = spy.samples() - inverted - judged;
+    assert!(spy.asked() == laws, "compiled again for {:?}", spy.asked());
+    // Without inversion, an answer takes its two integrals, at one separation.
+    let place = contact.separation(load).unwrap();
+    let there = Spy::default();
+    there.solve(&scene, &Request::new(Quantity::JUDGED).at([place])).unwrap();
+    assert!(judged <= there.samples(), "{judged} {}", there.samples());
+    assert!(answered <= there.samples(), "{answered} {}", there.samples());
 }
 
 #[test]

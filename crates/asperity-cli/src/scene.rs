@@ -113,12 +113,13 @@ impl LoadedScene {
         self.model(requested.unwrap_or(asperity::usual_reference(&self.file.scene)))
     }
 
-    /// The models given, or all that the scene allows; a note names the others.
+    /// The models given, of which some may be refused where they are compiled, or all that the
+    /// scene allows; a note names the others.
     pub fn models(&self, requested: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
         let requested = by_name(requested);
         if !requested.is_empty() {
             let models =
-                once(requested).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
+                once(requested).iter().map(|id| self.named(id)).collect::<Result<Vec<_>>>()?;
             if !models.iter().all(|(_, model)| model.validity().adhesive) {
                 self.note_adhesion();
             }
@@ -188,14 +189,20 @@ impl LoadedScene {
         Ok(named)
     }
 
-    /// A model with the scene's options, under the given name.
+    /// A model with the scene's options, under the given name; an error if the scene has not what
+    /// it needs.
     pub fn model(&self, id: &str) -> Result<NamedModel> {
-        let model = self.file.model(id)?;
+        let named = self.named(id)?;
         // Other models report what they lack with their answers.
-        let averaged = model.asperity_model().is_some();
-        if let Some(reason) = averaged.then(|| self.file.refusal(&model)).flatten() {
+        let averaged = named.1.asperity_model().is_some();
+        if let Some(reason) = averaged.then(|| self.file.refusal(&named.1)).flatten() {
             bail!("{}: {reason}", self.name);
         }
+        Ok(named)
+    }
+
+    fn named(&self, id: &str) -> Result<NamedModel> {
+        let model = self.file.model(id)?;
         if model.id() != id {
             print_message(
                 "note",

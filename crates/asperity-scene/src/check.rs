@@ -3,7 +3,7 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, ContactError, ContactModel, Diagnostic, Diagnostics, HeightDistribution,
+    At, Check, Contact, ContactError, ContactModel, Diagnostic, Diagnostics, HeightDistribution,
     ProfileMoments, Severity,
 };
 use asperity_topography::Statistics;
@@ -164,9 +164,25 @@ impl SceneFile {
     /// which they may be a consequence.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Diagnostics {
+        self.judge(model, || Check::answers(model, &self.scene, places))
+    }
+
+    /// [`findings_at`](Self::findings_at) of a contact of the model on this scene, which is not
+    /// compiled again.
+    #[must_use]
+    pub fn findings_of(
+        &self,
+        model: &dyn ContactModel,
+        contact: &dyn Contact,
+        places: &[At],
+    ) -> Diagnostics {
+        self.judge(model, || Check::answers_of(model, contact, places))
+    }
+
+    fn judge(&self, model: &dyn ContactModel, judged: impl Fn() -> Diagnostics) -> Diagnostics {
         let known = self.findings().for_asperities(model.validity().asperities);
         match known.at_least(Severity::Error).is_empty() {
-            true => self.accepted(Check::answers(model, &self.scene, places)),
+            true => self.accepted(judged()),
             false => Diagnostics::default(),
         }
     }

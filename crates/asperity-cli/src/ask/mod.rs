@@ -70,13 +70,13 @@ impl<'s> Question<'s> {
     pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
         let _progress = progress(id);
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
+        let adhesive = model.validity().adhesive;
+        let compiled = self.compile(id, model);
+        let (contact, had) = compiled.with_context(|| self.scene.name.clone())?;
         // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
         let chosen = if self.at_defaults { &usual[..] } else { &self.request.at };
-        self.found.extend(self.scene.file.findings_at(model, chosen));
-        let adhesive = model.validity().adhesive;
-        let compiled = self.compile(id, model);
-        let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
+        self.found.extend(self.scene.file.findings_of(model, &*contact, chosen));
         if !model.validity().asperities {
             // How the scan is continued, for example.
             let notes = contact.notes().iter().filter(|note| note.severity == Severity::Note);
@@ -186,10 +186,16 @@ impl<'s> Question<'s> {
         Ok((contact, given))
     }
 
-    /// The contact for this request: where each load has one row, few loads need no tables.
+    /// The contact for this request, with what it is judged by: where each load has one row, few
+    /// loads need no tables.
     fn contact(&self, model: &Model, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        let mut request = request.clone();
+        // The law of an area that is not asked for is made for it: of inclined contacts, it takes
+        // longer than to judge without tables.
+        let free = |q: &Quantity| *q != Quantity::Area || !model.validity().angles;
+        request.quantities.extend(Quantity::JUDGED.into_iter().filter(free));
         let scene = &self.scene.file.scene;
-        if self.all { model.compile(scene, request) } else { model.contact(scene, request) }
+        if self.all { model.compile(scene, &request) } else { model.contact(scene, &request) }
     }
 
     /// A load or separation as given and as evaluated; with `all`, each separation of a load.

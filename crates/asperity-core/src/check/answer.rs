@@ -29,7 +29,8 @@ impl Check {
     /// [`ContactError`] with the reason why the scene, the model or the place is refused.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
         let mut check = scene.check()?;
-        let answer = Self::of_answer(model, scene, at, true)?;
+        let contact = model.compile(scene, &judging()?)?;
+        let answer = Self::of_answer(model, &*contact, at, true)?;
         check.keep_for(model);
         check.numbers.extend(answer.numbers);
         check.extend(answer.findings);
@@ -40,9 +41,29 @@ impl Check {
     /// smallest and largest loads. Places without an answer have no findings.
     #[must_use]
     pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Diagnostics {
+        let places = extremes(places, scene);
+        let contact = judging().and_then(|asked| model.contact(scene, &asked.at(places.clone())));
+        contact.map_or(Diagnostics::default(), |contact| Self::of_places(model, &*contact, &places))
+    }
+
+    /// [`answers`](Self::answers) of a contact of the model: where it has what is judged
+    /// ([`Quantity::JUDGED`]), nothing is compiled and no load is inverted again.
+    #[must_use]
+    pub fn answers_of(
+        model: &dyn ContactModel,
+        contact: &dyn Contact,
+        places: &[At],
+    ) -> Diagnostics {
+        match Quantity::JUDGED.iter().all(|judged| contact.quantities().contains(judged)) {
+            true => Self::of_places(model, contact, &extremes(places, contact.scene())),
+            false => Self::answers(model, contact.scene(), places),
+        }
+    }
+
+    fn of_places(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Diagnostics {
         let mut check = Self::default();
-        for at in extremes(places, scene) {
-            if let Ok(answer) = Self::of_answer(model, scene, at, false) {
+        for at in places {
+            if let Ok(answer) = Self::of_answer(model, contact, *at, false) {
                 check.extend(answer.findings);
             }
         }
@@ -56,25 +77,22 @@ impl Check {
         self.findings = findings.for_asperities(model.validity().asperities);
     }
 
-    /// All numbers if `whole`, otherwise only those with warnings: models with inclined contacts
-    /// are then solved without tables, and interferences only where they may matter.
+    /// All numbers if `whole`, otherwise only those with warnings: of models with inclined contacts
+    /// then no interferences, and of others only where they may matter.
     fn of_answer(
         model: &dyn ContactModel,
-        scene: &Scene,
+        contact: &dyn Contact,
         at: At,
         whole: bool,
     ) -> Result<Self, ContactError> {
-        let quantities = [Quantity::Force, Quantity::Area, Quantity::Contacts];
-        let request = Request::new(quantities).within(Tolerance::new(TOLERANCE)?);
-        let validity = model.validity();
+        let (scene, validity) = (contact.scene(), model.validity());
         if validity.angles && !whole {
-            let response = model.solve(scene, &request.at([at]))?;
+            let response = contact.respond(&Request::new(Quantity::JUDGED).at([at]));
             let row = |k: usize| response.columns[k].rows[0].as_ref();
             let value = |k| row(k).map(|found| found.value()).map_err(|error| (**error).clone());
             let totals = ([value(0)?, value(1)?], Some(value(2)?));
             return Ok(Self::of_totals(model, scene, at, None, totals));
         }
-        let contact = model.compile(scene, &request)?;
         let from = crate::Datum::AsperityMean;
         let contacts_at = |at: At| -> Result<(Separation, f64), ContactError> {
             let found = contact.separation(at)?.measured_in(SeparationUnit::Sigma, from, scene)?;
@@ -91,19 +109,20 @@ impl Check {
         let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
         let mut check = Self::of_totals(model, scene, at, place, totals);
         if whole {
-            check.add_stiffnesses(model, scene, there, request.tolerance);
+            check.add_stiffnesses(model, scene, there)?;
         }
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
-        if (whole || yields || may_be_deep(&*contact, place, contacts))
-            && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
-            && let Some(deep) = Interferences::of(&*contact, &law, place)?
+        if (whole || yields || may_be_deep(contact, place, contacts))
+            && let Ok(law) =
+                model.law(&scene.asperity()?, Quantity::Force, Tolerance::new(TOLERANCE)?)
+            && let Some(deep) = Interferences::of(contact, &law, place)?
         {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
             check.of_depths(model, scene, at, (&deep, plastic));
         }
         if whole || yields {
-            check.of_different_radii(model, &*contact, at, place);
+            check.of_different_radii(model, contact, at, place);
         }
         Ok(check)
     }
@@ -114,8 +133,8 @@ impl Check {
         model: &dyn ContactModel,
         scene: &Scene,
         at: At,
-        tolerance: Tolerance,
-    ) {
+    ) -> Result<(), ContactError> {
+        let tolerance = Tolerance::new(TOLERANCE)?;
         for (quantity, name, meaning) in [
             (Quantity::Tangent, "tangent", "stiffness in first loading, -dF/dd"),
             (Quantity::UnloadingStiffness, "unloading_stiffness", "stiffness of small vibrations"),
@@ -125,6 +144,7 @@ impl Check {
                 self.add_number(name, found.value(), "N/m", meaning);
             }
         }
+        Ok(())
     }
 
     /// Numbers and diagnostics from the shares of the force that yielding asperities of different
@@ -252,6 +272,11 @@ impl Check {
             self.extend(beyond_fit(model, at, (outside, x), holds_to, plastic));
         }
     }
+}
+
+/// What is judged, as accurate as the numbers of diagnostics have to be.
+fn judging() -> Result<Request, ContactError> {
+    Ok(Request::new(Quantity::JUDGED).within(Tolerance::new(TOLERANCE)?))
 }
 
 /// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.

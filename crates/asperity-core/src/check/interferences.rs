@@ -39,9 +39,11 @@ impl Interferences {
             reach *= 1.3;
         }
         let onset = law.onset * law.interference_unit;
+        let edges: Vec<f64> = (1..=BINS).map(|k| s + reach * k as f64 / BINS as f64).collect();
+        let mut counts = vec![0.0; BINS];
+        contact.fill(&[Quantity::Contacts], &edges, &mut [&mut counts])?;
         let (mut bins, mut total, mut outer) = (vec![], 0.0, all);
-        for k in 0..BINS {
-            let inner = above(s + reach * (k + 1) as f64 / BINS as f64)?;
+        for (k, inner) in counts.into_iter().enumerate() {
             let w = onset + reach * sigma * (k as f64 + 0.5) / BINS as f64;
             let force = (outer - inner) * law.value(w).map_err(failed)?;
             bins.push((w, force));

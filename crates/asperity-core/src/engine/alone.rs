@@ -3,6 +3,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::engine::arrays::FillReport;
 use crate::engine::averages::{all_places_of_load, place, place_of_pull_off};
 use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::compiled::Compiled;
@@ -82,6 +83,15 @@ impl Contact for Alone {
             return Err(ContactError::NotRequested { quantity });
         }
         Row::<_, 0>::new(&mut self.at(&at)?, &[], &at)?.unchecked(quantity)
+    }
+
+    fn fill(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<FillReport, ContactError> {
+        self.on(&self.scene)?.fill(quantities, separations, columns)
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {

@@ -8,6 +8,9 @@ use crate::request::quantity_table::Derivation;
 use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
 impl Quantity {
+    /// What tells whether an answer is plausible.
+    pub const JUDGED: [Self; 3] = [Self::Force, Self::Area, Self::Contacts];
+
     /// SI unit, as in the heads of tables; empty for pure numbers.
     #[must_use]
     pub fn unit(self) -> &'static str {
