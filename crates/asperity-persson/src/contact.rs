@@ -4,16 +4,14 @@ use asperity_core::{
     At, Contact, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
     SeparationUnit, positive,
 };
-use asperity_quadrature::{QuadratureError, bracketed_root, fallible};
+use asperity_quadrature::QuadratureError;
 
-use crate::gap::{self, Gap};
+use crate::gap::{self, Gap, LN_PRESSURES};
+use crate::inverse::{Found, Inverse};
 use crate::{Persson, Spectrum};
 
 /// Bound on the relative error of areas, which is rounding.
 const ERROR: f64 = 1e-14;
-
-/// ln b of the pressures whose mean gaps are representable and above 0.
-const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 #[derive(Debug)]
 pub(crate) struct OnScene {
@@ -24,6 +22,8 @@ pub(crate) struct OnScene {
     pub(crate) pressure_std: f64,
     /// The spectrum for mean gaps and stiffnesses, or the error that names the missing input.
     pub(crate) spectrum: Result<std::sync::Arc<Spectrum>, ContactError>,
+    /// The mean gaps that are known.
+    pub(crate) inverse: Inverse,
 }
 
 impl OnScene {
@@ -43,23 +43,18 @@ impl OnScene {
         let wanted = separation.measured_in(unit, from, &self.scene)?.value;
         let field = "separation in m from the mean plane of the surface";
         let (gap, at) = (self.gap()?, At::Separation(separation));
-        let failed = integral(Quantity::Pressure, at);
-        // Checked before the search for a root.
+        // A logarithm follows.
         let wanted = positive(field, wanted)?;
-        let off = |ln_b: f64| Ok(gap.mean_gap(ln_b.exp())? / wanted - 1.0);
-        let [low, high] = LN_PRESSURES;
-        let found = fallible(off, |off| bracketed_root(off, low, high)).map_err(&failed)?;
-        let Some(ln_b) = found else {
-            let required = match gap.mean_gap(high.exp()).map_err(&failed)? >= wanted {
-                true => "a mean gap that is reached at a pressure below 17 E g",
-                false => "a mean gap that is reached at a pressure above 1e-300 E g",
-            };
-            return Err(ContactError::OutOfRange { field, value: wanted, required });
+        let failed = integral(Quantity::Pressure, at);
+        let required = match self.inverse.find(&gap, wanted.ln()).map_err(failed)? {
+            Found::At(ln_b, slope) => {
+                let pressure = ln_b.exp() * std::f64::consts::SQRT_2 * self.pressure_std;
+                return Ok((pressure, gap::ERROR * (1.0 - 1.0 / slope)));
+            }
+            Found::Above => "a mean gap that is reached at a pressure below 17 E g",
+            Found::Below => "a mean gap that is reached at a pressure above 1e-300 E g",
         };
-        let b = ln_b.exp();
-        let (fall, ln_scale) = gap.fall(b).map_err(failed)?;
-        let error = gap::ERROR * wanted / (fall * ln_scale.exp()) + gap::ERROR;
-        Ok((b * std::f64::consts::SQRT_2 * self.pressure_std, error))
+        Err(ContactError::OutOfRange { field, value: wanted, required })
     }
 }
 

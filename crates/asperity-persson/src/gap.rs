@@ -4,6 +4,7 @@ use asperity_quadrature::{QuadratureError, gauss_kronrod};
 use libm::erf;
 
 use crate::Spectrum;
+use crate::inverse::Falling;
 
 /// Relative error of the integrals.
 const TOLERANCE: f64 = 1e-12;
@@ -20,6 +21,27 @@ pub(crate) struct Gap<'a> {
     pub(crate) spectrum: &'a Spectrum,
     /// γ of the elastic energy.
     pub(crate) share: f64,
+}
+
+/// ln b of the pressures whose mean gaps are representable and above 0.
+pub(crate) const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
+
+/// ln u of the mean gap u \[m\], in x = ln b.
+impl Falling for Gap<'_> {
+    type Error = QuadratureError;
+
+    fn ends(&self) -> [f64; 2] {
+        LN_PRESSURES
+    }
+
+    fn ln_u(&self, x: f64) -> Result<f64, QuadratureError> {
+        Ok(self.mean_gap(x.exp())?.ln())
+    }
+
+    fn slope(&self, x: f64, ln_u: f64) -> Result<f64, QuadratureError> {
+        let (fall, ln_scale) = self.fall(x.exp())?;
+        Ok(-fall * (ln_scale - ln_u).exp())
+    }
 }
 
 impl Gap<'_> {

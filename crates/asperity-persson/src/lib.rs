@@ -3,6 +3,7 @@
 mod area;
 mod contact;
 mod gap;
+mod inverse;
 mod spectrum;
 
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 pub use area::PerssonVariance;
 use contact::OnScene;
+use inverse::Inverse;
 pub use spectrum::Spectrum;
 
 /// The theory of Persson.
@@ -128,6 +130,7 @@ impl ContactModel for Persson {
             // √V = E g/2.
             pressure_std: 0.5 * scene.interface.equivalent_modulus * gradient,
             spectrum,
+            inverse: Inverse::default(),
         }))
     }
 }
