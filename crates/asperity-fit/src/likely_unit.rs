@@ -23,12 +23,28 @@ const NEAR: f64 = 0.2;
 /// The column and the unit that explain the data best, or a column of places and one of values
 /// with their units, where a fit has no contact in some row with one column alone.
 pub(crate) fn likely_unit(problem: &Problem<'_>, here: f64) -> Result<Option<String>, FitError> {
+    if falls_where_fits_rise(problem) {
+        return Ok(None);
+    }
     let most = if here.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * here) };
     let unit = match likely_units(problem, most)? {
         None => best_of(problem, single(problem), most, |_, _| true)?,
         units => units,
     };
     Ok(unit)
+}
+
+/// Whether measured values fall where those of the start rise, or rise where they fall: a factor
+/// changes neither.
+fn falls_where_fits_rise(problem: &Problem<'_>) -> bool {
+    let Ok(values) = problem.predicted(&start(problem)) else { return false };
+    let of = |(one, value): (&Observation, f64)| [one.value.ln(), value.ln()];
+    let logs: Vec<[f64; 2]> = problem.data.iter().zip(values).map(of).collect();
+    // Of quantities of one kind, so that their levels mean nothing.
+    let one_kind = problem.data.iter().all(|one| one.measured == problem.data[0].measured);
+    let mean = |k: usize| logs.iter().map(|pair| pair[k]).sum::<f64>() / logs.len() as f64;
+    let means = [mean(0), mean(1)];
+    one_kind && logs.iter().map(|[a, b]| (a - means[0]) * (b - means[1])).sum::<f64>() < 0.0
 }
 
 /// The unit, or the units of two columns, with which a fit leaves less than `most` and has contacts
@@ -55,9 +71,12 @@ fn pairs(problem: &Problem<'_>) -> Vec<Vec<Rescaled>> {
     places.iter().flat_map(|place| values.iter().map(|one| vec![*place, *one])).collect()
 }
 
+fn start(problem: &Problem<'_>) -> Vec<f64> {
+    problem.parameters.iter().map(|p| p.coordinate(p.start)).collect()
+}
+
 fn nominal_area(problem: &Problem<'_>) -> Option<f64> {
-    let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
-    problem.at(&given).ok().map(|(scene, _)| scene.nominal_area)
+    problem.at(&start(problem)).ok().map(|(scene, _)| scene.nominal_area)
 }
 
 /// The candidate that explains the data best, as a sentence; of several that explain them alike,
@@ -68,7 +87,7 @@ fn best_of(
     most: f64,
     is_possible: impl Fn(&Problem<'_>, &[f64]) -> bool,
 ) -> Result<Option<String>, FitError> {
-    let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
+    let given = start(problem);
     // Separations in a wrong unit may leave no contact at the start, where a search cannot move.
     let has_separations = problem.data.iter().any(|one| one.measured.is_difference());
     let more_starts = usize::from(most >= 1.0 || has_separations);

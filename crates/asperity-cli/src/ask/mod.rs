@@ -191,8 +191,9 @@ impl<'s> Question<'s> {
     fn contact(&self, model: &Model, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         let mut request = request.clone();
         // The law of an area that is not asked for is made for it: of inclined contacts, it takes
-        // longer than to judge without tables.
-        let free = |q: &Quantity| *q != Quantity::Area || !model.validity().angles;
+        // longer than to judge without tables. Boundary elements count no contacts.
+        let (asperities, angles) = (model.validity().asperities, model.validity().angles);
+        let free = |q: &Quantity| asperities && (*q != Quantity::Area || !angles);
         request.quantities.extend(Quantity::JUDGED.into_iter().filter(free));
         let scene = &self.scene.file.scene;
         if self.all { model.compile(scene, &request) } else { model.contact(scene, &request) }

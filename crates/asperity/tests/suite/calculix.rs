@@ -1,7 +1,6 @@
 //! CalculiX reads the exported tables: a block pressed on a block carries the force, and conducts
 //! the heat, that the model gives. Skipped with a note where ccx is not installed (Debian's package
 //! is calculix-ccx).
-#![allow(clippy::unwrap_used, reason = "a test: a panic is the failure")]
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! The examples run, and the README shows what they print.
-#![allow(clippy::expect_used, reason = "a test: a panic is the failure")]
 
 use std::env::consts::EXE_EXTENSION;
 use std::path::Path;
@@ -17,11 +16,11 @@ fn run(example: &str) -> String {
 }
 
 /// That of the crate, and that of the project.
-const READMES: [&str; 2] = [include_str!("../README.md"), include_str!("../../../README.md")];
+const READMES: [&str; 2] = [include_str!("../../README.md"), include_str!("../../../../README.md")];
 
 #[test]
 fn the_readme_shows_its_example_and_what_it_prints() {
-    let example = include_str!("../examples/readme.rs");
+    let example = include_str!("../../examples/readme.rs");
     let (_, code) = example.split_once("\n\n").expect("a head comment");
     let printed = run("readme");
     for readme in READMES {
