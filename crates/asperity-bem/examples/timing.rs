@@ -4,11 +4,9 @@
 //! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5] [free]
 //! ```
 //!
-//! Heights in units of the side of the square, mean pressures and hardness in equivalent moduli.
+//! Heights, 64-bit numbers by rows, in units of the side of the square; mean pressures and hardness in equivalent moduli.
 
 use std::error::Error;
-use std::fs::File;
-use std::io::BufReader;
 use std::time::Instant;
 
 use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
@@ -16,10 +14,14 @@ use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let path = arguments.next().ok_or("heights.npy and pressures were required")?;
-    let file = npyz::NpyFile::new(BufReader::new(File::open(path)?))?;
-    let [rows, columns] = file.shape()[..] else { return Err("a matrix was required".into()) };
-    let [rows, columns] = [rows as usize, columns as usize];
-    let map = HeightMap::new(file.into_vec()?, [rows, columns], [1.0 / rows as f64; 2])?;
+    let bytes = std::fs::read(path)?;
+    // Version 1, behind a head of this length.
+    let numbers = bytes[10 + usize::from(bytes[8])..].chunks_exact(8);
+    let heights: Vec<f64> = numbers
+        .map(|bytes| Ok(f64::from_le_bytes(bytes.try_into()?)))
+        .collect::<Result<_, Box<dyn Error>>>()?;
+    let side = heights.len().isqrt();
+    let map = HeightMap::new(heights, [side, side], [1.0 / side as f64; 2])?;
     let mut solver = BoundaryElements::new(map, 1.0)?;
     let mut pressures = Vec::new();
     for argument in arguments {

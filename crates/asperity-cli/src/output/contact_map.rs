@@ -54,16 +54,17 @@ fn scaled(value: f64, units: &[(f64, &'static str)]) -> (f64, &'static str) {
     units.iter().copied().rev().find(|(unit, _)| value >= *unit).unwrap_or(units[0])
 }
 
-/// A matrix, or a stack of them.
+/// A matrix, or a stack of them, as NumPy's `.npy`.
 pub fn write(path: &Path, maps: &[Vec<f64>], [rows, columns]: [usize; 2]) -> Result<()> {
-    let all = [maps.len() as u64, rows as u64, columns as u64];
-    let shape = if maps.len() == 1 { &all[1..] } else { &all[..] };
-    let numbers = maps.iter().flatten().copied();
+    let stack = if maps.len() == 1 { String::new() } else { format!("{}, ", maps.len()) };
+    let shape = format!("({stack}{rows}, {columns})");
+    let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+    // Magic, version, length and head end at a multiple of 64 bytes.
+    let length = (10 + head.len() + 1).next_multiple_of(64) - 10;
     output::write(Some(path), |out| {
-        use npyz::WriterBuilder;
-        let file = npyz::WriteOptions::new().default_dtype().shape(shape).writer(out);
-        let mut file = file.begin_nd()?;
-        file.extend(numbers)?;
-        file.finish()
+        out.write_all(b"\x93NUMPY\x01\x00")?;
+        out.write_all(&(length as u16).to_le_bytes())?;
+        writeln!(out, "{head:<0$}", length - 1)?;
+        maps.iter().flatten().try_for_each(|number| out.write_all(&number.to_le_bytes()))
     })
 }

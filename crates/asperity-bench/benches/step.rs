@@ -1,5 +1,5 @@
 //! Time of one step: on the virgin curve, in unloading from a table, and in unloading integrated
-//! anew. Paired in one run; `cargo bench -p asperity-joints`.
+//! anew. Paired in one run; `cargo bench --bench step`.
 
 use std::hint::black_box;
 
