@@ -4,7 +4,8 @@
 //! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5] [free]
 //! ```
 //!
-//! Heights, 64-bit numbers by rows, in units of the side of the square; mean pressures and hardness in equivalent moduli.
+//! Heights, 64-bit numbers by rows, in units of the side of the square; mean pressures and hardness
+//! in equivalent moduli.
 
 use std::error::Error;
 use std::time::Instant;
@@ -16,7 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = arguments.next().ok_or("heights.npy and pressures were required")?;
     let bytes = std::fs::read(path)?;
     // Version 1, behind a head of this length.
-    let numbers = bytes[10 + usize::from(bytes[8])..].chunks_exact(8);
+    let head = bytes.get(8).map_or(0, |length| 10 + usize::from(*length));
+    let numbers = bytes.get(head..).unwrap_or_default().chunks_exact(8);
     let heights: Vec<f64> = numbers
         .map(|bytes| Ok(f64::from_le_bytes(bytes.try_into()?)))
         .collect::<Result<_, Box<dyn Error>>>()?;
