@@ -1,5 +1,5 @@
 //! What an evaluation, a scene, a curve and an inverse cost, and what the classical method costs
-//! beside them in the same run. See `crates/asperity/benches/README.md`.
+//! beside them in the same run. See `crates/asperity-bench/README.md`.
 
 use std::hint::black_box;
 

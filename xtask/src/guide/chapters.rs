@@ -62,6 +62,8 @@ pub const GROUPS: &[Group] = &[
         title: "Start",
         chapters: &[
             text("index", "Start here", &[("crates/asperity-web/guide/start.md", Whole)]),
+            text("page", "The page", &[("crates/asperity-web/guide/page.md", Whole)]),
+            text("inputs", "What to enter", &[("crates/asperity-web/guide/inputs.md", Whole)]),
             text(
                 "scan-to-stiffness",
                 "From scan to stiffness",
@@ -75,9 +77,7 @@ pub const GROUPS: &[Group] = &[
                 "Which model",
                 &[
                     ("crates/asperity-web/guide/which-model.md", Whole),
-                    ("README.md", Section("Which model holds?")),
                     ("crates/asperity-cli/README.md", Section("Which model is accurate enough?")),
-                    ("README.md", Section("Limits")),
                 ],
             ),
         ],
@@ -95,14 +95,6 @@ pub const GROUPS: &[Group] = &[
                 ],
             ),
             text(
-                "fit",
-                "From measurements to a scene",
-                &[
-                    ("crates/asperity-cli/README.md", Section("From measurements to a scene")),
-                    ("crates/asperity-fit/README.md", Whole),
-                ],
-            ),
-            text(
                 "conductance",
                 "Thermal and electrical conductance",
                 &[
@@ -110,23 +102,28 @@ pub const GROUPS: &[Group] = &[
                     ("crates/asperity-joints/src/conductance.rs", Head),
                 ],
             ),
-            Chapter {
-                // The hats of Fourier transforms would be read as powers.
-                equations: false,
-                ..text(
-                    "boundary-elements",
-                    "Boundary elements",
-                    &[("crates/asperity-bem/src/lib.rs", Head)],
-                )
-            },
+            text(
+                "boundary-elements",
+                "Boundary elements",
+                &[("crates/asperity-web/guide/boundary-elements.md", Whole)],
+            ),
+            text(
+                "fit",
+                "From measurements to a scene",
+                &[
+                    ("crates/asperity-cli/README.md", Section("From measurements to a scene")),
+                    ("crates/asperity-fit/README.md", Whole),
+                ],
+            ),
+            text("limits", "Limits", &[("crates/asperity-web/guide/limits.md", Whole)]),
             text(
                 "accuracy",
                 "Accuracy and speed",
-                &[("README.md", Section("How accurate, how fast"))],
+                &[("crates/asperity-web/guide/accuracy.md", Whole)],
             ),
             Chapter {
                 extra: Extra::Figures,
-                ..text("figures", "Figures", &[("README.md", Section("Figures"))])
+                ..text("figures", "Figures", &[("figures/README.md", Whole)])
             },
         ],
     },
@@ -211,10 +208,7 @@ pub const GROUPS: &[Group] = &[
             model(
                 "at",
                 "Amini & Tehrani",
-                &[
-                    ("crates/asperity-at/README.md", Whole),
-                    ("README.md", Section("The AT paper's misprints")),
-                ],
+                &[("crates/asperity-at/README.md", Whole)],
                 Laws::Of(&["gao", "at"]),
             ),
             model(
@@ -263,7 +257,7 @@ pub const GROUPS: &[Group] = &[
             text(
                 "benches",
                 "What the benches measure",
-                &[("crates/asperity/benches/README.md", Whole)],
+                &[("crates/asperity-bench/README.md", Whole)],
             ),
             text(
                 "measured-speed",
@@ -277,11 +271,7 @@ pub const GROUPS: &[Group] = &[
             ),
             text("contributing", "Contributing", &[(".github/CONTRIBUTING.md", Whole)]),
             text("changes", "Changes", &[("crates/asperity/CHANGELOG.md", Whole)]),
-            text(
-                "cite",
-                "How to cite",
-                &[("README.md", Section("How to cite")), ("README.md", Section("License"))],
-            ),
+            text("cite", "How to cite", &[("crates/asperity-web/guide/cite.md", Whole)]),
         ],
     },
 ];

@@ -155,7 +155,8 @@ mod tests {
         let cli = "crates/asperity-cli/README.md";
         let files = to(cli, "../asperity-topography/README.md#files").unwrap();
         assert_eq!(files, address("surface-files.html#files"));
-        let section = to("README.md", "#which-model-holds").unwrap();
+        let which = "crates/asperity-web/guide/which-model.md";
+        let section = to(which, "#which-model-holds").unwrap();
         assert_eq!(section, address("which-model.html#which-model-holds"));
         assert_eq!(to("README.md", "figures/").unwrap(), address("figures.html"));
         let code = to("README.md", "crates/asperity-bem/src/random_surface/mod.rs").unwrap();

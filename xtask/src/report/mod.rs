@@ -14,6 +14,7 @@ mod ours;
 mod outcome;
 mod points;
 mod problem;
+pub mod readme;
 mod scope;
 mod tables;
 pub mod throughput;
@@ -29,7 +30,7 @@ use ours::Laws;
 use tables::Run;
 
 use crate::figures::measured::pictures;
-use crate::folder::save;
+use crate::folder::{figures_folder, save};
 
 /// Measures and writes; returns the paths written. Progress is shown on a terminal only.
 ///
@@ -53,9 +54,15 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     bar.finish_and_clear();
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first, because they take long and a picture can fail.
+    let mut paths = vec![];
+    if folder == figures_folder() {
+        let path = folder.with_file_name("README.md");
+        readme::write(&path, &speed)?;
+        paths.push(path);
+    }
     let tables =
         [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
-    let mut paths = save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?;
+    paths.extend(save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?);
     paths.extend(save(folder, pictures(folder)?)?);
     Ok(paths)
 }
