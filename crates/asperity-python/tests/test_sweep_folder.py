@@ -183,7 +183,7 @@ def test_a_cluster_gives_the_same_digits(
 ) -> None:
     result = swept(scene, tmp_path, cluster)
     whole(tmp_path, in_memory)
-    assert set(result.run.peak_memory) == set(cluster.scheduler_info()["workers"])
+    assert set(result.run.peak_memory) == set(cluster.ncores())
 
 
 def test_a_refused_row_ends_a_sweep_on_a_cluster(
