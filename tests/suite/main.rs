@@ -5,6 +5,7 @@ mod arrays;
 mod check;
 mod contact_radii;
 mod crossings;
+mod few_places;
 mod figures;
 mod hard_cases;
 mod heights;

@@ -1,0 +1,106 @@
+//! A contact for a few places answers as the compiled one does.
+
+use asperity::{At, ContactModel, Evaluation, HeightDistribution, Model, Quantity, Request, Scene};
+
+use crate::scenes::{named, with_index};
+
+const QUANTITIES: [Quantity; 7] = [
+    Quantity::Force,
+    Quantity::Area,
+    Quantity::Stiffness,
+    Quantity::Tangent,
+    Quantity::Contacts,
+    Quantity::MeanPressure,
+    Quantity::UnloadingStiffness,
+];
+
+fn places(scene: &Scene) -> Vec<At> {
+    let loads = [-1.0, 0.0, 1e-30, 1e-3, 10.0, 1e4, 1e9, f64::NAN].map(At::Load);
+    let pressures = [1e6 / scene.nominal_area, 1e5].map(At::Pressure);
+    let separations = [-3.0, 0.0, 2.5, 12.0, 300.0, f64::INFINITY].map(At::sigmas);
+    [&loads[..], &pressures[..], &separations[..]].concat()
+}
+
+/// An error without its numbers, which may be those of another method.
+fn words(error: &impl ToString) -> String {
+    error.to_string().replace(|c: char| c.is_ascii_digit(), "")
+}
+
+/// The error is the same, or two values differ by less than their bounds.
+fn agree<E: ToString>(a: &Result<Evaluation, E>, b: &Result<Evaluation, E>) -> bool {
+    match (a, b) {
+        (Ok(a), Ok(b)) => {
+            let bound = |e: &Evaluation| e.error * e.size * e.ln_scale.exp();
+            (a.value() - b.value()).abs() <= bound(a) + bound(b)
+        }
+        (Err(a), Err(b)) => words(a) == words(b),
+        _ => false,
+    }
+}
+
+#[test]
+fn a_contact_for_few_places_answers_as_the_compiled_one() {
+    let mut exponential = named("mild");
+    exponential.heights = HeightDistribution::Exponential;
+    for (scene, shown) in [
+        (named("mild"), "mild"),
+        (with_index(6.0), "index 6"),
+        (with_index(0.3), "index 0.3"),
+        (exponential, "exponential"),
+    ] {
+        for model in Model::all() {
+            for at in places(&scene) {
+                let request = Request::new(QUANTITIES).at([at]);
+                let [few, many] =
+                    [model.contact(&scene, &request), model.compile(&scene, &request)];
+                let (few, many) = match (few, many) {
+                    (Ok(few), Ok(many)) => (few, many),
+                    (Err(few), Err(many)) => {
+                        assert_eq!(few.to_string(), many.to_string(), "{shown} {model} {at:?}");
+                        continue;
+                    }
+                    (few, many) => panic!("{shown} {model} {at:?}: {few:?} {many:?}"),
+                };
+                let name = |what: &str| format!("{shown} {model} {at:?}: {what}");
+                let answers = [few.respond(&request), many.respond(&request)];
+                for (k, q) in QUANTITIES.into_iter().enumerate() {
+                    let [a, b] = [0, 1].map(|side: usize| &answers[side].columns[k].rows[0]);
+                    assert!(agree(a, b), "{} {a:?} {b:?}", name(&q.to_string()));
+                    let [a, b] = [&few, &many].map(|contact| contact.evaluate(q, at));
+                    assert!(agree(&a, &b), "{} {a:?} {b:?}", name(&q.to_string()));
+                }
+                let [a, b] = [&few, &many].map(|contact| contact.separation(at));
+                match (a, b) {
+                    (Ok(a), Ok(b)) => {
+                        let close = (a.value - b.value).abs() < 1e-9 * (1.0 + b.value.abs());
+                        assert!(a == b || close, "{} {a:?} {b:?}", name("separation"));
+                    }
+                    (a, b) => assert_eq!(
+                        a.map_err(|e| e.to_string()),
+                        b.map_err(|e| e.to_string()),
+                        "{}",
+                        name("separation")
+                    ),
+                }
+                let [a, b] = [&few, &many].map(|contact| {
+                    contact.shares_at(Quantity::Force, at).map_err(|error| error.to_string())
+                });
+                match (a, b) {
+                    (Ok(a), Ok(b)) => assert!(
+                        a.iter().zip(&b).all(|(a, b)| (a.share - b.share).abs() < 1e-8),
+                        "{} {a:?} {b:?}",
+                        name("shares")
+                    ),
+                    (a, b) => assert_eq!(a, b, "{}", name("shares")),
+                }
+                if let At::Load(load) = at {
+                    let [a, b] = [&few, &many].map(|contact| {
+                        let found = contact.separations_at(load).map_err(|e| e.to_string());
+                        found.map(|all| all.len())
+                    });
+                    assert_eq!(a, b, "{}", name("separations"));
+                }
+            }
+        }
+    }
+}
