@@ -2,7 +2,6 @@
 //! are computed where gaps are asked for, and kept: the answer does not depend on what was asked
 //! before.
 
-use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Points of the grid in a unit of y = ln b + b²: ln u falls like ln(-y) or like -y.
@@ -26,6 +25,8 @@ pub(crate) enum Found {
 /// A point of ln u(x), which falls.
 #[derive(Debug, Clone, Copy)]
 struct Point {
+    /// In the grid.
+    place: i32,
     x: f64,
     ln_u: f64,
     /// d(ln u)/dx, where it was needed.
@@ -35,8 +36,8 @@ struct Point {
 /// The points of a function that are known.
 #[derive(Debug, Default)]
 pub(crate) struct Inverse {
-    /// By their place in the grid.
-    points: Mutex<BTreeMap<i32, Point>>,
+    /// In the order of their places.
+    points: Mutex<Vec<Point>>,
 }
 
 /// A function to be inverted between two ends of x = ln b.
@@ -58,13 +59,13 @@ impl Inverse {
         if self.point(of, high)?.ln_u > ln_u {
             return Ok(Found::Above);
         }
-        // Halving, faster where points are known.
-        for (place, point) in self.points().range(low..=high) {
+        // Halving, between points that are known.
+        for point in self.points().iter() {
             if point.ln_u < ln_u {
-                high = *place;
+                high = point.place;
                 break;
             }
-            low = *place;
+            low = point.place;
         }
         while high - low > 1 {
             let middle = low + (high - low) / 2;
@@ -82,17 +83,26 @@ impl Inverse {
         Ok(Found::At(x, slope))
     }
 
-    fn points(&self) -> MutexGuard<'_, BTreeMap<i32, Point>> {
+    fn points(&self) -> MutexGuard<'_, Vec<Point>> {
         self.points.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Keeps a point in its place.
+    fn keep(&self, point: Point) {
+        let mut points = self.points();
+        match points.binary_search_by_key(&point.place, |known| known.place) {
+            Ok(known) => points[known] = point,
+            Err(new) => points.insert(new, point),
+        }
+    }
+
     fn point<F: Falling>(&self, of: &F, place: i32) -> Result<Point, F::Error> {
-        if let Some(point) = self.points().get(&place) {
+        if let Some(point) = self.points().iter().find(|point| point.place == place) {
             return Ok(*point);
         }
         let x = x_of(f64::from(place) / IN_A_UNIT);
-        let point = Point { x, ln_u: of.ln_u(x)?, slope: None };
-        self.points().insert(place, point);
+        let point = Point { place, x, ln_u: of.ln_u(x)?, slope: None };
+        self.keep(point);
         Ok(point)
     }
 
@@ -102,7 +112,7 @@ impl Inverse {
             return Ok((point, slope));
         }
         let slope = of.slope(point.x, point.ln_u)?;
-        self.points().insert(place, Point { slope: Some(slope), ..point });
+        self.keep(Point { slope: Some(slope), ..point });
         Ok((point, slope))
     }
 }

@@ -123,7 +123,8 @@ test("words of the text are found with their section, and fast typing leaves the
 test("what is called as searched stands first, then its definition", async () => {
   const { browser } = page;
   await browser.go(`${guide}index.html`);
-  for (const [text, wanted] of [["separation", "definitions.html#separation"], ["plasticity index", "definitions.html#"], ["unloading-stiffness", "definitions.html#quantities"], ["Definitions", "definitions.html"]]) {
+  for (const [text, wanted] of [["separation", "definitions.html#separation"], ["plasticity index", "definitions.html#"], ["unloading-stiffness", "definitions.html#quantities"], ["Definitions", "definitions.html"],
+    ["Ra", "inputs.html"], ["hardness HV", "inputs.html#"], ["two steel plates", "inputs.html#"], ["plastisity", "definitions.html"], ["boundary elments", "boundary-elements.html"]]) {
     const first = await browser.later(`const field = document.getElementById("query");
       field.value = values[0];
       field.dispatchEvent(new Event("input"));

@@ -9,7 +9,6 @@ use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::compiled::Compiled;
 use crate::engine::list::{answer_alone, shares_at};
 use crate::engine::prepared::Facts;
-use crate::engine::row::Row;
 use crate::request::separation::Place;
 use crate::response::Response;
 use crate::{
@@ -82,7 +81,8 @@ impl Contact for Alone {
         if !self.facts.quantities.contains(&quantity) {
             return Err(ContactError::NotRequested { quantity });
         }
-        Row::<_, 0>::new(&mut self.at(&at)?, &[], &at)?.unchecked(quantity)
+        let mut response = self.respond(&Request::new([quantity]).at([at]));
+        response.columns.remove(0).rows.remove(0).map_err(|error| *error)
     }
 
     fn fill(
