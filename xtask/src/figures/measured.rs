@@ -105,7 +105,7 @@ fn frontier(csv: &str, machine: &str) -> Result<String> {
     for (key, title, _) in PANELS {
         let x = Axis::new("error", "worst relative error on the hard grid").log();
         let y = Axis::new("time", "median time of an evaluation (ns)").log();
-        let mut panel = Panel::new(x.range(ERRORS.0, ERRORS.1), y.range(10.0, 2e6));
+        let mut panel = Panel::new(x.range(ERRORS.0, ERRORS.1), y.range(2.0, 2e6));
         panel.title = title.into();
         panel.curve_column = "method".into();
         panel.only = Some(("panel".into(), key.into()));
