@@ -10,7 +10,7 @@ use crate::describe::describe;
 use crate::forward::Forward;
 use crate::likely_unit::likely_unit;
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
-use crate::search::search;
+use crate::search::{PATIENCE, search};
 use crate::spread::Spread;
 use crate::{Data, FitError, Fitted, Parameter};
 
@@ -108,7 +108,7 @@ impl<'f> Fit<'f> {
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
         let forward = &forward;
         let problem = Problem { model, forward, data, parameters, scene, watch: &watch };
-        let mut found = match search(&problem, self.more_starts) {
+        let mut found = match search(&problem, self.more_starts, PATIENCE) {
             Err(error @ FitError::NoStart { .. }) => {
                 let unit = likely_unit(&problem, f64::INFINITY)?;
                 let unlike = |likely| FitError::Unit { model: model.id().into(), likely };

@@ -7,7 +7,7 @@ use crate::distance::distance;
 use crate::forward::Forward;
 use crate::problem::{Problem, squares};
 use crate::recorded::{Recorded, Rescaled};
-use crate::search::search;
+use crate::search::{PATIENCE, search};
 use crate::{FitError, Observation};
 
 /// Another unit explains the misfit if it leaves less than this share of it, and less than this
@@ -17,6 +17,10 @@ const EXPLAINED: f64 = 0.3;
 /// Units explain the data alike whose misfits differ by less than this factor, or are this small.
 const ALIKE: f64 = 1.5;
 const ACCURACY: f64 = 1e-6;
+/// Evaluations for a free parameter after which a unit is left out if it is farther than so many
+/// times the largest distance that explains the data.
+const FEW_STEPS: usize = 15;
+const NEARLY: f64 = 3.0;
 /// A value is near the predicted one within this difference of logarithms.
 const NEAR: f64 = 0.2;
 
@@ -97,14 +101,20 @@ fn best_of(
         let data = problem.data.with(problem.data.iter().map(scaled).collect());
         let Ok(forward) = Forward::new(problem.model, &data) else { continue };
         let other = Problem { data: &data, forward: &forward, ..*problem };
-        let best = match search(&other, more_starts) {
-            Ok(found) => found.best.coordinates,
-            Err(error @ FitError::Interrupted) => return Err(error),
-            Err(_) => continue,
+        let searched = |patience: usize| match search(&other, more_starts, patience) {
+            Ok(found) => Ok(other
+                .predicted(&found.best.coordinates)
+                .ok()
+                .map(|values| (distance(&data, &values), found.best.coordinates))),
+            Err(error @ FitError::Interrupted) => Err(error),
+            Err(_) => Ok(None),
         };
-        let Ok(values) = other.predicted(&best) else { continue };
+        // Most units are far off after few steps.
+        if searched(FEW_STEPS)?.is_none_or(|(distance, _)| distance > NEARLY * most) {
+            continue;
+        }
+        let Some((distance, best)) = searched(PATIENCE)? else { continue };
         let change: Vec<f64> = best.iter().zip(&given).map(|(a, b)| a - b).collect();
-        let distance = distance(&data, &values);
         if distance < most && is_possible(&other, &best) {
             found.push((distance, squares(&change), candidate));
         }

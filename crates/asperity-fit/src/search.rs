@@ -6,7 +6,7 @@ use crate::problem::{Minimum, Problem, squares};
 /// Samples of the bounds for each free parameter, from which starts are chosen.
 const SAMPLES: usize = 16;
 /// Evaluations for each free parameter before a search from one start gives up.
-const PATIENCE: usize = 150;
+pub(crate) const PATIENCE: usize = 150;
 /// Minima whose sums of squares differ by less fit the data equally well.
 const EQUAL: f64 = 1e-6;
 /// Sum of squares for each value below which the data are met to the accuracy of the values.
@@ -18,8 +18,13 @@ pub(crate) struct Found {
     pub(crate) others: Vec<Minimum>,
 }
 
-/// Searches from the start given, and from the best `more` samples within the bounds.
-pub(crate) fn search(problem: &Problem<'_>, more: usize) -> Result<Found, FitError> {
+/// Searches from the start given, and from the best `more` samples within the bounds, each with so
+/// many evaluations for a free parameter.
+pub(crate) fn search(
+    problem: &Problem<'_>,
+    more: usize,
+    patience: usize,
+) -> Result<Found, FitError> {
     let all: Vec<usize> = (0..problem.parameters.len()).collect();
     let given: Vec<f64> =
         problem.parameters.iter().map(|parameter| parameter.coordinate(parameter.start)).collect();
@@ -30,7 +35,7 @@ pub(crate) fn search(problem: &Problem<'_>, more: usize) -> Result<Found, FitErr
         problem.watch.start();
         // A start without values leads nowhere.
         if problem.predicted(start).is_ok() {
-            minima.push(problem.minimise(start, &all, PATIENCE)?);
+            minima.push(problem.minimise(start, &all, patience)?);
         }
     }
     let usable = |minimum: &Minimum| problem.predicted(&minimum.coordinates).is_ok();
