@@ -43,7 +43,7 @@ fn scene() -> Scene {
 /// Whether a model has a quantity, apart from inputs that are missing.
 fn has(model: &Model, scene: &Scene, quantity: Quantity) -> bool {
     let at = At::Load(1.0);
-    let found = model.compile(scene, &Request::new([quantity]).at([at]));
+    let found = model.contact(scene, &Request::new([quantity]).at([at]));
     match found.and_then(|contact| contact.evaluate(quantity, at)) {
         Ok(_) | Err(ContactError::Missing { .. }) => true,
         Err(ContactError::Unsupported { .. }) => false,
