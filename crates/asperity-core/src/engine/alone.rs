@@ -16,6 +16,9 @@ use crate::{
     Share,
 };
 
+/// Loads whose places are kept: more than few are asked of tables.
+const KEPT: usize = 64;
+
 /// The averages of a model's laws over the heights of a scene, place by place.
 #[derive(Debug)]
 pub(crate) struct Alone {
@@ -49,7 +52,7 @@ impl Alone {
         let mut integrals = self.integrals(known)?;
         // A load that is refused is refused again, with its reason.
         let Ok(place) = place(&mut integrals, at) else { return Ok(integrals) };
-        if known.is_none() {
+        if known.is_none() && found().len() < KEPT {
             found().push((load, place));
         }
         Ok(integrals.knowing(Some(place)))
