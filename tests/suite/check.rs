@@ -1,6 +1,6 @@
 //! Findings of `check`: mistakes are reported, unusual scenes are not.
 
-use asperity::{At, Body, Check, Diagnostic, Interface, Scene, Severity, Surface};
+use asperity::{At, Body, Check, Finding, Interface, Scene, Severity, Surface};
 
 use crate::scenes::{model, named};
 
@@ -78,7 +78,7 @@ fn unusual() -> Vec<(&'static str, Scene)> {
     ]
 }
 
-fn messages(findings: &[Diagnostic]) -> Vec<String> {
+fn messages(findings: &[Finding]) -> Vec<String> {
     findings.iter().map(|f| format!("{}: {f}", f.severity)).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use crate::seam::{LARGEST_KINK, LARGEST_STEP};
 use crate::{Boundary, HeightMap};
@@ -69,8 +69,8 @@ impl fmt::Display for Continuation {
 
 /// A note that the periodic component is used by default; `step` is the
 /// [step at the edges](HeightMap::seam_step).
-pub(crate) fn taken_part(step: f64) -> Diagnostic {
-    Diagnostic::note("periodic-part", "seam_step", step)
+pub(crate) fn taken_part(step: f64) -> Finding {
+    Finding::note("periodic-part", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the scan do not match (step {step:.1} times that between neighbours)"
@@ -82,8 +82,8 @@ pub(crate) fn taken_part(step: f64) -> Diagnostic {
 
 /// A note that a map is repeated by default although its slopes change at the edges by this
 /// [kink](HeightMap::seam_kink); `None` where they do not.
-pub(crate) fn repeated(kink: f64) -> Option<Diagnostic> {
-    let note = Diagnostic::note("repeated", "seam_kink", kink).usual([0.0, LARGEST_KINK]).fact(
+pub(crate) fn repeated(kink: f64) -> Option<Finding> {
+    let note = Finding::note("repeated", "seam_kink", kink).usual([0.0, LARGEST_KINK]).fact(
         format!(
             "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"
         ),

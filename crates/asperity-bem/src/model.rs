@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Diagnostics,
-    Evaluation, Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
+    Findings, Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit,
     Validity,
 };
 
@@ -27,7 +27,7 @@ pub struct Bem {
     continuation: Continuation,
     elastic: bool,
     /// What the default continuation does at the edges, where they do not match.
-    note: Option<Diagnostic>,
+    note: Option<Finding>,
 }
 
 impl Bem {
@@ -65,7 +65,7 @@ impl Bem {
 
     /// A note where the edges of the scan do not match and no continuation is declared.
     #[must_use]
-    pub fn note(&self) -> Option<Diagnostic> {
+    pub fn note(&self) -> Option<Finding> {
         self.note.clone()
     }
 
@@ -139,7 +139,7 @@ impl ContactModel for Bem {
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
         let solutions = all.iter().filter_map(|solution| solution.as_ref().ok());
-        let notes: Diagnostics = solutions.flat_map(|solution| solution.notes.clone()).collect();
+        let notes: Findings = solutions.flat_map(|solution| solution.notes.clone()).collect();
         contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         let all = given.into_iter().zip(all);
         let all = all.map(|(given, solution)| (given, contact.summary(solution))).collect();
@@ -156,7 +156,7 @@ struct OnScene {
     quantities: Vec<Quantity>,
     solved: Mutex<Vec<Solved>>,
     /// Of the scan, and of the places that were solved first.
-    notes: Vec<Diagnostic>,
+    notes: Vec<Finding>,
 }
 
 impl fmt::Debug for OnScene {
@@ -234,7 +234,7 @@ impl Contact for OnScene {
         &self.quantities
     }
 
-    fn notes(&self) -> &[Diagnostic] {
+    fn notes(&self) -> &[Finding] {
         &self.notes
     }
 

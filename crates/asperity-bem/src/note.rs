@@ -1,8 +1,8 @@
-//! Diagnostics of the resolution: results are exact for the pixels, not for the surface.
+//! Findings of the resolution: results are exact for the pixels, not for the surface.
 
 use std::f64::consts::TAU;
 
-use asperity_core::{At, Diagnostic};
+use asperity_core::{At, Finding};
 
 use crate::half_space::HalfSpace;
 use crate::seam::LARGEST_STEP;
@@ -19,16 +19,12 @@ const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Diagnostics of a contact at this place: few pixels, whose area is coarse, or few patches, so
+/// Findings of a contact at this place: few pixels, whose area is coarse, or few patches, so
 /// that one map does not represent its surface.
-pub(crate) fn of_contact(
-    at: At,
-    pixels: usize,
-    patches: usize,
-) -> impl Iterator<Item = Diagnostic> {
+pub(crate) fn of_contact(at: At, pixels: usize, patches: usize) -> impl Iterator<Item = Finding> {
     let few = |code, field, found: usize, (one, many): (&str, &str), least: usize, advice| {
         let names = if found == 1 { one } else { many };
-        let few = Diagnostic::warning(code, field, found as f64)
+        let few = Finding::warning(code, field, found as f64)
             .usual([least as f64, f64::INFINITY])
             .at(at)
             .fact(format!("{found} {names} in contact"))
@@ -44,18 +40,18 @@ pub(crate) fn of_contact(
     few_pixels.into_iter().chain(few_patches)
 }
 
-/// Diagnostics of a map: waves of a few pixels, and edges that do not match where no boundary is
+/// Findings of a map: waves of a few pixels, and edges that do not match where no boundary is
 /// declared.
 pub(crate) fn of_map(
     map: &HeightMap,
     boundary: Option<Boundary>,
     space: &mut HalfSpace,
-) -> Vec<Diagnostic> {
+) -> Vec<Finding> {
     let open = boundary.is_none() && !map.edges_meet();
     let fades = open || boundary == Some(Boundary::Free);
     let pixels = shortest_wavelength(map, fades, space).filter(|p| *p < LEAST_WAVELENGTH);
     let short = pixels.map(|pixels| {
-        Diagnostic::warning("short-waves", "shortest_wavelength", pixels)
+        Finding::warning("short-waves", "shortest_wavelength", pixels)
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
             .fact(format!("the shortest waves are {} pixels long", below(pixels, LEAST_WAVELENGTH)))
             .advice(format!(
@@ -63,7 +59,7 @@ pub(crate) fn of_map(
             ))
     });
     let step = map.seam_step();
-    let seam = Diagnostic::warning("seam", "seam_step", step)
+    let seam = Finding::warning("seam", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the map do not match (step {step:.1} times that between neighbours)"

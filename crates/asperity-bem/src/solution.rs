@@ -3,7 +3,7 @@
 use std::f64::consts::{LN_2, PI};
 
 use crate::patches::patches;
-use asperity_core::{At, Diagnostic};
+use asperity_core::{At, Finding};
 
 use crate::{Boundary, HeightMap, LoadCase, note};
 
@@ -48,8 +48,8 @@ pub struct Solution {
     pub residual: f64,
     /// Number of iterations, including all trials for a mean gap.
     pub iterations: usize,
-    /// Diagnostics of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
-    pub notes: Vec<Diagnostic>,
+    /// Findings of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
+    pub notes: Vec<Finding>,
 }
 
 /// Share of a pixel that a counted contact is too large by for every edge.
@@ -76,7 +76,7 @@ impl Solution {
         boundary: Boundary,
         cap: f64,
         fields: Fields,
-        mut notes: Vec<Diagnostic>,
+        mut notes: Vec<Finding>,
     ) -> Self {
         let Fields { pressures, gaps, residual, iterations } = fields;
         let pixels = pressures.len() as f64;

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use crate::half_space::HalfSpace;
 use crate::height_map::positive;
@@ -216,7 +216,7 @@ pub(crate) struct Run<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
     rms_height: f64,
-    resolution: Vec<Diagnostic>,
+    resolution: Vec<Finding>,
     /// Pressures of the last contact, and their mean.
     last: Option<(Vec<f64>, f64)>,
 }

@@ -33,7 +33,7 @@ pub fn warn_energy_gain(
     work: &Work,
 ) -> Result<(), ContactError> {
     let gain = joint.energy_gain(closest, work)?;
-    scene.report(gain.iter().map(EnergyGain::diagnostic).collect());
+    scene.report(gain.iter().map(EnergyGain::finding).collect());
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemError, LoadCase, Solution};
-use asperity::{Described, Diagnostics, Quantity};
+use asperity::{Described, Findings, Quantity};
 
 use crate::interrupt;
 use crate::output::{once, progress};
@@ -50,7 +50,7 @@ pub struct Run<'a> {
     /// Pressures of the solved contacts, if kept.
     pub maps: Vec<Vec<f64>>,
     pub errors: Vec<String>,
-    pub found: Diagnostics,
+    pub found: Findings,
 }
 
 impl Run<'_> {

@@ -6,9 +6,9 @@ use anyhow::{Result, bail};
 use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
 use asperity::{
-    At, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
+    At, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
 };
-use asperity_scene::{LeftOut, SceneFile};
+use asperity_inputs::{LeftOut, SceneFile};
 
 use crate::output::{self, once, print_message, report};
 
@@ -45,10 +45,10 @@ impl LoadedScene {
     pub fn load_scan(path: &Path, periodic: bool) -> Result<Self> {
         let scene = Self::open_scan(path, periodic)?;
         // The asperities of a scan follow from it and are not used.
-        let used = |found: &Diagnostic| !found.field.starts_with("asperity_");
+        let used = |found: &Finding| !found.field.starts_with("asperity_");
         let file = &scene.file;
         let found = file.warnings.iter().cloned().chain(file.findings()).filter(used);
-        let found = found.collect::<Diagnostics>().for_asperities(false);
+        let found = found.collect::<Findings>().for_asperities(false);
         report(&found.at_least(Severity::Warning));
         Ok(scene)
     }
@@ -62,13 +62,13 @@ impl LoadedScene {
 
     fn open_scan(path: &Path, periodic: bool) -> Result<Self> {
         output::keep(path);
-        let file = asperity_scene::load_scan(path, periodic)?;
+        let file = asperity_inputs::load_scan(path, periodic)?;
         Ok(Self { file, name: path.display().to_string() })
     }
 
     fn report_for(&self, asperities: bool) {
         let found = self.file.warnings.iter().cloned().chain(self.file.findings());
-        let found = found.collect::<Diagnostics>().for_asperities(asperities);
+        let found = found.collect::<Findings>().for_asperities(asperities);
         report(&found.at_least(Severity::Warning));
     }
 
@@ -87,7 +87,7 @@ impl LoadedScene {
     /// Reads the file, and reports nothing.
     pub fn open(path: &Path) -> Result<Self> {
         output::keep(path);
-        Ok(Self { file: asperity_scene::load(path)?, name: path.display().to_string() })
+        Ok(Self { file: asperity_inputs::load(path)?, name: path.display().to_string() })
     }
 
     /// Reports what is unusual about the answers of models at places.
@@ -97,7 +97,7 @@ impl LoadedScene {
     }
 
     /// Reports warnings and errors that the scene does not accept, one for each cause.
-    pub fn report(&self, found: Diagnostics) {
+    pub fn report(&self, found: Findings) {
         report(&self.file.accepted(found).at_least(Severity::Warning));
     }
 

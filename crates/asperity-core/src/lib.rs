@@ -16,9 +16,9 @@
 //! plain separations are multiples of σ_z.
 
 mod check;
-mod diagnostic;
 mod engine;
 mod error;
+mod finding;
 mod heights;
 mod law;
 mod model;
@@ -36,7 +36,6 @@ pub use asperity_quadrature::{QuadratureError, Sampler};
 #[doc(hidden)]
 pub use check::CHECK_UNIT;
 pub use check::{Check, DerivedNumber};
-pub use diagnostic::{Diagnostic, Diagnostics, Severity, short};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};
@@ -44,6 +43,7 @@ pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::positive;
+pub use finding::{Finding, Findings, Severity, short};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;

@@ -1,6 +1,6 @@
 #![no_main]
 
-use asperity_scene::{parse, write_heights};
+use asperity_inputs::{parse, write_heights};
 
 const SCENE: &str = "nominal_area = 1e-4
 [interface]

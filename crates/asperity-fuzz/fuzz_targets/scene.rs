@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_scene::{ModelOptions, parse};
+use asperity_inputs::{ModelOptions, parse};
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     match parse(text, Path::new("/nowhere")) {

@@ -12,8 +12,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
-    Regime, Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Finding, Law, Provenance, Regime,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +52,7 @@ impl Described for Gao {
         lateral_validity("w_c < R; needs the equivalent shear modulus; inclined contacts")
     }
 
-    fn notes(&self) -> Vec<Diagnostic> {
+    fn notes(&self) -> Vec<Finding> {
         self.options.notes(self.name())
     }
 }

@@ -1,6 +1,6 @@
 //! Energy created by a pair of loading and unloading laws.
 
-use asperity_core::{At, ContactError, Diagnostic, QuadratureError};
+use asperity_core::{At, ContactError, Finding, QuadratureError};
 use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::asperity_laws::{AsperityLaws, MAX_SAMPLES, UnloadingQuantity};
@@ -41,7 +41,7 @@ impl EnergyGain {
 
     /// The finding as a warning.
     #[must_use]
-    pub fn diagnostic(&self) -> Diagnostic {
+    pub fn finding(&self) -> Finding {
         let Self { model, law, amount, is_net } = self;
         let percent = 100.0 * amount;
         let fact = match is_net {
@@ -52,7 +52,7 @@ impl EnergyGain {
                 "by {law}, the loss is too small by {percent:.1} % of the work of closing, because asperities recover by more than their interference"
             ),
         };
-        Diagnostic::warning(Self::CODE, "energy_gain", *amount)
+        Finding::warning(Self::CODE, "energy_gain", *amount)
             .usual([0.0, 0.0])
             .of_model(model.as_str())
             .of_law(law.to_string())

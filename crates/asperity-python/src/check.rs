@@ -1,7 +1,7 @@
 //! Checks of scenes and answers.
 
 use asperity::{
-    Check, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
+    Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
 };
 use pyo3::prelude::*;
 
@@ -41,10 +41,10 @@ pub(crate) fn check<'py>(
 }
 
 /// The check of the scene alone, if its warnings or errors explain the refusal.
-fn explain(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<Check> {
+fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
     let mut checked = file.check(None).ok()?;
     checked.findings.iter().find(|found| found.severity < Severity::Note)?;
-    let refusal = Diagnostic::error("no-answer", "answer", f64::NAN);
+    let refusal = Finding::error("no-answer", "answer", f64::NAN);
     checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
     Some(checked)
 }
@@ -85,8 +85,8 @@ pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyRes
     Ok(found.iter().map(ToString::to_string).collect())
 }
 
-/// Diagnostics of the scenes of rows and, on a single scene, of the answers.
-pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Diagnostics {
+/// Findings of the scenes of rows and, on a single scene, of the answers.
+pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Findings {
     let mut found = check_scenes(rows, model.validity().asperities);
     // An exception of a user's law is raised by the answer.
     if let (Some(file), false) = (rows.one_file(), engine.is_written()) {
@@ -98,8 +98,8 @@ pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Dia
 }
 
 /// Each finding once, that of the first scene that has it, with the number of such scenes.
-fn check_scenes(rows: &View<'_>, asperities: bool) -> Diagnostics {
-    let mut found: Vec<(Diagnostic, usize)> = vec![];
+fn check_scenes(rows: &View<'_>, asperities: bool) -> Findings {
+    let mut found: Vec<(Finding, usize)> = vec![];
     let count = rows.scenes();
     for scene in 0..count {
         for new in rows.findings(scene).for_asperities(asperities) {
@@ -109,7 +109,7 @@ fn check_scenes(rows: &View<'_>, asperities: bool) -> Diagnostics {
             }
         }
     }
-    let counted = |(found, scenes): (Diagnostic, usize)| match count {
+    let counted = |(found, scenes): (Finding, usize)| match count {
         1 => found,
         _ => found.from_origin(format!("{scenes} of {count} scenes")),
     };

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use asperity::Severity;
 use asperity::fit::{DataColumn, FitError, Fitted, MeasuredTable, rank};
-use asperity_scene::{Free, SceneError, read_measurements};
+use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
 use crate::ask::long::{continue_unless, run_interruptible};

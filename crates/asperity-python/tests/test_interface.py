@@ -16,7 +16,7 @@ import asperity
 import numpy as np
 import pytest
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-scene" / "examples"
+EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-inputs" / "examples"
 
 
 def refusal(call: Any, *arguments: Any, **named: Any) -> str:

@@ -8,7 +8,7 @@ import asperity
 import numpy as np
 import pytest
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-scene" / "examples"
+EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-inputs" / "examples"
 PRESSURES = [1e7, 1e8, 1e9]
 
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Formula, Law, Part,
+    Asperity, AsperityModel, Citation, ContactError, Described, Finding, Formula, Law, Part,
     Tolerance, Validity,
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
@@ -49,7 +49,7 @@ impl Described for Average<'_> {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Diagnostic> {
+    fn notes(&self) -> Vec<Finding> {
         self.model.notes()
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    AsperityModel, At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic,
-    Evaluation, HeightDistribution, Part, QuadratureError, Quantity, Request, Scene, Separation,
+    AsperityModel, At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation,
+    Finding, HeightDistribution, Part, QuadratureError, Quantity, Request, Scene, Separation,
     SeparationUnit, Share, Tolerance, Validity,
 };
 
@@ -95,7 +95,7 @@ impl Described for RandomAsperities {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Diagnostic> {
+    fn notes(&self) -> Vec<Finding> {
         self.model.notes()
     }
 }
@@ -180,7 +180,7 @@ impl Contact for OnScene {
         self.averaged.quantities()
     }
 
-    fn notes(&self) -> &[Diagnostic] {
+    fn notes(&self) -> &[Finding] {
         self.averaged.notes()
     }
 

@@ -1,6 +1,6 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
-use asperity_core::{Diagnostic, ProfileMoments, Surface};
+use asperity_core::{Finding, ProfileMoments, Surface};
 use serde::Serialize;
 
 use crate::{Estimator, Moments, Outliers, Topography, TopographyError, warning};
@@ -57,15 +57,15 @@ pub struct Statistics {
     /// The asperities by the other estimator, if it finds any.
     #[serde(skip)]
     pub other: Option<Surface>,
-    /// Diagnostics of these numbers.
+    /// Findings of these numbers.
     #[serde(skip)]
-    pub warnings: Vec<Diagnostic>,
+    pub warnings: Vec<Finding>,
 }
 
 impl Topography {
     /// Heights, moments and asperities of the surface, which should be
     /// [levelled](Topography::level). A surface may have no asperities, by this estimator or by the
-    /// other one: that is a [`Diagnostic`], and an error of [`Statistics::surface`].
+    /// other one: that is a [`Finding`], and an error of [`Statistics::surface`].
     ///
     /// Where [outliers](Topography::outliers) matter, the first warning is about them, and no other
     /// one is drawn from heights that they determine.
@@ -128,7 +128,7 @@ impl Topography {
     }
 
     /// A warning if the sampling determines the asperities.
-    fn sampling(&self) -> Option<Diagnostic> {
+    fn sampling(&self) -> Option<Finding> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
             let (fine, coarse) = (self.curvature_at_step(1)?, self.curvature_at_step(2)?);
@@ -141,7 +141,7 @@ impl Topography {
 }
 
 /// A warning if the rms slopes along rows and columns differ.
-fn anisotropic(moments: &Moments) -> Option<Diagnostic> {
+fn anisotropic(moments: &Moments) -> Option<Finding> {
     let [m2, _] = moments.along_columns?;
     warning::anisotropic(moments.along_rows[0].sqrt(), m2.sqrt())
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use crate::{LengthUnit, Outliers, TopographyError};
 
@@ -32,7 +32,7 @@ pub struct Topography {
     /// Those found before a filter.
     outliers: Option<Arc<Outliers>>,
     /// Choices made in reading.
-    notes: Vec<Diagnostic>,
+    notes: Vec<Finding>,
 }
 
 impl Topography {
@@ -112,13 +112,13 @@ impl Topography {
     }
 
     /// With the choices made in reading.
-    pub(crate) fn with_notes(self, notes: Vec<Diagnostic>) -> Self {
+    pub(crate) fn with_notes(self, notes: Vec<Finding>) -> Self {
         Self { notes, ..self }
     }
 
     /// Choices made in reading: which channel of a file, a profile at equal distances.
     #[must_use]
-    pub fn notes(&self) -> &[Diagnostic] {
+    pub fn notes(&self) -> &[Finding] {
         &self.notes
     }
 

@@ -1,6 +1,6 @@
 //! Warnings about scans.
 
-use asperity_core::{Diagnostic, Severity, Surface};
+use asperity_core::{Finding, Severity, Surface};
 
 use crate::{Level, Outliers, Statistics, Topography, TopographyError};
 
@@ -12,7 +12,7 @@ const SUMMITS: f64 = 2.0;
 const CURVATURE: f64 = 4.0;
 
 /// A warning if β = η R Sq is outside [the usual range](Surface::USUAL_ROUGHNESS).
-pub(crate) fn roughness_parameter(beta: f64) -> Option<Diagnostic> {
+pub(crate) fn roughness_parameter(beta: f64) -> Option<Finding> {
     let usual = Surface::USUAL_ROUGHNESS;
     let advice = match beta > usual[1] {
         true => {
@@ -22,7 +22,7 @@ pub(crate) fn roughness_parameter(beta: f64) -> Option<Diagnostic> {
             "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size"
         }
     };
-    let found = Diagnostic::warning("roughness-parameter", "beta", beta)
+    let found = Finding::warning("roughness-parameter", "beta", beta)
         .usual(usual)
         .fact(format!("beta = eta R Sq is {beta:.4} (usual: {} to {})", usual[0], usual[1]))
         .advice(advice);
@@ -30,13 +30,13 @@ pub(crate) fn roughness_parameter(beta: f64) -> Option<Diagnostic> {
 }
 
 /// A warning if parameters by the spectral moments and by the summits disagree.
-pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Diagnostic> {
+pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Finding> {
     let apart: Vec<_> = parameters.iter().filter(|(_, m, s)| ratio(*m, *s) > APART).collect();
     let largest = apart.iter().map(|(_, m, s)| ratio(*m, *s)).max_by(f64::total_cmp)?;
     let each = apart.iter().map(|(name, moments, summits)| {
         format!("{name} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits")
     });
-    let found = Diagnostic::warning("estimators-disagree", "estimator_ratio", largest)
+    let found = Finding::warning("estimators-disagree", "estimator_ratio", largest)
         .usual([1.0, APART])
         .fact(each.collect::<Vec<_>>().join(", "))
         .advice(
@@ -46,8 +46,8 @@ pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Dia
 }
 
 /// A warning that the other estimator fails.
-pub(crate) fn no_second_estimator(reason: &TopographyError) -> Diagnostic {
-    Diagnostic::warning("no-second-estimator", "estimators", 1.0)
+pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
+    Finding::warning("no-second-estimator", "estimators", 1.0)
         .usual([2.0, f64::INFINITY])
         .fact("the two estimators cannot be compared")
         .advice(reason.to_string())
@@ -59,8 +59,8 @@ const FOLLOWS: &str = "the result depends on the pixel size; smooth the scan, or
 
 /// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
 /// and of every second one.
-pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Diagnostic> {
-    let found = Diagnostic::warning("summits-follow-sampling", "summit_density", fine)
+pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Finding> {
+    let found = Finding::warning("summits-follow-sampling", "summit_density", fine)
         .usual([0.0, SUMMITS * coarse])
         .unit("1/m2")
         .fact(format!("summit density is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
@@ -70,8 +70,8 @@ pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Diagnost
 
 /// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
 /// second one.
-pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Diagnostic> {
-    let found = Diagnostic::warning("curvature-follows-sampling", "m4", fine)
+pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Finding> {
+    let found = Finding::warning("curvature-follows-sampling", "m4", fine)
         .usual([0.0, CURVATURE * coarse])
         .unit("1/m2")
         .fact(format!("m4 is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
@@ -80,9 +80,9 @@ pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Diagn
 }
 
 /// A warning that missing points were filled.
-pub(crate) fn filled(share: f64) -> Option<Diagnostic> {
+pub(crate) fn filled(share: f64) -> Option<Finding> {
     let percent = 100.0 * share;
-    let found = Diagnostic::warning("filled", "filled_share", share)
+    let found = Finding::warning("filled", "filled_share", share)
         .usual([0.0, 0.0])
         .fact(format!(
             "{percent:.3} % of the points were missing and are filled with harmonic heights"
@@ -92,12 +92,12 @@ pub(crate) fn filled(share: f64) -> Option<Diagnostic> {
 }
 
 /// A warning that outliers determine parameters of the surface.
-pub(crate) fn outliers(found: &Outliers) -> Option<Diagnostic> {
+pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
     let Outliers { count, largest, m4_share, kurtosis_share, .. } = *found;
     let (points, have) = if count == 1 { ("point is", "has") } else { ("points are", "have") };
     let side = if largest > 0.0 { "above" } else { "below" };
     let (percent, of_kurtosis) = (100.0 * m4_share, 100.0 * kurtosis_share);
-    let warning = Diagnostic::warning("outliers", "outliers", count as f64)
+    let warning = Finding::warning("outliers", "outliers", count as f64)
         .usual([0.0, 0.0])
         .fact(format!(
             "{count} {points} far outside the neighbouring heights (up to {:.3e} m {side}) and {have} {percent:.1} % of m4 and {of_kurtosis:.1} % of the kurtosis",
@@ -110,27 +110,27 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Diagnostic> {
 }
 
 /// A note that outliers were replaced.
-pub(crate) fn despiked(surface: &Topography) -> Option<Diagnostic> {
+pub(crate) fn despiked(surface: &Topography) -> Option<Finding> {
     let count = surface.despiked_points();
     let points = if count == 1 { "outlier was" } else { "outliers were" };
-    let found = Diagnostic::note("despiked", "despiked", count as f64)
+    let found = Finding::note("despiked", "despiked", count as f64)
         .usual([0.0, 0.0])
         .fact(format!("{count} {points} replaced by harmonic heights"));
     (count > 0).then_some(found)
 }
 
 /// A warning that the estimator finds no asperities.
-pub(crate) fn no_asperities(reason: &str) -> Diagnostic {
-    Diagnostic::warning("no-asperities", "asperities", 0.0)
+pub(crate) fn no_asperities(reason: &str) -> Finding {
+    Finding::warning("no-asperities", "asperities", 0.0)
         .usual([1.0, f64::INFINITY])
         .fact("the surface has no asperities for asperity models")
         .advice(format!("{reason}; boundary elements (bem) need none"))
 }
 
 /// A warning if the rms slopes along rows and columns differ.
-pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Diagnostic> {
+pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Finding> {
     let ratio = ratio(slope_x, slope_y);
-    let found = Diagnostic::warning("anisotropic", "slope_ratio", ratio)
+    let found = Finding::warning("anisotropic", "slope_ratio", ratio)
         .usual([1.0, APART])
         .fact(format!("the rms slope is {slope_x:.4e} along rows and {slope_y:.4e} along columns"))
         .advice("models assume isotropic asperities; compare with boundary elements (bem)");
@@ -140,10 +140,10 @@ pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Diagnostic> {
 impl Statistics {
     /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
     #[must_use]
-    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Diagnostic> {
+    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
         let slope = (2.0 * self.m2).sqrt();
         let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
-        let found = Diagnostic::warning("slope", "measured_slope", slope)
+        let found = Finding::warning("slope", "measured_slope", slope)
             .severity(severity)
             .usual(SLOPE)
             .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
@@ -154,8 +154,8 @@ impl Statistics {
 impl Level {
     /// A warning if removing this form tilts a periodic surface.
     #[must_use]
-    pub fn tilts(self, periodic: bool) -> Option<Diagnostic> {
-        let found = Diagnostic::warning("level", "level", f64::NAN)
+    pub fn tilts(self, periodic: bool) -> Option<Finding> {
+        let found = Finding::warning("level", "level", f64::NAN)
             .fact(format!("level {self} of a periodic surface makes its edges differ"))
             .advice("slopes and curvatures at the edges are wrong; use level mean");
         (periodic && matches!(self, Self::Plane | Self::Quadratic)).then_some(found)

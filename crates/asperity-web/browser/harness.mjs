@@ -12,7 +12,7 @@ export const page = join(root, "target/page");
 export const program = process.env.ASPERITY;
 export const READY = "return document.documentElement.dataset.state === 'ready'";
 export const SETTLED = "return ['ready', 'failed'].includes(document.documentElement.dataset.state)";
-export const example = (name) => readFileSync(join(root, `crates/asperity-scene/examples/${name}.toml`), "utf8");
+export const example = (name) => readFileSync(join(root, `crates/asperity-inputs/examples/${name}.toml`), "utf8");
 export const EXAMPLES = ["wheel-rail", "bolted-joint", "elastomer-on-glass", "lapped-seal", "ground-steel"];
 
 // A window of the page; `script` runs in it before all others.

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Compared, Described, Diagnostic, Diagnostics, Quantity, Request, Severity, nearest_to_bem,
+    At, Compared, Described, Finding, Findings, Quantity, Request, Severity, nearest_to_bem,
     unranked,
 };
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 use crate::message::OnScreen;
@@ -88,8 +88,8 @@ impl OnScreen {
 }
 
 /// Findings about the scene and about these models at a load.
-pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Diagnostics, Refusal> {
-    let mut found: Diagnostics = file.warnings.iter().cloned().chain(file.findings()).collect();
+pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Findings, Refusal> {
+    let mut found: Findings = file.warnings.iter().cloned().chain(file.findings()).collect();
     let valid = !found.iter().any(|found| found.severity == Severity::Error);
     if valid {
         for id in ids {
@@ -98,7 +98,7 @@ pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Diagnost
         }
     }
     // The table of values marks it at each model.
-    let unmarked = |found: &Diagnostic| found.code != "beyond-full-contact";
+    let unmarked = |found: &Finding| found.code != "beyond-full-contact";
     Ok(file.accepted(found.into_iter().filter(unmarked).collect()))
 }
 
@@ -149,7 +149,7 @@ fn ignoring_yielding<'m>(file: &SceneFile, at: At, solved: &'m OnScreen) -> Vec<
     let ignores = |id: &&str| {
         let found = file.model(id).map(|model| file.findings_at(&model, &[at]));
         let yields =
-            |found: &Diagnostic| found.code == "yields" && found.severity == Severity::Warning;
+            |found: &Finding| found.code == "yields" && found.severity == Severity::Warning;
         found.is_ok_and(|found| found.iter().any(yields))
     };
     solved.models.iter().map(|(id, _)| id.as_str()).filter(ignores).collect()
@@ -197,8 +197,8 @@ mod tests {
 
     #[test]
     fn the_best_evidence_comes_first_and_models_are_compared_without_any() {
-        let parse = |text: &str| asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
-        let (file, solved) = (parse(asperity_scene::template()), on_screen(&[]));
+        let parse = |text: &str| asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let (file, solved) = (parse(asperity_inputs::template()), on_screen(&[]));
         let advice = advise(&file, At::Pressure(1e8), Some(&solved)).unwrap();
         assert!(advice.summary[0].starts_with("of the chosen models, use"), "{advice:?}");
         assert!(advice.summary[0].contains("ke for tangent stiffness"), "{advice:?}");
@@ -209,7 +209,7 @@ mod tests {
         let without = advise(&file, At::Pressure(1e8), None).unwrap().summary;
         assert_eq!(without, [area.clone(), stiffness.clone()]);
         // The plasticity index of the bolted joint is above those that were solved.
-        let joint = parse(include_str!("../../asperity-scene/examples/bolted-joint.toml"));
+        let joint = parse(include_str!("../../asperity-inputs/examples/bolted-joint.toml"));
         let [verdict, none] = &advise(&joint, At::Pressure(1e6), None).unwrap().summary[..] else {
             panic!()
         };
@@ -222,8 +222,8 @@ mod tests {
 
     #[test]
     fn a_reference_is_not_compared_with_itself() {
-        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
-        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         let advice = advise(&file, At::Pressure(1e4), None).unwrap();
         let itself = advice.summary.iter().any(|line| line.contains("% of gw; use gw"));
         let close = advice.summary[0].starts_with("on solved surfaces");

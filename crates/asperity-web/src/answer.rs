@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Contact, ContactError, ContactModel, Described, Diagnostic, Evaluation, Model, Quantity,
+    At, Contact, ContactError, ContactModel, Described, Evaluation, Finding, Model, Quantity,
     Request, Response, SeparationUnit, shortest_digits,
 };
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 
 use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
 use crate::names::readable;
@@ -106,7 +106,7 @@ impl Compiled {
     }
 
     /// The values at one load, with warnings about them.
-    pub(crate) fn row(&self, file: &SceneFile, id: &str, at: At) -> (AnswerRow, Vec<Diagnostic>) {
+    pub(crate) fn row(&self, file: &SceneFile, id: &str, at: At) -> (AnswerRow, Vec<Finding>) {
         let response = self.respond(&[at]);
         let separation = self.separation(file, at);
         let separation = cell(SEPARATION, "m", separation.map_err(|e| e.to_string()), None);
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
 
     fn file() -> SceneFile {
-        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+        asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
     #[test]
@@ -216,9 +216,9 @@ mod tests {
 
     #[test]
     fn models_with_adhesion_refuse_a_tension_where_the_surfaces_pull_off() {
-        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
-        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
         let gw = Compiled::new(&file, "gw").unwrap().row(&file, "gw", At::Load(-1.0)).0;
         assert!(
             gw.reason.unwrap().ends_with("carry no tension; choose dmt, jkr or jkr-separation")

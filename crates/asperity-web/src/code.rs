@@ -1,7 +1,7 @@
 //! The calculation of the page as lines for a shell, Python and Rust, and as tables.
 
 use asperity::{At, ContactTable, Quantity, TableFormat, Tolerance, UnitSystem};
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 use crate::answer::quantities;
@@ -48,7 +48,7 @@ pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown
         rust: format!(
             "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
              fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
-             let file = asperity_scene::load(\"scene.toml\")?;\n    \
+             let file = asperity_inputs::load(\"scene.toml\")?;\n    \
              let quantities = [\n        {},\n    ];\n    \
              let request = Request::new(quantities).at([{place}]);\n    \
              for id in [{words}] {{\n        \
@@ -121,8 +121,8 @@ mod tests {
 
     #[test]
     fn tables_and_lines_name_model_and_load() {
-        let text = asperity_scene::template();
-        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let text = asperity_inputs::template();
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         for (form, word) in
             [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*"), ("ansys", "R")]
         {

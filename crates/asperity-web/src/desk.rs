@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Diagnostic, Severity};
-use asperity_scene::{HandedFiles, SceneFile};
+use asperity::{Finding, Severity};
+use asperity_inputs::{HandedFiles, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -97,7 +97,7 @@ impl Desk {
             }
             Message::Changed { text } => json(fields::changed(&text)),
             Message::Materials => {
-                let all = asperity_scene::materials().iter();
+                let all = asperity_inputs::materials().iter();
                 json(all.map(read_scene::material).collect::<Vec<_>>())
             }
             Message::Material { text, body, changes } => {
@@ -176,7 +176,7 @@ impl Desk {
         self.compile(models)?;
         let file = self.scene()?;
         let (at, load) = span::load(load, &file.scene)?;
-        let (mut rows, mut findings) = (vec![], Vec::<Diagnostic>::new());
+        let (mut rows, mut findings) = (vec![], Vec::<Finding>::new());
         for id in models {
             match self.compiled.get(id) {
                 Some(Ok(compiled)) => {
@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn a_scene_is_shown_answered_and_drawn() {
         let mut desk = Desk::default();
-        let shown = call(&mut desk, json!({ "call": "show", "text": asperity_scene::template() }));
+        let shown = call(&mut desk, json!({ "call": "show", "text": asperity_inputs::template() }));
         assert!(shown["ok"]["error"].is_null(), "{shown}");
         assert_eq!(shown["ok"]["fields"]["body[1].hardness"], "2e9");
         let load = json!({ "text": "100 N", "unit": "N" });
@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn errors_have_line_and_field_and_the_desk_goes_on() {
         let mut desk = Desk::default();
-        let text = asperity_scene::template().replace("hardness = 2e9", "hardness = \"2 GP\"");
+        let text = asperity_inputs::template().replace("hardness = 2e9", "hardness = \"2 GP\"");
         let shown = call(&mut desk, json!({ "call": "show", "text": text }));
         assert_eq!(shown["ok"]["error"]["field"], "body[1].hardness");
         let line = 1 + text.lines().position(|line| line.contains("2 GP")).unwrap();
@@ -280,7 +280,7 @@ mod tests {
         let keys = serde_json::to_value(crate::random::example()).unwrap();
         let made = call(&mut desk, json!({ "call": "random", "keys": keys }));
         let name = made["ok"]["name"].as_str().unwrap();
-        let text = asperity_scene::template();
+        let text = asperity_inputs::template();
         let text = call(&mut desk, json!({ "call": "use-scan", "text": text, "name": name }));
         let shown = call(&mut desk, json!({ "call": "show", "text": text["ok"] }));
         assert!(shown["ok"]["error"].is_null(), "{shown}");

@@ -127,7 +127,7 @@ pub(crate) fn changed(text: &str) -> String {
 pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
     let path = |name: &str| format!("body[{body}].{name}");
     let old = fields(text).remove(&path("material"));
-    let old = asperity_scene::materials().iter().find(|known| Some(&known.id) == old.as_ref());
+    let old = asperity_inputs::materials().iter().find(|known| Some(&known.id) == old.as_ref());
     let old = old.filter(|_| id.is_empty()).map(|material| &material.body);
     if id.is_empty() && old.is_none() {
         return vec![];
@@ -262,7 +262,7 @@ mod tests {
 
     #[test]
     fn a_changed_example_says_so_once_and_is_not_described_any_more() {
-        let text = include_str!("../../asperity-scene/examples/wheel-rail.toml");
+        let text = include_str!("../../asperity-inputs/examples/wheel-rail.toml");
         let found = changed(text);
         let wanted = "# Changed from: A steel wheel on a steel rail, both run in.\n\n";
         assert!(found.starts_with(wanted) && !found.contains("asperity curve"), "{found}");
@@ -276,7 +276,7 @@ mod tests {
         let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
         assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
         let own = edit(&text, &material(&text, 1, "")).unwrap();
-        let known = asperity_scene::materials()
+        let known = asperity_inputs::materials()
             .iter()
             .find(|known| known.id == "copper-cold-worked")
             .unwrap();

@@ -1,8 +1,8 @@
 //! The law of one asperity by a model: its picture, its kinks, its range and its source.
 
 use asperity::{Described, Tolerance, short};
+use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
-use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::model_sentence::source;
@@ -149,7 +149,7 @@ mod tests {
     use super::*;
 
     fn file() -> SceneFile {
-        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+        asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
     #[test]
@@ -180,9 +180,9 @@ mod tests {
 
     #[test]
     fn laws_of_bodies_without_hardness_are_drawn_against_the_height_std() {
-        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
-        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
         for id in ["gw", "dmt", "jkr"] {
             let found = law(&file, id).unwrap();
             assert!(found.svg.contains("interference over σ"), "{id}");

@@ -4,8 +4,8 @@
 use std::sync::LazyLock;
 
 use asperity::recommended::YIELDING;
-use asperity::{Described, Diagnostic, Diagnostics, Model, Quantity, Severity};
-use asperity_scene::SceneFile;
+use asperity::{Described, Finding, Findings, Model, Quantity, Severity};
+use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 /// Names of keys whose words do not give them.
@@ -57,8 +57,8 @@ pub(crate) struct FindingShown {
     pub(crate) message: String,
 }
 
-impl From<&Diagnostic> for FindingShown {
-    fn from(found: &Diagnostic) -> Self {
+impl From<&Finding> for FindingShown {
+    fn from(found: &Finding) -> Self {
         let (code, severity, field) = (found.code, found.severity, found.field.to_string());
         Self { code, severity, field, message: readable(&found.message()) }
     }
@@ -66,13 +66,13 @@ impl From<&Diagnostic> for FindingShown {
 
 /// All findings as shown, with the models that the scene has: of random asperities those for them.
 /// Where contacts merge, no model of asperities is advised.
-pub(crate) fn findings(all: &Diagnostics, file: &SceneFile) -> Vec<FindingShown> {
+pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Vec<FindingShown> {
     let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
     let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ");
     let merged = all.into_iter().any(|found| found.code == "crowded");
     let (advice, own) = (format!("; use {YIELDING}"), format!("; use {yielding}"));
     let own = if merged { "" } else { own.as_str() };
-    let shown = |found: &Diagnostic| {
+    let shown = |found: &Finding| {
         let found = FindingShown::from(found);
         let message = found.message.replace(&advice, own).replace(YIELDING, &yielding);
         FindingShown { message, ..found }
@@ -201,7 +201,7 @@ fn squared(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use asperity::At;
-    use asperity_scene::{HandedFiles, parse_handed};
+    use asperity_inputs::{HandedFiles, parse_handed};
 
     use super::*;
     use crate::surface_keys::with_scan;
@@ -241,8 +241,8 @@ mod tests {
 
     #[test]
     fn findings_name_models_that_the_scene_has() {
-        let text = include_str!("../../asperity-scene/examples/ground-steel.toml");
-        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let text = include_str!("../../asperity-inputs/examples/ground-steel.toml");
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         let model = file.model("persson-fudge").unwrap();
         let found = file.findings_at(&model, &[asperity::At::Pressure(1e9)]);
         let shown = findings(&found, &file);
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn where_contacts_merge_no_model_of_asperities_is_advised() {
-        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
         let file = file.unwrap();
         let messages = |pressure: f64| {
             let found = |id: &str| {
@@ -277,7 +277,7 @@ mod tests {
         };
         let scan = (0..64 * 64).map(height).collect::<String>().into_bytes();
         let files = HandedFiles::from([("scan.txt".to_string(), scan)]);
-        let text = with_scan(asperity_scene::template(), "scan.txt").unwrap();
+        let text = with_scan(asperity_inputs::template(), "scan.txt").unwrap();
         let keys = "file = \"scan.txt\"\nunit = \"nm\"\npixel_size = \"1 um\"";
         parse_handed(&text.replace("file = \"scan.txt\"", keys), &files).unwrap()
     }
@@ -296,12 +296,12 @@ mod tests {
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
         let merged = file.findings_at(&ke, &[At::Pressure(1e11)]);
         let messages = [
-            merged.iter().map(Diagnostic::to_string).collect(),
+            merged.iter().map(Finding::to_string).collect(),
             file.surface_shape().unwrap_err().to_string(),
             refused("material = \"unobtainium\""),
             refused("material = \"steel-a36\"\nhardness = 2e9"),
-            check.findings.iter().map(Diagnostic::to_string).collect(),
-            file.warnings.iter().map(Diagnostic::to_string).collect(),
+            check.findings.iter().map(Finding::to_string).collect(),
+            file.warnings.iter().map(Finding::to_string).collect(),
         ];
         assert_eq!(messages.len(), PROGRAM.len());
         for (message, (advice, instead)) in messages.iter().zip(PROGRAM) {

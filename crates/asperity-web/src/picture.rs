@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use asperity::bem::{Bem, Solution};
 use asperity::{Quantity, short};
+use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
-use asperity_scene::SceneFile;
 
 use crate::answer::head;
 use crate::message::{LoadShown, SEPARATION};
@@ -255,7 +255,7 @@ mod tests {
     use crate::answer::Compiled;
 
     fn file() -> SceneFile {
-        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+        asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Answers that no contact has, though a formula gives a number.
 
 use asperity::{At, Check, Model, Severity};
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 
 use crate::names::readable;
 
@@ -25,13 +25,13 @@ mod tests {
     use crate::answer::Compiled;
 
     fn marks(text: &str, id: &str, at: At) -> Option<String> {
-        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         Compiled::new(&file, id).unwrap().row(&file, id, at).0.mark
     }
 
     #[test]
     fn a_load_beyond_full_contact_has_a_mark_and_a_usual_one_none() {
-        let text = asperity_scene::template();
+        let text = asperity_inputs::template();
         let found = marks(text, "persson-fudge", At::Load(1e30)).unwrap();
         assert!(found.contains("nominal area is 1e34 Pa, above the hardness (2e9 Pa)"), "{found}");
         for id in ["gw", "ke", "persson-fudge"] {
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn more_area_than_there_is_has_a_mark() {
-        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
         let found = marks(text, "gw", At::Pressure(1.5e6)).unwrap();
         assert!(
             found.contains("real over nominal area is") && found.contains("above 1"),
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn a_load_is_not_blamed_for_a_wrong_unit_of_a_field() {
-        let text = asperity_scene::template().replacen("210e9", "210", 1);
+        let text = asperity_inputs::template().replacen("210e9", "210", 1);
         assert_eq!(marks(&text, "gw", At::Load(100.0)), None);
     }
 }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use asperity::bem::{BemError, BoundaryElements, LoadCase, Solution};
 use asperity::{Quantity, Separation, SeparationUnit};
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 use crate::answer::{cell, quantities};
@@ -201,7 +201,7 @@ impl Event {
 mod tests {
     use std::path::Path;
 
-    use asperity_scene::{HandedFiles, parse_handed};
+    use asperity_inputs::{HandedFiles, parse_handed};
 
     use super::*;
     use crate::random::example;
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn loads_are_solved_with_progress_as_the_library_solves_them() {
-        let (file, events) = pressed(asperity_scene::template(), &[1e8, 5e7, 4e8]);
+        let (file, events) = pressed(asperity_inputs::template(), &[1e8, 5e7, 4e8]);
         let (mut iterations, mut areas) = (0, vec![]);
         for event in events {
             match event {
@@ -259,7 +259,7 @@ mod tests {
         for plane in ["asperity-mean", "surface-mean"] {
             let wanted = format!("separation_from = \"{plane}\"");
             let text =
-                asperity_scene::template().replace("separation_from = \"asperity-mean\"", &wanted);
+                asperity_inputs::template().replace("separation_from = \"asperity-mean\"", &wanted);
             let (file, events) = pressed(&text, &[2e8]);
             let Some(Event::Solved { cells, points, .. }) = events.last() else {
                 panic!("{plane}")
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn stiffnesses_are_slopes_of_load_over_gap_and_unloading_is_the_stiffer() {
-        let (file, events) = pressed(asperity_scene::template(), &[2e8, 1.9e8, 2.1e8]);
+        let (file, events) = pressed(asperity_inputs::template(), &[2e8, 1.9e8, 2.1e8]);
         let solved = |wanted: f64, name: &str| {
             events.iter().find_map(|event| match event {
                 Event::Solved { pressure, cells, .. } if (pressure / wanted - 1.0).abs() < 1e-9 => {
@@ -301,7 +301,7 @@ mod tests {
 
     #[test]
     fn a_scene_without_a_scan_is_refused_with_what_to_do() {
-        let file = asperity_scene::parse(asperity_scene::template(), Path::new(".")).unwrap();
+        let file = asperity_inputs::parse(asperity_inputs::template(), Path::new(".")).unwrap();
         let refused = press(&file, &[1e6], |_| {}).unwrap_err();
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
         assert!(refused.message.contains("file = \"scan.x3p\""), "{}", refused.message);

@@ -70,7 +70,7 @@ impl RandomKeys {
     /// The surface as the bytes of an X3P file, which states unit and pixel size.
     pub(crate) fn file(&self) -> Result<Vec<u8>, Refusal> {
         let length = |field: &str, text: &str| {
-            let length = asperity_scene::quantity(text, "m");
+            let length = asperity_inputs::quantity(text, "m");
             length.map_err(|error| Refusal::at(field, format!("{field}: {error}")))
         };
         if self.pixels > MOST_PIXELS {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::{Described, HARDNESS_OVER_YIELD, Model, shortest_digits};
-use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
+use asperity_inputs::{HandedFiles, Material, SceneFile, parse_handed};
 
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
 use crate::model_sentence::model_sentence;
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_text_has_fields_models_and_files_and_a_wrong_one_its_error() {
-        let (found, file) = read(asperity_scene::template(), &HandedFiles::new());
+        let (found, file) = read(asperity_inputs::template(), &HandedFiles::new());
         assert!(file.is_some() && found.error.is_none());
         assert!(found.models.iter().any(|model| model.id == "at" && model.slow));
         let gw = found.models.iter().find(|model| model.id == "gw").unwrap();
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn materials_are_shown_with_their_numbers_and_source() {
-        let all: Vec<_> = asperity_scene::materials().iter().map(material).collect();
+        let all: Vec<_> = asperity_inputs::materials().iter().map(material).collect();
         assert!(all.len() >= 25);
         assert!(all.iter().all(|one| one.shown.starts_with("E ") && !one.source.is_empty()));
         let copper = all.iter().find(|one| one.id == "copper-hot-rolled").unwrap();

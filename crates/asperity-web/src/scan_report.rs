@@ -1,8 +1,8 @@
 //! The scan of a scene: its picture, its statistics, and its slopes at several distances.
 
 use asperity::shortest_digits;
+use asperity_inputs::SceneFile;
 use asperity_plot::{ScanPicture, draw_scan};
-use asperity_scene::SceneFile;
 use asperity_topography::{AtDistance, Glance, Level, Statistics, Topography};
 use serde::Serialize;
 
@@ -105,13 +105,13 @@ fn numbers(of: &Statistics) -> Vec<NumberShown> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_scene::{HandedFiles, parse_handed};
+    use asperity_inputs::{HandedFiles, parse_handed};
 
     #[test]
     fn a_scan_has_picture_caption_statistics_and_scales() {
         let keys = crate::random::example();
         let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
-        let text = asperity_scene::template();
+        let text = asperity_inputs::template();
         let text = crate::surface_keys::with_scan(text, &keys.name()).unwrap();
         let file = parse_handed(&text, &files).unwrap();
         let found = report(&file).unwrap();
@@ -121,7 +121,7 @@ mod tests {
             ("Sq", "500 nm")
         );
         assert_eq!(found.scales.rows[0][0], "1 µm");
-        let plain = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        let plain = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
         assert!(report(&plain.unwrap()).is_err());
     }
 }

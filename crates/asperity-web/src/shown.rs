@@ -76,7 +76,7 @@ mod tests {
         ] {
             let text = exactly(value, unit);
             assert_eq!(text, wanted);
-            let read = asperity_scene::quantity(&text, unit).unwrap();
+            let read = asperity_inputs::quantity(&text, unit).unwrap();
             assert!((read - value).abs() <= 1e-15 * value, "{text}");
         }
     }
@@ -88,7 +88,7 @@ mod tests {
         {
             let text = typed(value, unit);
             assert_eq!(text, wanted);
-            let read = asperity_scene::quantity(&text, unit).unwrap();
+            let read = asperity_inputs::quantity(&text, unit).unwrap();
             assert!((read / value - 1.0).abs() < 5e-3, "{text}");
         }
     }

@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::{At, Scene};
-use asperity_scene::{NO_LOAD, converted, quantity};
+use asperity_inputs::{NO_LOAD, converted, quantity};
 
 use crate::message::{LoadKeys, LoadShown};
 use crate::refusal::Refusal;
@@ -124,7 +124,7 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
         file.unwrap().scene
     }
 

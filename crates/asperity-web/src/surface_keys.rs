@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::short;
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 
 use crate::fields::{edit, fields, files};
 use crate::message::Change;
@@ -136,14 +136,14 @@ mod tests {
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
-        let text = include_str!("../../asperity-scene/examples/ground-steel.toml");
+        let text = include_str!("../../asperity-inputs/examples/ground-steel.toml");
         let folder = std::path::Path::new(".");
-        let file = asperity_scene::parse(text, folder).unwrap();
+        let file = asperity_inputs::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
         for (name, _) in &WAYS[1..] {
             let edited = edit(text, &changes(name, &file).unwrap()).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
-            let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
+            let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
             let wanted = file.scene.surface;
             let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
             near(found.asperity_radius, wanted.asperity_radius);
@@ -159,18 +159,18 @@ mod tests {
     #[test]
     fn a_surface_given_by_its_slope_can_be_described_otherwise() {
         let folder = Path::new(".");
-        let template = asperity_scene::template();
+        let template = asperity_inputs::template();
         let (head, _) = template.split_once("\n[surface]").unwrap();
         for surface in [
             "sq = 1.1e-6\nspd = 2e8\nsdq = 0.058",
             "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03",
         ] {
             let text = format!("{head}\n[surface]\n{surface}\n");
-            let file = asperity_scene::parse(&text, folder).unwrap();
+            let file = asperity_inputs::parse(&text, folder).unwrap();
             for (name, _) in &WAYS[1..] {
                 let edited = edit(&text, &changes(name, &file).unwrap()).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
-                let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
+                let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
                 let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
                 assert!((ratio - 1.0).abs() < 5e-5, "{surface}, {name}: {ratio}");
             }

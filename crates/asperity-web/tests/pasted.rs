@@ -18,7 +18,7 @@ fn the_code_to_paste_runs_beside_its_scene() {
     let mut call = |message: Value| -> Value {
         serde_json::from_str(&desk.call(&message.to_string())).unwrap()
     };
-    let scene = asperity_scene::template();
+    let scene = asperity_inputs::template();
     let shown = call(json!({ "call": "show", "text": scene }));
     assert!(shown["ok"]["error"].is_null(), "{shown}");
     let load = json!({ "text": "123 N" });

@@ -135,9 +135,9 @@ pub const GROUPS: &[Group] = &[
                 "scene-files",
                 "Scene files",
                 &[
-                    ("crates/asperity-scene/README.md", Whole),
+                    ("crates/asperity-inputs/README.md", Whole),
                     ("crates/asperity-web/guide/scene-template.md", Whole),
-                    ("crates/asperity-scene/src/template.toml", Code("toml")),
+                    ("crates/asperity-inputs/src/template.toml", Code("toml")),
                 ],
             ),
             text(

@@ -10,7 +10,7 @@ use crate::head;
 /// Copies the page and the example scenes; html gets its head.
 pub(super) fn write(root: &Path, folder: &Path) -> Result<()> {
     all(&root.join("crates/asperity-web/www"), folder)?;
-    all(&root.join("crates/asperity-scene/examples"), &folder.join("examples"))?;
+    all(&root.join("crates/asperity-inputs/examples"), &folder.join("examples"))?;
     for name in super::PAGES {
         let path = folder.join(name);
         let of = || path.display().to_string();

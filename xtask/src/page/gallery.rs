@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
 use asperity::Scene;
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 use asperity_web::Desk;
 use serde_json::{Value, json};
 

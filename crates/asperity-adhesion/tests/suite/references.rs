@@ -7,8 +7,8 @@ use crate::{APPROACH, SEPARATION, compiled, model, scene, work_of};
 
 use asperity_adhesion::{DerjaguinMullerToporov, PullOff, pull_off};
 use asperity_core::{
-    At, Case, Contact, ContactError, ContactModel, Diagnostic, HeightDistribution, Quantity,
-    Request, Severity, Sweep, Tolerance,
+    At, Case, Contact, ContactError, ContactModel, Finding, HeightDistribution, Quantity, Request,
+    Severity, Sweep, Tolerance,
 };
 use asperity_gw::GreenwoodWilliamson;
 
@@ -208,7 +208,7 @@ fn tensions_are_told_and_what_is_missing_is_named() {
 #[test]
 fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
     let check = scene(50.0).check().unwrap();
-    let found: Vec<&Diagnostic> =
+    let found: Vec<&Finding> =
         check.findings.iter().filter(|f| f.field == "work_of_adhesion").collect();
     let [finding] = found[..] else { panic!("{:?}", check.findings) };
     assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));

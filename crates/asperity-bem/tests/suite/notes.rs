@@ -1,4 +1,4 @@
-//! Diagnostics of unresolved maps and contacts.
+//! Findings of unresolved maps and contacts.
 
 use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 

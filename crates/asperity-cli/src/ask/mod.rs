@@ -6,7 +6,7 @@ use std::mem::{Discriminant, discriminant};
 
 use anyhow::{Context, Result, bail};
 use asperity::{
-    At, Contact, ContactError, ContactModel, Diagnostics, Evaluation, Model, Quantity, Request,
+    At, Contact, ContactError, ContactModel, Evaluation, Findings, Model, Quantity, Request,
     Separation, SeparationUnit, Severity,
 };
 
@@ -29,8 +29,8 @@ pub struct Question<'s> {
     without_tension: Vec<String>,
     /// Ids of models, and what has no value there with the reason.
     lacking: Vec<(String, String)>,
-    /// Diagnostics of the results.
-    found: Diagnostics,
+    /// Findings of the results.
+    found: Findings,
 }
 
 /// One row of a model's result.
@@ -50,7 +50,7 @@ impl<'s> Question<'s> {
             at_defaults: false,
             without_tension: vec![],
             lacking: vec![],
-            found: Diagnostics::default(),
+            found: Findings::default(),
         }
     }
 

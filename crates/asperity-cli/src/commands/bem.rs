@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::{Bem, Continuation, LoadCase};
-use asperity::{ContactModel, Diagnostics, Quantity, Request};
+use asperity::{ContactModel, Findings, Quantity, Request};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -155,7 +155,7 @@ impl BemCommand {
             given: &given,
             maps: vec![],
             errors: vec![],
-            found: Diagnostics::default(),
+            found: Findings::default(),
         };
         // Before the hours of the whole grid.
         let half_grid = self.refine.then(|| bem.half_grid()).transpose();

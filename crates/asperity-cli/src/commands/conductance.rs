@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
 use asperity::{At, nearest_hint, nearest_name, shortest_digits};
-use asperity_scene::likely_angle;
+use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;

@@ -1,7 +1,7 @@
 //! The thermal conductivity of an interface, as given or from its two bodies.
 
 use asperity::{Body, Interface};
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 
 use crate::input::lists::Numbers;
 use crate::input::numbers::{of_unit, positive};

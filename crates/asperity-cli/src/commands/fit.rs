@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
 use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Role, rank};
-use asperity_scene::{Free, SceneError, read_measurements};
+use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};

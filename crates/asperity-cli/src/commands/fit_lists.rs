@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use asperity_scene::Free;
+use asperity_inputs::Free;
 
 use crate::input::target::target;
 

@@ -29,6 +29,6 @@ impl Init {
         if let Some(path) = &file {
             output::refuse_to_replace(path, self.force)?;
         }
-        output::write_text(file.as_deref(), asperity_scene::template())
+        output::write_text(file.as_deref(), asperity_inputs::template())
     }
 }

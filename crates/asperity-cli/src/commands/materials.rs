@@ -43,7 +43,7 @@ impl Materials {
         let shown = COLUMNS.len() - usize::from(self.output.format == Format::Table);
         let mut table = Table::new(&COLUMNS[..shown]);
         let word = self.word.unwrap_or_default();
-        let found = asperity_scene::materials_like(&word);
+        let found = asperity_inputs::materials_like(&word);
         ensure!(!found.is_empty(), "no material is like {word:?}; `asperity materials` lists all");
         for material in found {
             let body = &material.body;

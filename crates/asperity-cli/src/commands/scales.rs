@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
+use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
-use asperity_scene::SceneFile;
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 

@@ -4,9 +4,9 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use asperity::{Diagnostics, Severity};
+use asperity::{Findings, Severity};
+use asperity_inputs::with_decimal_point;
 use asperity_plot::draw_surface;
-use asperity_scene::with_decimal_point;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography,
     TopographyError,
@@ -131,13 +131,13 @@ impl Surface {
             drop(working);
             return self.output.write(&table);
         }
-        let (mut each, mut found, mut density) = (vec![], Diagnostics::default(), None);
+        let (mut each, mut found, mut density) = (vec![], Findings::default(), None);
         let mut glance = None;
         let scans = self.scans()?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
-            let seam = asperity_scene::open_seam(surface).into_iter();
+            let seam = asperity_inputs::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
             // An error of a scene: statistics without a contact have no wrong answer.
             let slope = statistics.unusual_slope(dx.max(dy));
@@ -171,7 +171,7 @@ impl Surface {
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);
-            let text = asperity_scene::write_heights(&points.collect::<Vec<_>>());
+            let text = asperity_inputs::write_heights(&points.collect::<Vec<_>>());
             output::write_text(Some(path), &text)?;
         }
         if let Some(path) = &self.scene {
@@ -320,7 +320,7 @@ impl Surface {
             ("heights", heights.map(Value::from)),
         ];
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
-        Ok(asperity_scene::template_on(statistics.surface().ok().as_ref(), &keys))
+        Ok(asperity_inputs::template_on(statistics.surface().ok().as_ref(), &keys))
     }
 }
 

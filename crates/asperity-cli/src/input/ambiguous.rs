@@ -1,6 +1,6 @@
 //! Commas in numbers of the command line: of lists, decimals or thousands.
 
-use asperity_scene::{notation_hint, with_decimal_point, without_thousands};
+use asperity_inputs::{notation_hint, with_decimal_point, without_thousands};
 
 /// Refuses lists that are rather one number, such as 1,5e6, 1,5kN or 1,000,000.
 pub fn refuse_one_number(text: &str) -> Result<(), String> {

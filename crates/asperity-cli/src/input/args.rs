@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
@@ -255,7 +255,7 @@ pub fn one_model_id(name: &str) -> Result<String, String> {
 pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
     let read: StrDeserializer<'_, Error> = name.into_deserializer();
     SeparationUnit::deserialize(read).map_err(|_| {
-        let own = match asperity_scene::quantity(&format!("2{name}"), "m") {
+        let own = match asperity_inputs::quantity(&format!("2{name}"), "m") {
             Ok(_) => format!("; a separation may have its own unit, for example 2{name}"),
             Err(_) => String::new(),
         };

@@ -43,7 +43,7 @@ pub fn unit_apart(arguments: &[OsString], is_known: impl Fn(&str) -> bool) -> Op
         let (flag, number) = three[1].split_once('=').unwrap_or((three[0], three[1]));
         let is_apart = flag.starts_with("--")
             && number.ends_with(|c: char| c.is_ascii_digit() || c == '.')
-            && asperity_scene::is_unit(three[2]);
+            && asperity_inputs::is_unit(three[2]);
         is_apart.then_some((k, flag, number, three[2]))
     })?;
     let message = format!(

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use asperity::SeparationUnit;
-use asperity_scene::mistaken_unit;
+use asperity_inputs::mistaken_unit;
 
 use crate::input::ambiguous::one_value_only;
 use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};

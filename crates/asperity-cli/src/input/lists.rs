@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
-use asperity_scene::{with_decimal_point, without_thousands};
+use asperity_inputs::{with_decimal_point, without_thousands};
 
 use crate::input::ambiguous::refuse_one_number;
 use crate::input::numbers::{count_up_to, number, of_unit, positive};

@@ -2,7 +2,7 @@
 
 use asperity::joints::coefficient_of_friction;
 use asperity::shortest_digits;
-use asperity_scene::NO_LOAD;
+use asperity_inputs::NO_LOAD;
 
 use crate::input::ambiguous::one_value_only;
 
@@ -34,16 +34,16 @@ pub fn length(text: &str) -> Result<f64, String> {
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     // The text for an option of another unit.
-    let of = |unit| match asperity_scene::quantity(text, unit) {
+    let of = |unit| match asperity_inputs::quantity(text, unit) {
         Ok(_) => Some(text.to_string()),
-        Err(_) => asperity_scene::converted(text, unit).map(|same| same.replace(' ', "")),
+        Err(_) => asperity_inputs::converted(text, unit).map(|same| same.replace(' ', "")),
     };
     let other_option = || match si {
         "N" => Some(format!("{text} is a pressure; use --pressure {}", of("Pa")?)),
         "Pa" => Some(format!("{text} is a load; use --load {}", of("N")?)),
         _ => None,
     };
-    let value = asperity_scene::quantity(text, si);
+    let value = asperity_inputs::quantity(text, si);
     match value.map_err(|error| other_option().or_else(|| one_value_only(text)).unwrap_or(error))? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
@@ -85,7 +85,7 @@ pub fn number(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
         Err(_) => Err(one_value_only(text)
-            .or_else(|| asperity_scene::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
+            .or_else(|| asperity_inputs::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
             .unwrap_or_else(|| format!("{text:?} is not a number such as 2, -0.5 or 1e-6"))),
     }
 }
@@ -138,7 +138,7 @@ pub fn error_below_1(text: &str) -> Result<f64, String> {
 
 /// A slope above 0: a number, or in per cent or degrees.
 pub fn slope(text: &str) -> Result<f64, String> {
-    match asperity_scene::gradient(text).filter(|_| one_value_only(text).is_none()) {
+    match asperity_inputs::gradient(text).filter(|_| one_value_only(text).is_none()) {
         Some(slope) => positive(slope),
         None => positive_number(text),
     }

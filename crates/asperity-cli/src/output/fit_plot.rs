@@ -5,8 +5,8 @@ use std::fmt::Write;
 use anyhow::Result;
 use asperity::fit::{Data, Fitted, Measured, Observation, Ranking};
 use asperity::short;
+use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
-use asperity_scene::SceneFile;
 
 use crate::output::plot::label;
 use crate::scene::NamedModel;

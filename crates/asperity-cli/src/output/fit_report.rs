@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::fit::{Data, Fitted, Ranking};
-use asperity_scene::Free;
+use asperity_inputs::Free;
 
 use crate::output::table::{Cell, Table};
 use crate::output::{fit_plot, print_message};

@@ -16,7 +16,7 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use asperity::Diagnostics;
+use asperity::Findings;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
 
@@ -197,8 +197,8 @@ pub fn print_always(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
-/// Each diagnostic on a line of standard error, most severe first.
-pub fn report(found: &Diagnostics) {
+/// Each finding on a line of standard error, most severe first.
+pub fn report(found: &Findings) {
     found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 

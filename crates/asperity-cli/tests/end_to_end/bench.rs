@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use asperity_scene::SceneFile;
+use asperity_inputs::SceneFile;
 
 /// A scene without a shear modulus.
 pub const NO_SHEAR: &str = "nominal_area = 3e-5
@@ -34,7 +34,7 @@ asperity_height_std = 1e-6
 /// The template with the lines that tell what conducts: those below the commented [interface] stand
 /// in the second body then.
 pub fn conducting() -> String {
-    let template = asperity_scene::template();
+    let template = asperity_inputs::template();
     let template = template.replace("# thermal_conductivity", "thermal_conductivity");
     template.replace("# electrical_resistivity", "electrical_resistivity")
 }
@@ -54,7 +54,7 @@ impl Bench {
     /// With the template as `scene.toml`.
     pub fn new() -> Self {
         let bench = Self { folder: tempfile::tempdir().unwrap() };
-        bench.write("scene.toml", asperity_scene::template());
+        bench.write("scene.toml", asperity_inputs::template());
         bench
     }
 
@@ -106,7 +106,7 @@ impl Bench {
     }
 
     pub fn scene(&self, name: &str) -> SceneFile {
-        asperity_scene::load(self.path(name)).unwrap()
+        asperity_inputs::load(self.path(name)).unwrap()
     }
 }
 

@@ -104,7 +104,7 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     assert!(!run.messages.contains("--gas-parameter"), "{}", run.messages);
     bench.write(
         "soft.toml",
-        include_str!("../../../asperity-scene/examples/elastomer-on-glass.toml"),
+        include_str!("../../../asperity-inputs/examples/elastomer-on-glass.toml"),
     );
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
@@ -223,7 +223,7 @@ fn the_conductivities_of_two_bodies_may_be_given_and_the_missing_one_is_named() 
         assert_eq!(run.code, Some(2), "{wrong}: {}", run.messages);
     }
     // The first line of a conductivity stands in the first body.
-    let template = asperity_scene::template();
+    let template = asperity_inputs::template();
     let first = template.replacen("# thermal_conductivity", "thermal_conductivity", 1);
     bench.write("one.toml", &first);
     bench.write("none.toml", crate::bench::NO_SHEAR);

@@ -46,7 +46,7 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     let [length, unit] = ["1um", "1e-6 --separation-unit m"]
         .map(|place| same(&format!("curve scene.toml --model ke --separation {place}")));
     assert_eq!(length, unit);
-    let skewed = asperity_scene::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
+    let skewed = asperity_inputs::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
     bench.write("skewed.toml", &skewed);
     let check = bench.data("check skewed.toml --format csv");
     assert!(check.contains("asperity_height_skewness,-0.5"), "{check}");
@@ -251,7 +251,7 @@ fn persson_is_compared_with_asperity_models_at_loads() {
     assert_eq!(run.code, Some(1), "{}", run.out);
     assert!(run.messages.contains("hurst_exponent is missing"), "{}", run.messages);
     // With it, there are stiffnesses, and separations lead back to loads.
-    bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_scene::template()));
+    bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_inputs::template()));
     let loads = "curve hurst.toml --model persson,persson-fudge --pressure 1e6,1e7 --format csv";
     let data = bench.data(&format!("{loads} --quantity tangent"));
     let (gaps, tangents) = (column(&data, "separation_m"), column(&data, "tangent_N_per_m"));
@@ -327,7 +327,7 @@ fn recommendations_and_tables_have_warnings() {
 #[test]
 fn findings_about_the_scene_hide_none_about_results() {
     let bench = Bench::new();
-    let dense = asperity_scene::template().replace("_density = 2e8 ", "_density = 2e9 ");
+    let dense = asperity_inputs::template().replace("_density = 2e8 ", "_density = 2e9 ");
     bench.write("dense.toml", &dense);
     let forgotten = dense.replacen("\nhardness = 2e9\n\n# ...", "\n# ...", 1);
     bench.write("forgotten.toml", &forgotten);

@@ -8,7 +8,7 @@ use crate::bench::Bench;
 use crate::help::sh;
 
 /// Where the walk-through begins, below the root of the repository.
-const EXAMPLES: &str = "crates/asperity-scene/examples";
+const EXAMPLES: &str = "crates/asperity-inputs/examples";
 
 #[test]
 fn the_walk_through_shows_the_real_output() {

@@ -8,11 +8,11 @@ use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::{
-    At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, Quantity, Regime,
-    Request, Separation, SeparationUnit, Tolerance, Validity,
+    At, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime, Request,
+    Separation, SeparationUnit, Tolerance, Validity,
 };
 
-/// Tolerance of the numbers in diagnostics.
+/// Tolerance of the numbers in findings.
 const TOLERANCE: f64 = 1e-6;
 /// w/R beyond which an asperity is no spherical cap under small deformation.
 const FLATTENED: f64 = 0.3;
@@ -40,27 +40,23 @@ impl Check {
     /// Findings of the answers at these places, each once: at the smallest separation, and at the
     /// smallest and largest loads. Places without an answer have no findings.
     #[must_use]
-    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Diagnostics {
+    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Findings {
         let places = extremes(places, scene);
         let contact = judging().and_then(|asked| model.contact(scene, &asked.at(places.clone())));
-        contact.map_or(Diagnostics::default(), |contact| Self::of_places(model, &*contact, &places))
+        contact.map_or(Findings::default(), |contact| Self::of_places(model, &*contact, &places))
     }
 
     /// [`answers`](Self::answers) of a contact of the model: where it has what is judged
     /// ([`Quantity::JUDGED`]), nothing is compiled and no load is inverted again.
     #[must_use]
-    pub fn answers_of(
-        model: &dyn ContactModel,
-        contact: &dyn Contact,
-        places: &[At],
-    ) -> Diagnostics {
+    pub fn answers_of(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
         match Quantity::JUDGED.iter().all(|judged| contact.quantities().contains(judged)) {
             true => Self::of_places(model, contact, &extremes(places, contact.scene())),
             false => Self::answers(model, contact.scene(), places),
         }
     }
 
-    fn of_places(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Diagnostics {
+    fn of_places(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
         let mut check = Self::default();
         for at in places {
             if let Ok(answer) = Self::of_answer(model, contact, *at, false) {
@@ -147,7 +143,7 @@ impl Check {
         Ok(())
     }
 
-    /// Numbers and diagnostics from the shares of the force that yielding asperities of different
+    /// Numbers and findings from the shares of the force that yielding asperities of different
     /// radii carry; none for other models and without a hardness.
     fn of_different_radii(
         &mut self,
@@ -227,7 +223,7 @@ impl Check {
         check
     }
 
-    /// Numbers and diagnostics from the interferences of the asperities, for a law that may end in
+    /// Numbers and findings from the interferences of the asperities, for a law that may end in
     /// a plastic part.
     fn of_depths(
         &mut self,
@@ -245,7 +241,7 @@ impl Check {
         );
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED * r {
-            let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
+            let deep = Finding::warning("deep", "interference_over_radius", w / r)
                 .usual([0.0, FLATTENED])
                 .of_model(model.name())
                 .at(at)
@@ -274,7 +270,7 @@ impl Check {
     }
 }
 
-/// What is judged, as accurate as the numbers of diagnostics have to be.
+/// What is judged, as accurate as the numbers of findings have to be.
 fn judging() -> Result<Request, ContactError> {
     Ok(Request::new(Quantity::JUDGED).within(Tolerance::new(TOLERANCE)?))
 }

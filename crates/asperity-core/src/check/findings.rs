@@ -1,8 +1,8 @@
 //! Findings about a model's answer at a place.
 
-use crate::diagnostic::short;
+use crate::finding::short;
 use crate::recommended::{DMT, JKR, WHOLE_SURFACE, YIELDING};
-use crate::{At, ContactModel, Diagnostic, KnownDefect, Scene, Severity};
+use crate::{At, ContactModel, Finding, KnownDefect, Scene, Severity};
 
 /// Area fractions above which asperities interact (warning), and above which they would overlap
 /// (error).
@@ -21,10 +21,10 @@ const BEYOND: f64 = 0.02;
 const HIDDEN: f64 = Scene::HIDES_ADHESION;
 
 /// A warning if the model ignores the scene's adhesion or is outside its range of adhesion.
-pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
+pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
     let Some([least, most]) = model.validity().tabor else {
-        let found = Diagnostic::warning("sticks", "adhesion_parameter", theta)
+        let found = Finding::warning("sticks", "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.name())
             .advice(format!(
@@ -34,7 +34,7 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnost
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
     let other = if tabor > most { JKR } else { DMT };
-    let found = Diagnostic::warning("tabor", "tabor_parameter", tabor)
+    let found = Finding::warning("tabor", "tabor_parameter", tabor)
         .usual([least, most])
         .of_model(model.name())
         .advice(format!("outside the range of this model; use {other}"));
@@ -50,7 +50,7 @@ pub(super) fn share_above(multiple: f64) -> f64 {
 }
 
 /// A finding for a load on yielding asperities with an elastic model.
-pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
+pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
     let name = model.name();
     let remedy = match model.validity().adhesive {
         true => format!(
@@ -63,7 +63,7 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Dia
         false => "pressures above the hardness",
     };
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
-    let found = Diagnostic::warning("yields", "yielding_share", share)
+    let found = Finding::warning("yields", "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
         .of_model(name)
@@ -81,10 +81,10 @@ pub(super) fn missed(
     at: At,
     share: f64,
     defect: &KnownDefect,
-) -> Option<Diagnostic> {
+) -> Option<Finding> {
     let KnownDefect { from, to, summary } = defect;
     let percent = short(100.0 * share);
-    let found = Diagnostic::warning("fit-misses", "missed_share", share)
+    let found = Finding::warning("fit-misses", "missed_share", share)
         .usual([0.0, MISSED])
         .of_model(model.name())
         .at(at)
@@ -102,10 +102,10 @@ pub(super) fn beyond_fit(
     (share, x): (f64, f64),
     holds_to: f64,
     plastic: bool,
-) -> Option<Diagnostic> {
+) -> Option<Finding> {
     let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
     let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
-    let found = Diagnostic::note("beyond-fit", "interference_over_critical", x)
+    let found = Finding::note("beyond-fit", "interference_over_critical", x)
         .usual([0.0, holds_to])
         .of_model(name)
         .at(at)
@@ -116,13 +116,13 @@ pub(super) fn beyond_fit(
     (share > BEYOND).then_some(found)
 }
 
-pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic> {
+pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
     let severity = match fraction {
         f if f > CROWDED[1] => Severity::Error,
         f if f > CROWDED[0] => Severity::Warning,
         _ => return None,
     };
-    let found = Diagnostic::warning("crowded", "area_fraction", fraction).severity(severity);
+    let found = Finding::warning("crowded", "area_fraction", fraction).severity(severity);
     let advice = format!(
         "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
     );
@@ -130,8 +130,8 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
 }
 
 /// A warning for a mean pressure that exceeds any hardness.
-pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagnostic> {
-    let found = Diagnostic::warning("above-hardness", "mean_pressure_over_hardness", ratio)
+pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
+    let found = Finding::warning("above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
         .of_model(model.name())
         .at(at)
@@ -139,9 +139,9 @@ pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Op
     (ratio > PLASTIC).then_some(found)
 }
 
-pub(super) fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Diagnostic {
+pub(super) fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Finding {
     let advice =
         "with so few contacts, the scatter between samples exceeds the differences between models";
-    let found = Diagnostic::warning("few-contacts", "contacts", contacts);
+    let found = Finding::warning("few-contacts", "contacts", contacts);
     found.usual([FEW, f64::INFINITY]).of_model(model.name()).at(at).advice(advice)
 }

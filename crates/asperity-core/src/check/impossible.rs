@@ -2,9 +2,9 @@
 
 use super::findings::CROWDED;
 use super::{Check, Scene};
-use crate::diagnostic::short;
+use crate::finding::short;
 use crate::recommended::FULL_CONTACT;
-use crate::{At, ContactModel, Diagnostic};
+use crate::{At, ContactModel, Finding};
 
 impl Check {
     /// The finding that a model's real area at a mean pressure is impossible: a load beyond full
@@ -15,7 +15,7 @@ impl Check {
         scene: &Scene,
         pressure: f64,
         area_fraction: f64,
-    ) -> Option<Diagnostic> {
+    ) -> Option<Finding> {
         let at = At::Pressure(pressure);
         beyond_full_contact(model, scene, at, [pressure, area_fraction])
             .or_else(|| Self::no_answer(model, pressure, area_fraction))
@@ -27,11 +27,11 @@ impl Check {
         model: &dyn ContactModel,
         pressure: f64,
         area_fraction: f64,
-    ) -> Option<Diagnostic> {
+    ) -> Option<Finding> {
         if area_fraction.is_nan() || area_fraction <= 1.0 {
             return None;
         }
-        let found = Diagnostic::error("above-nominal", "area_fraction", area_fraction)
+        let found = Finding::error("above-nominal", "area_fraction", area_fraction)
             .usual([0.0, CROWDED[0]])
             .of_model(model.name())
             .at(At::Pressure(pressure))
@@ -51,7 +51,7 @@ pub(super) fn beyond_full_contact(
     scene: &Scene,
     at: At,
     [pressure, area_fraction]: [f64; 2],
-) -> Option<Diagnostic> {
+) -> Option<Finding> {
     let (value, limit, names, advice) = match scene.interface.softer_hardness() {
         Some(hardness) => (
             pressure,
@@ -75,7 +75,7 @@ pub(super) fn beyond_full_contact(
         short(value),
         short(limit)
     );
-    let found = Diagnostic::warning("beyond-full-contact", "pressure", value)
+    let found = Finding::warning("beyond-full-contact", "pressure", value)
         .usual([0.0, limit])
         .unit("Pa")
         .of_model(model.name())

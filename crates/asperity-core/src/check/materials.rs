@@ -3,8 +3,8 @@
 use super::moduli::Material;
 use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, likely_unit};
 use super::usual::{CHECK_UNIT, unusual, with_unit, within};
-use crate::diagnostic::short;
-use crate::{Body, Diagnostic, Diagnostics, Interface};
+use crate::finding::short;
+use crate::{Body, Finding, Findings, Interface};
 
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
@@ -20,7 +20,7 @@ const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
 impl Body {
     /// Findings of numbers outside the range of any material.
     #[must_use]
-    pub fn findings(&self) -> Diagnostics {
+    pub fn findings(&self) -> Findings {
         let modulus = ("youngs_modulus", self.youngs_modulus);
         let &Self { hardness, yield_strength, .. } = self;
         let mut found = Material { modulus, hardness, yield_strength }.findings();
@@ -32,7 +32,7 @@ impl Body {
 impl Interface {
     /// Findings of numbers outside the range of any two materials.
     #[must_use]
-    pub fn findings(&self) -> Diagnostics {
+    pub fn findings(&self) -> Findings {
         let modulus = ("equivalent_modulus", self.equivalent_modulus);
         let &Self { hardness, yield_strength, .. } = self;
         let mut found = Material { modulus, hardness, yield_strength }.findings();
@@ -70,10 +70,10 @@ impl Interface {
 }
 
 /// Findings of conductivity and resistivity: warnings at most, as no force depends on them.
-fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagnostic> {
+fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Finding> {
     let check = |field, value: f64, usual, units: &[Unit], si| {
         let unit = likely_unit(value, units, si, |x| within(x, usual));
-        let found = Diagnostic::warning("unusual-size", field, value).usual(usual).unit(si);
+        let found = Finding::warning("unusual-size", field, value).usual(usual).unit(si);
         (!within(value, usual)).then(|| with_unit(found.advice(CHECK_UNIT), unit))
     };
     let thermal = conductivity

@@ -17,9 +17,9 @@ use serde::{Serialize, Serializer};
 
 #[doc(hidden)]
 pub use self::usual::CHECK_UNIT;
-use crate::diagnostic::short;
+use crate::finding::short;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
-use crate::{ContactError, Diagnostic, Diagnostics, HeightDistribution, Scene};
+use crate::{ContactError, Finding, Findings, HeightDistribution, Scene};
 
 /// A number that follows from a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +55,7 @@ pub struct Check {
     #[serde(serialize_with = "as_map")]
     pub numbers: Vec<DerivedNumber>,
     /// Unusual numbers, most severe first.
-    pub findings: Diagnostics,
+    pub findings: Findings,
 }
 
 fn as_map<S: Serializer>(numbers: &[DerivedNumber], serializer: S) -> Result<S::Ok, S::Error> {
@@ -70,7 +70,7 @@ impl Check {
     }
 
     /// Adds findings, one for each cause.
-    pub fn extend(&mut self, findings: impl IntoIterator<Item = Diagnostic>) {
+    pub fn extend(&mut self, findings: impl IntoIterator<Item = Finding>) {
         self.findings.extend(findings);
         self.findings = std::mem::take(&mut self.findings).by_cause();
     }
@@ -172,7 +172,7 @@ impl Scene {
     /// Unusual numbers of the scene, alone and in combination; none for most scenes. Cheap enough
     /// for every scene of a study.
     #[must_use]
-    pub fn findings(&self) -> Diagnostics {
+    pub fn findings(&self) -> Findings {
         let mut found = self.interface.findings();
         let surface = self.surface.findings();
         let area = roughness::of_area(self, &surface);
@@ -182,7 +182,7 @@ impl Scene {
             && w < ATOM
         {
             let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the onset of contact";
-            let atomic = Diagnostic::note("atomic", "critical_interference", w);
+            let atomic = Finding::note("atomic", "critical_interference", w);
             found.push(atomic.usual([ATOM, f64::INFINITY]).unit("m").advice(advice));
         }
         found.extend(self.which_adhesion());
@@ -190,7 +190,7 @@ impl Scene {
     }
 
     /// A note on the models with adhesion that fit the scene.
-    fn which_adhesion(&self) -> Option<Diagnostic> {
+    fn which_adhesion(&self) -> Option<Finding> {
         let tabor = self.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
         let theta = self.adhesion_parameter()?;
         let advice = match tabor {
@@ -213,7 +213,7 @@ impl Scene {
             ),
         };
         let found =
-            Diagnostic::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
+            Finding::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
         let fact = format!("tabor_parameter is {}", short(tabor));
         Some(found.fact(fact).advice(advice))
     }

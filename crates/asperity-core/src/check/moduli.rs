@@ -2,8 +2,8 @@
 
 use super::units::{PRESSURES, Unit, likely};
 use super::usual::{CHECK_UNIT, unusual, within};
-use crate::diagnostic::short;
-use crate::{Diagnostic, Diagnostics, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
+use crate::finding::short;
+use crate::{Finding, Findings, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -44,8 +44,8 @@ pub(super) struct Material {
 
 impl Material {
     /// Findings of the numbers, alone and beside each other.
-    pub(super) fn findings(&self) -> Diagnostics {
-        let mut found: Diagnostics = self.sizes().into_iter().collect();
+    pub(super) fn findings(&self) -> Findings {
+        let mut found: Findings = self.sizes().into_iter().collect();
         // A finding about the hardness already explains the ratio.
         if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
             && found.is_empty()
@@ -65,7 +65,7 @@ impl Material {
     }
 
     /// Findings of modulus and hardness, each by itself and in proportion to the other.
-    fn sizes(&self) -> Vec<Diagnostic> {
+    fn sizes(&self) -> Vec<Finding> {
         let (_, modulus) = self.modulus;
         let strength = self.strength();
         if plausible(modulus, strength) {
@@ -99,7 +99,7 @@ impl Material {
     }
 
     /// The finding of the modulus; it and the strength are `meant` in their likely units.
-    fn of_modulus(&self, meant: f64, strength: Option<Strength>) -> Diagnostic {
+    fn of_modulus(&self, meant: f64, strength: Option<Strength>) -> Finding {
         let (field, modulus) = self.modulus;
         let (usual, meaning) = match (strength, self.strength()) {
             (Some(strength), Some(given)) if within(modulus, MODULUS) => {
@@ -163,7 +163,7 @@ impl Strength {
     }
 
     /// The finding of a strength beside a modulus.
-    fn found(self, modulus: f64) -> Diagnostic {
+    fn found(self, modulus: f64) -> Finding {
         let Self { field, value } = self;
         let (ratio, by_ratio) = (value / modulus, self.ratios(modulus));
         let [least, most] = by_ratio.map(|ratio| ratio * modulus);
@@ -221,7 +221,7 @@ mod tests {
     use crate::Body;
 
     /// The finding for a hardness beside a modulus.
-    fn of_hardness(modulus: f64, hardness: f64) -> Option<Diagnostic> {
+    fn of_hardness(modulus: f64, hardness: f64) -> Option<Finding> {
         Body::new(modulus, 0.3, hardness).findings().into_iter().next()
     }
 

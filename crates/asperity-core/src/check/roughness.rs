@@ -2,8 +2,8 @@
 
 use super::units::{AREAS, DENSITIES, LENGTHS, Unit, likely_unit};
 use super::usual::{CHECK_UNIT, severity, within};
-use crate::diagnostic::{FEW_ASPERITIES, short};
-use crate::{Diagnostic, Diagnostics, Scene, Severity, Surface};
+use crate::finding::{FEW_ASPERITIES, short};
+use crate::{Finding, Findings, Scene, Severity, Surface};
 
 /// R \[m\], from a sharp tip to a lens.
 const RADIUS: [f64; 2] = [2e-9, 5e-2];
@@ -34,9 +34,9 @@ impl Surface {
 
     /// Findings of numbers outside the range of any surface.
     #[must_use]
-    pub fn findings(&self) -> Diagnostics {
+    pub fn findings(&self) -> Findings {
         if makes_sense(self) {
-            return Diagnostics::default();
+            return Findings::default();
         }
         let is_possible = |other: &Self| other.severity() != Severity::Error;
         let found = self.slip(makes_sense).or_else(|| self.in_one_unit()).or_else(|| {
@@ -47,14 +47,14 @@ impl Surface {
 
     /// The finding of the one number that in another unit makes a surface that `is_usual`; `None`
     /// if there is none. Another unit is off by orders of magnitude: an error.
-    fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Diagnostic> {
+    fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Finding> {
         let one = |field, value, usual, units: &[Unit], si, set: fn(&mut Self, f64)| {
             let unit = likely_unit(value, units, si, |x| {
                 let mut other = *self;
                 set(&mut other, x);
                 is_usual(&other)
             });
-            let found = Diagnostic::error(CODE, field, value).usual(usual).unit(si);
+            let found = Finding::error(CODE, field, value).usual(usual).unit(si);
             unit.map(|unit| found.advice(CHECK_UNIT).likely_unit(unit))
         };
         let &Self { asperity_height_std: std, asperity_radius: radius, .. } = self;
@@ -69,7 +69,7 @@ impl Surface {
             }),
         ];
         // The number farthest from the middle of its range is reported.
-        let distance = |found: &Diagnostic| {
+        let distance = |found: &Finding| {
             let ([from, to], value) = (found.usual, found.value);
             ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
         };
@@ -91,7 +91,7 @@ impl Surface {
 
     /// A finding if all lengths are plausible in another common unit, with densities in its square
     /// or in another unit; of several, that with the height nearest to 1 um.
-    fn in_one_unit(&self) -> Option<Diagnostic> {
+    fn in_one_unit(&self) -> Option<Finding> {
         let scaled = |length: f64, density: f64| Self {
             asperity_radius: length * self.asperity_radius,
             asperity_density: density * self.asperity_density,
@@ -116,7 +116,7 @@ impl Surface {
         let odd = sizes.filter(|(_, value, usual, ..)| !within(*value, *usual)).count();
         let is_unit = odd > 1 && !(FINE..COARSE).contains(&std);
         let severity = if is_unit { Severity::Error } else { self.severity() };
-        let found = Diagnostic::warning(CODE, "asperity_height_std", std)
+        let found = Finding::warning(CODE, "asperity_height_std", std)
             .usual(HEIGHT_STD)
             .severity(severity)
             .fact(format!(
@@ -160,10 +160,10 @@ impl Surface {
     }
 
     /// Findings of each number alone, without a likely unit.
-    fn apart(&self) -> Vec<Diagnostic> {
+    fn apart(&self) -> Vec<Finding> {
         let unusual = |(_, value, usual, ..): &(_, f64, [f64; 2], _, _)| !within(*value, *usual);
         let found = |(field, value, usual, unit, advice)| {
-            let found = Diagnostic::warning(CODE, field, value).usual(usual);
+            let found = Finding::warning(CODE, field, value).usual(usual);
             let severity = match field {
                 "roughness_parameter" if found.excess() > RARE => Severity::Warning,
                 // The laws remain valid.
@@ -201,7 +201,7 @@ fn makes_sense(surface: &Surface) -> bool {
 
 /// A finding for an unusual nominal area, alone or for its number of asperities. Beside findings
 /// `of_surface`, whose density may be wrong, only an area that is impossible has one.
-pub(crate) fn of_area(scene: &Scene, of_surface: &Diagnostics) -> Option<Diagnostic> {
+pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
     let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
     let population = if has_unit { 0.0 } else { POPULATION[1] / density };
@@ -227,7 +227,7 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Diagnostics) -> Option<Diagnos
         }
     };
     let code = if few { FEW_ASPERITIES } else { CODE };
-    let found = Diagnostic::warning(code, "nominal_area", area).severity(severity);
+    let found = Finding::warning(code, "nominal_area", area).severity(severity);
     let found = found.usual(usual).unit("m2").advice(meaning);
     Some(match unit {
         Some(unit) => found.likely_unit(unit),

@@ -1,6 +1,6 @@
 //! Likely units of numbers outside their usual range.
 
-use crate::diagnostic::short;
+use crate::finding::short;
 
 /// A unit that users may give in place of SI: name, and value in SI units. Lists start with the
 /// likeliest.

@@ -1,6 +1,6 @@
 //! Usual ranges of numbers, and findings of numbers outside them.
 
-use crate::{Diagnostic, Severity};
+use crate::{Finding, Severity};
 
 /// The advice about an unusual number.
 pub const CHECK_UNIT: &str = "check the number and its unit";
@@ -16,7 +16,7 @@ pub(super) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
 }
 
 /// A finding with the likely unit, if there is one.
-pub(super) fn with_unit(found: Diagnostic, unit: Option<String>) -> Diagnostic {
+pub(super) fn with_unit(found: Finding, unit: Option<String>) -> Finding {
     match unit {
         Some(unit) => found.likely_unit(unit),
         None => found,
@@ -24,6 +24,6 @@ pub(super) fn with_unit(found: Diagnostic, unit: Option<String>) -> Diagnostic {
 }
 
 /// A finding for a number outside the usual range of materials.
-pub(super) fn unusual(field: &'static str, value: f64, usual: [f64; 2]) -> Diagnostic {
-    Diagnostic::warning("unusual-size", field, value).usual(usual).severity(severity(value, usual))
+pub(super) fn unusual(field: &'static str, value: f64, usual: [f64; 2]) -> Finding {
+    Finding::warning("unusual-size", field, value).usual(usual).severity(severity(value, usual))
 }

@@ -12,7 +12,7 @@ use crate::engine::prepared::Facts;
 use crate::request::separation::Place;
 use crate::response::Response;
 use crate::{
-    At, Contact, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation,
+    At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
     Share,
 };
 
@@ -76,7 +76,7 @@ impl Contact for Alone {
         self.facts.laws.adhesive
     }
 
-    fn notes(&self) -> &[Diagnostic] {
+    fn notes(&self) -> &[Finding] {
         &self.facts.notes
     }
 

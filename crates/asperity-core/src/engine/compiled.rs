@@ -16,8 +16,8 @@ use crate::error::integral_failed;
 use crate::law::contact_radii;
 use crate::response::Response;
 use crate::{
-    AsperityModel, At, Contact, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request,
-    Scene, Separation, Share,
+    AsperityModel, At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene,
+    Separation, Share,
 };
 
 /// The averages of a model's laws over the heights of a scene.
@@ -66,7 +66,7 @@ impl Contact for Compiled {
         self.0.facts.laws.adhesive
     }
 
-    fn notes(&self) -> &[Diagnostic] {
+    fn notes(&self) -> &[Finding] {
         &self.0.facts.notes
     }
 

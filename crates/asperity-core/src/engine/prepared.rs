@@ -11,9 +11,7 @@ use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;
-use crate::{
-    AsperityModel, At, ContactError, Diagnostic, Law, Quantity, Request, Scene, Tolerance,
-};
+use crate::{AsperityModel, At, ContactError, Finding, Law, Quantity, Request, Scene, Tolerance};
 
 /// The part of a request that does not depend on the surface.
 #[derive(Debug)]
@@ -21,7 +19,7 @@ pub(crate) struct Facts {
     pub(crate) model: String,
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) laws: Laws,
-    pub(crate) notes: Vec<Diagnostic>,
+    pub(crate) notes: Vec<Finding>,
     pub(crate) tolerance: Tolerance,
 }
 

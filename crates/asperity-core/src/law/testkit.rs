@@ -2,10 +2,10 @@
 
 use asperity_quadrature::{Sampler, legendre};
 
-use crate::diagnostic::short;
+use crate::finding::short;
 use crate::{
-    Asperity, AsperityModel, ContactError, ContactModel, Diagnostic, Diagnostics, Law, Part,
-    Quantity, Tolerance,
+    Asperity, AsperityModel, ContactError, ContactModel, Finding, Findings, Law, Part, Quantity,
+    Tolerance,
 };
 
 /// Range of x = w/unit that is checked.
@@ -25,13 +25,13 @@ const POINTS: i32 = 1400;
 pub fn check(
     model: &(impl ContactModel + ?Sized),
     asperity: &Asperity,
-) -> Result<Diagnostics, ContactError> {
+) -> Result<Findings, ContactError> {
     let Some(model) = model.asperity_model() else {
         let (model, quantity) = (model.name().into(), Quantity::Force);
         return Err(ContactError::NoLaw { model, quantity });
     };
     let tolerance = Tolerance::new(1e-10)?;
-    let (mut findings, mut first) = (Diagnostics::default(), None);
+    let (mut findings, mut first) = (Findings::default(), None);
     let adhesive = model.validity().adhesive;
     let laws = [
         (Quantity::Force, Some(model.force(asperity, tolerance)?)),
@@ -63,8 +63,8 @@ pub fn check(
     Ok(findings)
 }
 
-fn error(code: &'static str, field: &'static str, value: f64, quantity: Quantity) -> Diagnostic {
-    Diagnostic::error(code, field, value).of_quantity(quantity)
+fn error(code: &'static str, field: &'static str, value: f64, quantity: Quantity) -> Finding {
+    Finding::error(code, field, value).of_quantity(quantity)
 }
 
 fn grid() -> impl Iterator<Item = f64> {
@@ -77,7 +77,7 @@ fn shape(law: &Law, x: f64) -> f64 {
     law.shape(x).unwrap_or(f64::NAN)
 }
 
-fn vanishes(quantity: Quantity, law: &Law, findings: &mut Diagnostics) {
+fn vanishes(quantity: Quantity, law: &Law, findings: &mut Findings) {
     let ratio = shape(law, 1e-30) / shape(law, 1.0);
     if ratio.is_nan() || ratio.abs() > 1e-6 {
         let fact = format!("the law of {quantity} keeps {} of its value at x = 1", short(ratio));
@@ -87,7 +87,7 @@ fn vanishes(quantity: Quantity, law: &Law, findings: &mut Diagnostics) {
     }
 }
 
-fn bad_values(quantity: Quantity, part: &Part, findings: &mut Diagnostics) {
+fn bad_values(quantity: Quantity, part: &Part, findings: &mut Findings) {
     for at in grid().filter(|x| part.range.contains(x)) {
         let mut value = [f64::NAN];
         let refused = part.form.sample(&[at], &mut value).is_err();
@@ -106,7 +106,7 @@ fn bad_values(quantity: Quantity, part: &Part, findings: &mut Diagnostics) {
     }
 }
 
-fn validity(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &mut Diagnostics) {
+fn validity(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &mut Findings) {
     let validity = model.validity();
     if !validity.adhesive {
         findings.extend(falls(law, validity.force_monotone));
@@ -125,7 +125,7 @@ fn validity(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings:
 
 /// Where the force of a positive law first falls as the interference grows: an error if the model
 /// claims that it does not.
-fn falls(law: &Law, claimed: bool) -> Option<Diagnostic> {
+fn falls(law: &Law, claimed: bool) -> Option<Finding> {
     // A law may be flat; rounding may not count as falling.
     let falls = |pair: &(f64, f64)| shape(law, pair.1) < shape(law, pair.0) * (1.0 - 1e-12);
     let mut points: Vec<f64> = grid().collect();
@@ -135,10 +135,11 @@ fn falls(law: &Law, claimed: bool) -> Option<Diagnostic> {
     let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
     let (_, at) = pairs.find(falls).filter(|_| claimed || !law.is_signed())?;
     let found = match claimed {
-        true => Diagnostic::error("not-monotone", "x", at)
+        true => Finding::error("not-monotone", "x", at)
             .advice("the model claims a monotone force; withdraw the claim or correct the law"),
-        false => Diagnostic::note("not-monotone", "x", at)
-            .advice("several separations may carry one load"),
+        false => {
+            Finding::note("not-monotone", "x", at).advice("several separations may carry one load")
+        }
     };
     let fact = format!("force falls at x = {} as the interference grows", short(at));
     Some(found.of_quantity(Quantity::Force).fact(fact))
@@ -146,7 +147,7 @@ fn falls(law: &Law, claimed: bool) -> Option<Diagnostic> {
 
 /// Between declared kinks, a part must be resolved by polynomials in ln x on ever smaller pieces;
 /// only at a declared end may that fail (a fractional power of the distance to it).
-fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Diagnostics) {
+fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Findings) {
     let mut ends: Vec<f64> = part.kinks.clone();
     ends.extend([part.range.start.max(RANGE.0), part.range.end.min(RANGE.1)]);
     ends.sort_by(f64::total_cmp);
@@ -158,7 +159,7 @@ fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Diagnostics)
             let low = ends.0 + (ends.1 - ends.0) * f64::from(k) / pieces;
             let high = ends.0 + (ends.1 - ends.0) * f64::from(k + 1) / pieces;
             if let Some(at) = unresolved(part, (low, high), ends, 0) {
-                let found = Diagnostic::warning("undeclared-kink", "x", at)
+                let found = Finding::warning("undeclared-kink", "x", at)
                     .of_quantity(quantity)
                     .of_law(part.name.to_string())
                     .fact(format!(

@@ -6,7 +6,7 @@ use crate::engine::arrays::{self, FillReport};
 use crate::engine::parallel;
 use crate::response::{Cell, Response, respond};
 use crate::{
-    At, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
+    At, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
 /// A model applied to a scene: shared by threads, for many evaluations.
@@ -28,7 +28,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
     }
 
     /// Notes on the model's options; the same for every answer.
-    fn notes(&self) -> &[Diagnostic] {
+    fn notes(&self) -> &[Finding] {
         &[]
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::Diagnostic;
+use crate::Finding;
 
 /// How well the source of an equation is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -132,7 +132,7 @@ pub trait Described: fmt::Debug + Send + Sync {
     }
 
     /// Remarks on the chosen options.
-    fn notes(&self) -> Vec<Diagnostic> {
+    fn notes(&self) -> Vec<Finding> {
         vec![]
     }
 }

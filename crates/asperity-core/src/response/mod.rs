@@ -6,7 +6,7 @@ pub(crate) mod row_check;
 use serde::Serialize;
 
 use self::row_check::RowCheck;
-use crate::{At, ContactError, Diagnostic, Evaluation, Quantity, Request, Scene, Share};
+use crate::{At, ContactError, Evaluation, Finding, Quantity, Request, Scene, Share};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,8 +57,8 @@ pub struct Response {
     pub at: Vec<At>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
-    /// Diagnostics of the rows; the values stand.
-    pub warnings: Vec<Diagnostic>,
+    /// Findings of the rows; the values stand.
+    pub warnings: Vec<Finding>,
 }
 
 impl Response {
@@ -86,7 +86,7 @@ pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 /// Rows that are held before they join their columns.
 const ROWS_PER_BLOCK: usize = 8192;
 
-/// Puts columns of runs of rows together, with their diagnostics. `behind` returns the value whose
+/// Puts columns of runs of rows together, with their findings. `behind` returns the value whose
 /// sign a logarithm or share hides, where it may be negative; `adhesive` if adhesion makes it so.
 pub(crate) fn respond(
     (model, scene, adhesive): (&str, &Scene, bool),

@@ -1,8 +1,8 @@
-//! Diagnostics of rows, as they are answered.
+//! Findings of rows, as they are answered.
 
-use crate::diagnostic::short;
+use crate::finding::short;
 use crate::recommended::WHOLE_SURFACE;
-use crate::{At, ContactError, Diagnostic, Evaluation, Quantity, Scene};
+use crate::{At, ContactError, Evaluation, Finding, Quantity, Scene};
 
 /// A condition number beyond this is reported.
 pub(crate) const CANCELLED: f64 = 100.0;
@@ -32,7 +32,7 @@ struct Seen {
     value: f64,
 }
 
-/// Collects diagnostics of the rows of one model; each cause once, whatever quantity shows it. Rows
+/// Collects findings of the rows of one model; each cause once, whatever quantity shows it. Rows
 /// without any take a few comparisons.
 #[derive(Debug, Clone, Default)]
 pub struct RowCheck {
@@ -106,12 +106,11 @@ impl RowCheck {
         }
     }
 
-    /// The diagnostics, in the order in which they were found: several quantities of one kind are
-    /// one diagnostic.
+    /// The findings, in the order in which they were found: several quantities of one kind are
+    /// one finding.
     #[must_use]
-    pub fn finish(&self, model: &str) -> Vec<Diagnostic> {
-        let of_model =
-            |found: Diagnostic, s: &Seen| found.of_model(model).at(s.at).in_rows(s.count);
+    pub fn finish(&self, model: &str) -> Vec<Finding> {
+        let of_model = |found: Finding, s: &Seen| found.of_model(model).at(s.at).in_rows(s.count);
         let of = |kind| self.seen.iter().filter(move |seen| seen.kind == kind);
         let leads = |seen: &&Seen| match seen.kind {
             Kind::Underflow => false,
@@ -122,12 +121,12 @@ impl RowCheck {
             _ => true,
         };
         let found = self.seen.iter().filter(leads);
-        let found = found.map(|seen| of_model(seen.diagnostic(of(seen.kind)), seen));
+        let found = found.map(|seen| of_model(seen.finding(of(seen.kind)), seen));
         found.chain(self.underflow().map(|(found, most)| of_model(found, most))).collect()
     }
 
     /// All quantities that read 0, where most rows do.
-    fn underflow(&self) -> Option<(Diagnostic, &Seen)> {
+    fn underflow(&self) -> Option<(Finding, &Seen)> {
         let small = || self.seen.iter().filter(|seen| seen.kind == Kind::Underflow);
         // The first of equal ones.
         let most = small().rev().max_by_key(|seen| seen.count)?;
@@ -140,7 +139,7 @@ impl RowCheck {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
         };
-        let found = Diagnostic::warning("underflow", "ln_value", most.value)
+        let found = Finding::warning("underflow", "ln_value", most.value)
             .usual([f64::MIN_POSITIVE.ln(), f64::INFINITY])
             .fact(format!("{names} {verb} too small for f64"))
             .advice(format!(
@@ -152,7 +151,7 @@ impl RowCheck {
 
 impl Seen {
     /// With the others of its kind, itself included.
-    fn diagnostic<'s>(&self, same: impl Iterator<Item = &'s Self>) -> Diagnostic {
+    fn finding<'s>(&self, same: impl Iterator<Item = &'s Self>) -> Finding {
         let &Self { quantity, value, .. } = self;
         let negative = || {
             let one = |seen: &Self| {
@@ -165,7 +164,7 @@ impl Seen {
             }
         };
         match self.kind {
-            Kind::Negative => Diagnostic::warning("negative", quantity.to_string(), value)
+            Kind::Negative => Finding::warning("negative", quantity.to_string(), value)
                 .unit(quantity.unit())
                 .of_quantity(quantity)
                 .fact(negative())
@@ -179,29 +178,27 @@ impl Seen {
                 } else {
                     "under a constant load, the surfaces snap together or part there; stable states have a positive tangent"
                 };
-                Diagnostic::warning("adhesion", quantity.to_string(), value)
+                Finding::warning("adhesion", quantity.to_string(), value)
                     .unit(quantity.unit())
                     .of_quantity(quantity)
                     .fact(negative())
                     .advice(advice)
             }
-            Kind::AreaAboveNominal => Diagnostic::warning("area-above-nominal", "fraction", value)
+            Kind::AreaAboveNominal => Finding::warning("area-above-nominal", "fraction", value)
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
                 .advice(format!(
                     "models of independent asperities do not hold there; use {WHOLE_SURFACE}"
                 )),
-            Kind::Cancelled => Diagnostic::warning("cancelled", "condition", value)
+            Kind::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
                 .fact(format!("positive and negative parts of the {quantity} cancel"))
                 .advice(self.accuracy()),
-            Kind::NoContact | Kind::Underflow => {
-                Diagnostic::warning("no-contact", "contacts", value)
-                    .usual([f64::MIN_POSITIVE, f64::INFINITY])
-                    .fact("no asperity touches")
-                    .advice("logarithms, shares and mean pressure are undefined there")
-            }
+            Kind::NoContact | Kind::Underflow => Finding::warning("no-contact", "contacts", value)
+                .usual([f64::MIN_POSITIVE, f64::INFINITY])
+                .fact("no asperity touches")
+                .advice("logarithms, shares and mean pressure are undefined there"),
         }
     }
 

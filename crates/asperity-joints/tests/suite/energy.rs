@@ -58,13 +58,13 @@ fn energy_gains_of_steep_laws_and_of_jumps() {
     for (model, law, wanted) in cases {
         let found = gain(model, law, (0.7, -3.0)).1.unwrap();
         assert!((found.amount - wanted).abs() < 0.006, "{} {law}: {found:?}", model.id());
-        let text = found.diagnostic().to_string();
+        let text = found.finding().to_string();
         let start = format!("{}: by {law}, opening returns ", model.name());
         assert!(text.contains(&start) && text.contains("use another unloading law"), "{text}");
     }
     // Some asperities create energy although the joint dissipates energy.
     let part = gain(&ChangEtsionBogy, UnloadingLaw::Brake, (2.0, 0.0)).1.unwrap();
-    let text = part.diagnostic().to_string();
+    let text = part.finding().to_string();
     assert!(!part.is_net && text.contains("the loss is too small by"), "{text}");
     // Elastic contacts return the work of loading.
     assert!(gain(&GreenwoodWilliamson, UnloadingLaw::Brake, (0.7, -3.0)).1.is_none());

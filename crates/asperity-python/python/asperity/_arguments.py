@@ -230,10 +230,10 @@ class Rows:
         errors: str,
         checked: bool = False,
     ) -> tuple[dict[str, Floats], dict[int, str], list[str]]:
-        """Quantities of the rows in their shape, the reasons of failures, and the texts of diagnostics,
+        """Quantities of the rows in their shape, the reasons of failures, and the texts of findings,
         with ``checked`` also those of the scenes."""
         arguments = self, names, rtol, aspect, errors == "raise", None, checked
-        columns, failures, diagnostics = _asperity.answer(engine, *arguments)
+        columns, failures, findings = _asperity.answer(engine, *arguments)
         reasons = self.failed(failures, errors)
         found = {q: self.shaped(v, np.isnan(v)) for q, v in zip(names, columns, strict=True)}
-        return found, reasons, diagnostics
+        return found, reasons, findings

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::{Comparison, ContactModel, EvidenceAt, Quantity, Request, Scene};
-use asperity_scene::LeftOut;
+use asperity_inputs::LeftOut;
 use pyo3::prelude::*;
 
 use crate::ask::rows::{Rows, View};

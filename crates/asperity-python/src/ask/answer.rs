@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Diagnostic, Diagnostics, Evaluation, Model, Quantity,
-    Request, Response, RowCheck, Scene, Sweep,
+    At, Case, ContactError, ContactModel, Evaluation, Finding, Findings, Model, Quantity, Request,
+    Response, RowCheck, Scene, Sweep,
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -70,20 +70,20 @@ pub(crate) struct Question<'q> {
 }
 
 /// Columns in the order of the quantities, NaN for missing values; failed rows with their
-/// exceptions, ascending; and diagnostics.
+/// exceptions, ascending; and findings.
 #[derive(Default)]
 pub(crate) struct Answer {
     pub(crate) columns: Vec<Vec<f64>>,
     pub(crate) failures: Vec<(usize, PyErr)>,
-    pub(crate) warnings: Diagnostics,
+    pub(crate) warnings: Findings,
 }
 
-/// Values, failures and diagnostics of a task, row by row.
+/// Values, failures and findings of a task, row by row.
 #[derive(Default)]
 struct TaskValues {
     values: Vec<f64>,
     failures: Vec<(usize, ContactError)>,
-    warnings: Vec<Diagnostic>,
+    warnings: Vec<Finding>,
 }
 
 /// A row, its place and its scene.
@@ -172,7 +172,7 @@ impl Question<'_> {
         Ok(answer)
     }
 
-    /// The values of one quantity, without diagnostics; false, with nothing of use in the column,
+    /// The values of one quantity, without findings; false, with nothing of use in the column,
     /// if that is not possible for all rows.
     pub(crate) fn fill(
         &self,
@@ -232,7 +232,7 @@ impl Question<'_> {
         found
     }
 
-    /// Many values at once; none if one of them needs a diagnostic.
+    /// Many values at once; none if one of them needs a finding.
     fn fill_columns(
         &self,
         contact: &dyn asperity::Contact,

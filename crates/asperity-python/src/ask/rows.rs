@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Diagnostics, Scene, SeparationUnit, Severity};
-use asperity_scene::SceneInput;
+use asperity::{At, Case, ContactError, Datum, Findings, Scene, SeparationUnit, Severity};
+use asperity_inputs::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -29,7 +29,7 @@ pub(crate) struct Rows<'py> {
 
 /// The same for threads without the interpreter.
 pub(crate) struct View<'r> {
-    pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
+    pub(crate) files: Vec<Arc<asperity_inputs::SceneFile>>,
     columns: Vec<(SceneInput, &'r [f64])>,
     /// Empty if all rows are on the first scene.
     index: &'r [i64],
@@ -61,7 +61,7 @@ impl Rows<'_> {
 impl<'r> View<'r> {
     /// Numbers on one scene.
     pub(crate) fn of_one(
-        file: &Arc<asperity_scene::SceneFile>,
+        file: &Arc<asperity_inputs::SceneFile>,
         axis: Axis,
         numbers: &'r [f64],
     ) -> Self {
@@ -78,7 +78,7 @@ impl<'r> View<'r> {
     }
 
     /// The scene of a row, or the scene that columns of numbers vary.
-    fn file(&self, row: usize) -> &asperity_scene::SceneFile {
+    fn file(&self, row: usize) -> &asperity_inputs::SceneFile {
         &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
     }
 
@@ -88,16 +88,16 @@ impl<'r> View<'r> {
     }
 
     /// Findings of the scene of this index; none if the scene is refused.
-    pub(crate) fn findings(&self, scene: usize) -> Diagnostics {
+    pub(crate) fn findings(&self, scene: usize) -> Findings {
         if self.columns.is_empty() {
             return self.files[scene].findings();
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
-        self.files[0].with_inputs(numbers).map_or(Diagnostics::default(), |file| file.findings())
+        self.files[0].with_inputs(numbers).map_or(Findings::default(), |file| file.findings())
     }
 
     /// Warnings and errors that the first scene does not list as accepted, one for each cause.
-    pub(crate) fn accepted(&self, found: Diagnostics) -> Diagnostics {
+    pub(crate) fn accepted(&self, found: Findings) -> Findings {
         // Without rows there may be no scene.
         let found = self.files.first().map_or(found.clone(), |file| file.accepted(found));
         found.at_least(Severity::Warning)
@@ -111,7 +111,7 @@ impl<'r> View<'r> {
     }
 
     /// The single scene of all rows, with its options; none if there are several.
-    pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
+    pub(crate) fn one_file(&self) -> Option<&asperity_inputs::SceneFile> {
         self.one_scene().map(|_| &*self.files[0])
     }
 
@@ -162,7 +162,7 @@ impl<'r> View<'r> {
     pub(crate) fn file_of(
         &self,
         row: usize,
-    ) -> Result<Cow<'_, asperity_scene::SceneFile>, ContactError> {
+    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
         if self.columns.is_empty() {
             return Ok(Cow::Borrowed(self.file(row)));
         }

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Diagnostics, Model, Request, Scene, Separation, Share,
-    Sweep,
+    At, Case, ContactError, ContactModel, Findings, Model, Request, Scene, Separation, Share, Sweep,
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -26,9 +25,9 @@ pub(crate) fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failure
     failures.into_iter().map(object).collect()
 }
 
-/// Quantities of every row, NaN where a row fails, with the failures and the texts of diagnostics.
+/// Quantities of every row, NaN where a row fails, with the failures and the texts of findings.
 ///
-/// `stop` ends the call at the first failure, `checked` adds the diagnostics of the scenes, and
+/// `stop` ends the call at the first failure, `checked` adds the findings of the scenes, and
 /// `threads` is one for each core, if none.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "only the package calls this function")]
@@ -50,7 +49,7 @@ pub(crate) fn answer<'py>(
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
     let found = py.detach(|| {
         let of_scenes =
-            if checked { check_rows(engine, &model, rows) } else { Diagnostics::default() };
+            if checked { check_rows(engine, &model, rows) } else { Findings::default() };
         rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
     });
     let texts = rows.mistaken_unit().into_iter().chain(found.iter().map(ToString::to_string));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 use asperity::bem::{ContactSummary, LoadCase, Solution};
-use asperity::{ContactModel, Diagnostics, Request};
+use asperity::{ContactModel, Findings, Request};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -51,7 +51,7 @@ pub(crate) fn bem<'py>(
         values.into_iter().map(|value| load_case(given, value, area)).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
     let mut summaries: Vec<Option<ContactSummary>> = vec![None; all.len()];
-    let (mut notes, mut failed, mut failures) = (Diagnostics::default(), None, BTreeMap::new());
+    let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
     run_interruptible(py, |stop| {
         elements.solve_each(
             &all,

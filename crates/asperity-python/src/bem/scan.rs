@@ -11,7 +11,7 @@ use crate::topography::Topography;
 
 /// The scan of a scene, or a topography with the two bodies and the form to remove.
 pub(super) enum Scan<'a> {
-    Scene(&'a asperity_scene::SceneFile),
+    Scene(&'a asperity_inputs::SceneFile),
     Topography(&'a Topography, asperity::Interface, Option<&'a str>),
 }
 
@@ -67,7 +67,7 @@ impl<'a> Scan<'a> {
                 let periodic = [boundary, declared].contains(&Some(Continuation::Periodic));
                 let scan = topography.0.clone().with_periodic(periodic);
                 let levelled = scan.levelled(level).map_err(value_error)?;
-                let map = asperity_scene::height_map(&levelled).map_err(|error| {
+                let map = asperity_inputs::height_map(&levelled).map_err(|error| {
                     match levelled.missing_share() > 0.0 {
                         true => value_error(format!("{error}: use Topography.fill()")),
                         false => value_error(error),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactState, Described, Diagnostics, Model, Truth};
+use asperity::{ContactState, Described, Findings, Model, Truth};
 use pyo3::prelude::*;
 
 use super::scan::Scan;
@@ -73,7 +73,7 @@ pub(crate) fn truth(
         let refused = truth.refused.iter().map(|(_, why)| why.clone());
         truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
     };
-    let notes: Diagnostics = found.iter().flat_map(of_truth).collect();
+    let notes: Findings = found.iter().flat_map(of_truth).collect();
     notes.by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
     let mut refused: BTreeMap<String, String> =
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();

@@ -72,7 +72,7 @@ impl Axis {
     /// A warning if a separation, or the length `name`, probably has another unit.
     pub(crate) fn mistaken_unit(self, name: &str, value: f64, height_std: f64) -> Option<String> {
         let Self::Separation(unit) = self else { return None };
-        let found = asperity_scene::mistaken_unit(name, value, unit, height_std)?;
+        let found = asperity_inputs::mistaken_unit(name, value, unit, height_std)?;
         Some(match unit {
             SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
             _ => format!("{found}; separation_unit=\"m\" takes metres"),

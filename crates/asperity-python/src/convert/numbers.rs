@@ -22,9 +22,9 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
-    let has_unit = asperity_scene::unit_of(name).is_some();
+    let has_unit = asperity_inputs::unit_of(name).is_some();
     if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
-        let read = |text: &str| asperity_scene::quantity_of(name, text);
+        let read = |text: &str| asperity_inputs::quantity_of(name, text);
         return with_unit(text.to_str()?, read).map_err(|error| {
             PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
         });
@@ -49,7 +49,7 @@ pub(crate) fn numbers<const N: usize>(
 
 /// The error about an argument that is no number.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
-    let needed = asperity_scene::unit_of(name)
+    let needed = asperity_inputs::unit_of(name)
         .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
     PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
 }
@@ -71,8 +71,11 @@ pub(crate) fn texts_in_si<'py>(
     let py = numbers.py();
     if let Ok(text) = numbers.cast::<PyString>() {
         return Ok(Some(
-            PyFloat::new(py, with_unit(text.to_str()?, |text| asperity_scene::quantity(text, si))?)
-                .into_any(),
+            PyFloat::new(
+                py,
+                with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si))?,
+            )
+            .into_any(),
         ));
     }
     let is_tuple = numbers.is_instance_of::<PyTuple>();
@@ -84,7 +87,7 @@ pub(crate) fn texts_in_si<'py>(
         return Ok(None);
     }
     let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
-        Ok(text) => with_unit(text.to_str()?, |text| asperity_scene::quantity(text, si)),
+        Ok(text) => with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si)),
         Err(_) => {
             let shown = item.repr()?;
             let advice = "give every value a unit, or no value";

@@ -154,7 +154,7 @@ impl Unloading {
             Ok((work, self.whole.energy_gain(closest, &work)?))
         });
         let (work, gain) = both.map_err(|error| self.model.get().raise(py, error))?;
-        gain.map_or(Ok(()), |gain| warn(py, gain.diagnostic(), 0))?;
+        gain.map_or(Ok(()), |gain| warn(py, gain.finding(), 0))?;
         Ok(work)
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity::bem::Bem;
 use asperity::{ContactError, Model, Quantity, Request, Tolerance, testkit};
-use asperity_scene::{ModelOptions, SceneFile};
+use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,7 +21,7 @@ pub(crate) struct Engine(Kind);
 
 /// The origin of a model.
 enum Kind {
-    Named { id: String, given: BTreeMap<String, asperity_scene::OptionValue> },
+    Named { id: String, given: BTreeMap<String, asperity_inputs::OptionValue> },
     Python { model: Model, raised: Raised },
 }
 

@@ -64,7 +64,7 @@ record! {
         /// 193000000000.0
         #[staticmethod]
         fn material(name: &str) -> PyResult<Self> {
-            let all = asperity_scene::materials();
+            let all = asperity_inputs::materials();
             let found = all.iter().find(|material| material.id == name).ok_or_else(|| {
                 let near = asperity::nearest_name(name, all.iter().map(|known| &*known.id));
                 let near = asperity::nearest_hint(near);
@@ -80,7 +80,7 @@ record! {
 #[pyfunction]
 pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let all = PyDict::new(py);
-    for material in asperity_scene::materials() {
+    for material in asperity_inputs::materials() {
         let body = Body::checked(material.body)?;
         all.set_item(&material.id, (&material.name, body, &material.source))?;
     }
@@ -178,7 +178,7 @@ record! {
             pressure_factor: Option<f64>,
         ) -> PyResult<Self> {
             let bodies: Vec<asperity::Body> = bodies.iter().map(|body| body.get().0).collect();
-            let mut found = asperity_scene::interface_of(&bodies).map_err(refused)?;
+            let mut found = asperity_inputs::interface_of(&bodies).map_err(refused)?;
             (found.work_of_adhesion, found.pressure_factor) = (work_of_adhesion, pressure_factor);
             Ok(Self(Self::checked(found)?.0, bodies))
         }

@@ -1,7 +1,7 @@
 //! `Surface` and `Asperity`.
 
 use asperity::{ContactError, ProfileMoments};
-use asperity_scene::Roughness;
+use asperity_inputs::Roughness;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 

@@ -1,6 +1,6 @@
 //! A scene as the arguments that make it: for text, comparison, pickling and tables of inputs.
 
-use asperity_scene::ModelOptions;
+use asperity_inputs::ModelOptions;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 

@@ -26,7 +26,7 @@ pub(crate) enum OptionValue {
     Numbers(BTreeMap<String, f64>),
 }
 
-impl From<OptionValue> for asperity_scene::OptionValue {
+impl From<OptionValue> for asperity_inputs::OptionValue {
     fn from(value: OptionValue) -> Self {
         match value {
             OptionValue::Name(name) => Self::Name(name),
@@ -38,7 +38,7 @@ impl From<OptionValue> for asperity_scene::OptionValue {
 
 impl Heights {
     /// The heights of a scene.
-    pub(crate) fn in_file(file: &asperity_scene::SceneFile) -> Self {
+    pub(crate) fn in_file(file: &asperity_inputs::SceneFile) -> Self {
         match (&file.table, &file.scene.heights) {
             (None, HeightDistribution::Weibull(heights)) => {
                 Self::Named([("skewness".into(), heights.skewness())].into())
@@ -58,7 +58,7 @@ impl Heights {
         })
     }
 
-    pub(crate) fn put(self, file: &mut asperity_scene::SceneFile) -> PyResult<()> {
+    pub(crate) fn put(self, file: &mut asperity_inputs::SceneFile) -> PyResult<()> {
         file.scene.heights = match self {
             Self::Name(name) if name == "gaussian" => HeightDistribution::Gaussian,
             Self::Name(name) if name == "exponential" => HeightDistribution::Exponential,

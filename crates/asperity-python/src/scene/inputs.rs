@@ -1,6 +1,6 @@
 //! Numbers of a scene that `Scene.replace`, `Scene.vary` and `Space` change, by name.
 
-use asperity_scene::{SceneFile, SceneInput, key_of_input};
+use asperity_inputs::{SceneFile, SceneInput, key_of_input};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -24,7 +24,7 @@ pub(crate) fn inputs_in_si<'py>(
     inputs(file, given.keys().extract::<Vec<String>>()?.iter())?;
     let found = given.copy()?;
     for (name, value) in given {
-        let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
+        let unit = asperity_inputs::unit_of(key_of_input(name.extract()?));
         if let Some(read) = unit.map_or(Ok(None), |unit| texts_in_si(&value, unit))? {
             found.set_item(name, read)?;
         }

@@ -60,7 +60,7 @@ use inputs::{inputs, inputs_in_si};
 /// >>> scene.replace(hardness="2.24 GPa").interface.hardness
 /// 2240000000.0
 #[pyclass(frozen, name = "Scene", module = "asperity")]
-pub(crate) struct SceneFile(pub(crate) Arc<asperity_scene::SceneFile>);
+pub(crate) struct SceneFile(pub(crate) Arc<asperity_inputs::SceneFile>);
 
 #[pymethods]
 impl SceneFile {
@@ -89,7 +89,7 @@ impl SceneFile {
             surface,
             number("Scene", "nominal_area", nominal_area)?,
         );
-        let mut file = asperity_scene::SceneFile::from(scene);
+        let mut file = asperity_inputs::SceneFile::from(scene);
         (file.bodies, file.roughness) = (bodies, roughness);
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
@@ -114,14 +114,14 @@ impl SceneFile {
     #[staticmethod]
     fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         found(&path)?;
-        Self::read(py, py.detach(|| asperity_scene::load(&path)))
+        Self::read(py, py.detach(|| asperity_inputs::load(&path)))
     }
 
     /// Reads a scene from the text of a scene file; relative paths in it begin at ``directory``.
     #[staticmethod]
     #[pyo3(signature = (text, directory=PathBuf::from(".")), text_signature = "(text, directory='.')")]
     fn parse(py: Python<'_>, text: &str, directory: PathBuf) -> PyResult<Self> {
-        Self::read(py, py.detach(|| asperity_scene::parse(text, &directory)))
+        Self::read(py, py.detach(|| asperity_inputs::parse(text, &directory)))
     }
 
     /// The two bodies.
@@ -302,7 +302,7 @@ impl SceneFile {
 impl SceneFile {
     fn read(
         py: Python<'_>,
-        read: Result<asperity_scene::SceneFile, asperity_scene::SceneError>,
+        read: Result<asperity_inputs::SceneFile, asperity_inputs::SceneError>,
     ) -> PyResult<Self> {
         let file = read.map_err(value_error)?;
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
@@ -313,5 +313,5 @@ impl SceneFile {
 /// A commented scene file with every key.
 #[pyfunction]
 pub(crate) fn template() -> &'static str {
-    asperity_scene::template()
+    asperity_inputs::template()
 }

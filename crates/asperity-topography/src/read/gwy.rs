@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use super::refusal::gwy as refuse;
 use super::scan::{PixelSize, Scan, points, select};
@@ -111,7 +111,7 @@ impl<'a> Field<'a> {
         &self,
         mask: Option<Field<'_>>,
         unit: LengthUnit,
-        note: Option<Diagnostic>,
+        note: Option<Finding>,
     ) -> Result<Scan, TopographyError> {
         let [columns, rows] = self.resolution;
         let count = |n: i32, field| {
@@ -140,7 +140,7 @@ impl<'a> Field<'a> {
             let share = masked as f64 / n as f64;
             let text = format!("the mask of the file marks {:.3} % of the points", 100.0 * share);
             notes.push(
-                Diagnostic::note("mask", "masked_share", share)
+                Finding::note("mask", "masked_share", share)
                     .fact(text)
                     .advice("these points are read as missing; remove the mask to keep them"),
             );

@@ -1,6 +1,6 @@
 //! Profiles of positions and heights.
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use crate::{LengthUnit, Topography, TopographyError};
 
@@ -40,7 +40,7 @@ pub(super) struct Profile {
     pub(super) heights: Vec<f64>,
     pub(super) step: f64,
     /// Whether and how the heights were interpolated.
-    pub(super) note: Option<Diagnostic>,
+    pub(super) note: Option<Finding>,
 }
 
 /// A profile from ascending or descending positions. Heights at unequal distances are interpolated
@@ -81,7 +81,7 @@ pub(super) fn profile(
         return Ok(Profile { heights, step, note: None });
     }
     let distances = || pairs().map(|(_, distance)| distance);
-    let note = Diagnostic::warning("resampled", "points", places.len() as f64)
+    let note = Finding::warning("resampled", "points", places.len() as f64)
         .fact(format!(
             "the positions of the profile are {:.4e} to {:.4e} apart: the heights are interpolated \
              linearly at {} equal distances of {step:.4e}, in the unit of the file",

@@ -1,6 +1,6 @@
 //! The content of a file, completed by the options.
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use crate::error::excerpt;
 use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
@@ -31,7 +31,7 @@ pub(super) struct Scan {
     pub(super) unit: Option<LengthUnit>,
     pub(super) pixel_size: PixelSize,
     /// Choices made in reading.
-    pub(super) notes: Vec<Diagnostic>,
+    pub(super) notes: Vec<Finding>,
 }
 
 impl Scan {
@@ -124,7 +124,7 @@ pub(super) fn mirror_rows(heights: &mut [f64], columns: usize) {
 pub(super) fn select(
     names: &[String],
     channel: Option<&str>,
-) -> Result<(usize, Option<Diagnostic>), TopographyError> {
+) -> Result<(usize, Option<Finding>), TopographyError> {
     let list = || {
         let shown = names.iter().take(12).enumerate();
         let shown = shown.map(|(i, name)| format!("{} {:?}", i + 1, excerpt(name)));
@@ -132,7 +132,7 @@ pub(super) fn select(
     };
     let Some(channel) = channel else {
         let note = |name: &String| {
-            Diagnostic::note("channel", "channel", 1.0)
+            Finding::note("channel", "channel", 1.0)
                 .fact(format!("the file has {} surfaces; {:?} is read", names.len(), excerpt(name)))
                 .advice(format!("choose another with channel: {}", list()))
         };

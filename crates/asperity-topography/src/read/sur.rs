@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 
 use super::refusal::sur as refuse;
 use super::sample::{Kind, Sample};
@@ -112,7 +112,7 @@ impl<'a> Object<'a> {
         }
     }
 
-    fn scan(&self, note: Option<Diagnostic>) -> Result<Scan, TopographyError> {
+    fn scan(&self, note: Option<Finding>) -> Result<Scan, TopographyError> {
         let Self { header, columns, rows, sample, .. } = self;
         let n = points(*columns, *rows)?;
         let step = header.f32(128, "height of one step")?;
@@ -148,7 +148,7 @@ impl<'a> Object<'a> {
         }
         let mut notes: Vec<_> = note.into_iter().collect();
         notes.extend((step < 0.0).then(|| {
-            Diagnostic::note("inverted", "inversion", f64::from(inversion))
+            Finding::note("inverted", "inversion", f64::from(inversion))
                 .fact("the file marks its heights as inverted, and they are turned over")
                 .advice("check the sign of the skewness, because programs differ here")
         }));

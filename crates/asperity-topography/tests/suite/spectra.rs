@@ -1,6 +1,6 @@
 //! Moments of Gaussian surfaces of known spectrum.
 
-use asperity_core::Diagnostic;
+use asperity_core::Finding;
 use asperity_core::{ProfileMoments, Surface};
 use asperity_topography::{Estimator, Level, Statistics, Topography};
 
@@ -155,9 +155,9 @@ fn noisy(noise: f64) -> Topography {
 fn noise_has_a_warning_and_smoothing_removes_it() {
     let noisy = noisy(2e-7);
     let warnings = noisy.statistics(Estimator::Moments).unwrap().warnings;
-    let follows = |warning: &Diagnostic| warning.code == "summits-follow-sampling";
+    let follows = |warning: &Finding| warning.code == "summits-follow-sampling";
     assert!(warnings.iter().any(follows), "{warnings:?}");
-    let steep = |warning: &Diagnostic| warning.code == "roughness-parameter";
+    let steep = |warning: &Finding| warning.code == "roughness-parameter";
     assert!(warnings.iter().any(steep), "{warnings:?}");
     assert!(warnings.iter().all(|warning| warning.to_string().len() > 60));
     let smooth = noisy.smooth(10e-6).unwrap().statistics(Estimator::Moments).unwrap();
@@ -165,7 +165,7 @@ fn noise_has_a_warning_and_smoothing_removes_it() {
     // A profile of it has a warning, too.
     let profile = Topography::new(noisy_row(), 768, [1e-6; 2]).unwrap();
     let warnings = profile.statistics(Estimator::Moments).unwrap().warnings;
-    let follows = |warning: &Diagnostic| warning.code == "curvature-follows-sampling";
+    let follows = |warning: &Finding| warning.code == "curvature-follows-sampling";
     assert!(warnings.iter().any(follows), "{warnings:?}");
 }
 
@@ -250,7 +250,7 @@ fn an_anisotropic_surface_has_a_warning() {
     let surface = broad().surface(9);
     let stretched = Topography::new(surface.heights().to_vec(), 768, [1e-6, 3e-6]).unwrap();
     let warnings = stretched.statistics(Estimator::Moments).unwrap().warnings;
-    let anisotropic = |warning: &Diagnostic| warning.code == "anisotropic";
+    let anisotropic = |warning: &Finding| warning.code == "anisotropic";
     assert!(warnings.iter().any(anisotropic), "{warnings:?}");
 }
 

@@ -1,7 +1,7 @@
 use asperity::{At, ContactModel, Quantity, Request};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let file = asperity_scene::load("scene.toml")?;
+    let file = asperity_inputs::load("scene.toml")?;
     let quantities = [
         Quantity::AreaFraction,
         Quantity::Tangent,

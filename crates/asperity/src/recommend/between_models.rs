@@ -1,8 +1,8 @@
 //! Models compared with each other.
 
 use crate::{
-    At, Check, Contact, ContactError, ContactModel, Diagnostic, Evaluation, Model, Quantity,
-    Request, Scene, Severity,
+    At, Check, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
+    Scene, Severity,
 };
 
 /// The values of one quantity.
@@ -24,14 +24,14 @@ pub(super) fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Col
 }
 
 /// The finding that makes a model invalid at these separations or loads.
-pub(super) fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
+pub(super) fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
     let found = Check::answers(model, scene, places).into_iter();
-    found.filter(|finding| finding.severity < Severity::Note).find(Diagnostic::is_of_model)
+    found.filter(|finding| finding.severity < Severity::Note).find(Finding::is_of_model)
 }
 
 /// The finding that contacts merge at one of these separations or loads, where no model of
 /// independent asperities is valid.
-pub(super) fn merging(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
+pub(super) fn merging(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
     Check::answers(model, scene, places).into_iter().find(|finding| finding.code == "crowded")
 }
 

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::evidence::{compile, compile_known};
 use crate::{
-    Compared, ContactError, Described, Diagnostic, Model, Quantity, Request, Scene, SurfaceShape,
+    Compared, ContactError, Described, Finding, Model, Quantity, Request, Scene, SurfaceShape,
 };
 use between_models::{answer, largest_deviation, merging, outside, regimes};
 pub(crate) use evidence::evidence_of;
@@ -46,7 +46,7 @@ pub struct Comparison {
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
     /// Why a model within the limit is not valid there; the reference may be invalid too.
-    pub outside: Option<Diagnostic>,
+    pub outside: Option<Finding>,
     /// Largest expected deviation of the model from boundary elements, where there is evidence.
     pub off: Option<Deviation>,
 }
@@ -77,7 +77,7 @@ pub struct Recommendation {
     /// no asperities, inclined contacts; then by number of parts of the force law and by year.
     pub comparisons: Vec<Comparison>,
     /// The finding that contacts of that model merge, if they do.
-    pub merging: Option<Diagnostic>,
+    pub merging: Option<Finding>,
     /// The compared quantities of the request; [`summary`](Self::summary) and
     /// [`expectations`](Self::expectations) are about these only.
     #[serde(skip)]

@@ -14,10 +14,10 @@ use options::{Configurable, Random};
 
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
-    ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
-    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen,
-    JkrBranch, JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities,
-    Request, Scene, Validity, ZhaoMaiettaChang, nearest_name,
+    ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Finding,
+    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
+    Validity, ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -170,7 +170,7 @@ impl Described for Model {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Diagnostic> {
+    fn notes(&self) -> Vec<Finding> {
         self.model.notes()
     }
 }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use crate::bem::{Bem, BemError, LoadCase, Progress, Solution};
 use crate::{
-    At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
+    At, Check, Contact, ContactError, ContactModel, Datum, Finding, Model, Quantity, Request,
     Scene, SeparationUnit,
 };
 pub use sentences::{Unranked, beside_table, summary, unranked};
@@ -22,11 +22,11 @@ pub struct Truth {
     /// Root mean square height of the scan \[m\], the unit of the deviations of gaps.
     pub rms_height: f64,
     /// Limits of the solution by boundary elements.
-    pub notes: Vec<Diagnostic>,
+    pub notes: Vec<Finding>,
     /// The contact by each model, in the order given.
     pub models: Vec<(Model, ContactState)>,
     /// Models whose area would exceed the nominal one, and the finding.
-    pub refused: Vec<(Model, Diagnostic)>,
+    pub refused: Vec<(Model, Finding)>,
     /// Models that lack a number, and the error of the first that they lack.
     pub missing: Vec<(Model, ContactError)>,
 }
@@ -147,7 +147,7 @@ pub fn compare_with_bem(
 struct Kept {
     area: f64,
     gap: f64,
-    notes: Vec<Diagnostic>,
+    notes: Vec<Finding>,
 }
 
 impl From<Solution> for Kept {
@@ -249,8 +249,7 @@ mod tests {
         assert!(soft.models[2].1.area_fraction.is_some_and(|area| area <= 1.0));
         // Loads that few pixels carry take no part in what is said of all.
         let [mut clear, mut few] = [soft.clone(), soft];
-        (clear.notes, few.notes) =
-            (vec![], vec![Diagnostic::warning("few-pixels", "pixels", 33.0)]);
+        (clear.notes, few.notes) = (vec![], vec![Finding::warning("few-pixels", "pixels", 33.0)]);
         let both = summary(&[clear.clone(), few.clone()]);
         assert!(
             both.starts_with("over the loads with enough pixels and patches in contact (1 of 2), "),
@@ -259,7 +258,7 @@ mod tests {
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");
         assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
         assert!(summary(&[few]).starts_with("models are not ranked: too few pixels"));
-        let notes = vec![Diagnostic::warning("short-waves", "shortest_wavelength", 3.0)];
+        let notes = vec![Finding::warning("short-waves", "shortest_wavelength", 3.0)];
         let coarse = Truth { notes, ..clear };
         assert!(summary(&[coarse]).starts_with("models are not ranked: the grid is too coarse"));
     }

@@ -1,0 +1,316 @@
+//! Findings: errors, warnings and notes about scans, scenes, laws and answers.
+
+mod collection;
+mod json;
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::Serialize;
+
+pub use self::collection::Findings;
+use crate::{At, Quantity};
+
+/// Severity of a finding, the most severe first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Severity {
+    /// Results are invalid until this is corrected.
+    Error,
+    /// Results may be off by more than the models differ.
+    Warning,
+    /// Information.
+    Note,
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+            Self::Note => "note",
+        })
+    }
+}
+
+/// Something unusual about an input, a scan, a law or an answer: the number, its usual range, the
+/// consequence and the remedy. Results stand unless the severity is [`Severity::Error`].
+///
+/// The text is `origin: model: fact where: advice`, without parts that are not set; the default
+/// fact is the number with its usual range.
+///
+/// ```
+/// use asperity_core::{At, Finding};
+///
+/// let found = Finding::warning("few-contacts", "contacts", 12.0)
+///     .usual([30.0, f64::INFINITY])
+///     .of_model("KE")
+///     .at(At::Load(1.0))
+///     .advice("load more");
+/// assert_eq!(found.to_string(), "KE: contacts is 12 at a load of 1 N (usual: at least 30): load more");
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Finding {
+    /// Its kind, in lower case with dashes: `unusual-size`, `crowded`.
+    pub code: &'static str,
+    /// Its severity.
+    pub severity: Severity,
+    /// The input or number concerned, by its name in scene files and tables.
+    pub field: Cow<'static, str>,
+    /// Its value, in SI units.
+    pub value: f64,
+    /// SI unit of the value; empty for pure numbers.
+    pub unit: &'static str,
+    /// The usual range; an open bound is 0 or infinite.
+    pub usual: [f64; 2],
+    /// The model, by its name in text.
+    pub model: Option<String>,
+    /// The quantity.
+    pub quantity: Option<Quantity>,
+    /// The law, or the part of one, by its name.
+    pub law: Option<String>,
+    /// The worst place or, if all places are equal, the first, in the caller's units.
+    pub at: Option<At>,
+    /// Number of rows with this finding.
+    pub count: usize,
+    /// Origin of the inputs: a line of a scene file, a grid.
+    pub origin: Option<String>,
+    /// Other models with the same, less severe finding.
+    pub also: Vec<String>,
+    fact: Option<Cow<'static, str>>,
+    advice: Cow<'static, str>,
+    pub(crate) likely_unit: Option<String>,
+}
+
+impl Finding {
+    /// A finding that makes results invalid.
+    #[must_use]
+    pub fn error(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Self::new(Severity::Error, code, field.into(), value)
+    }
+
+    /// A finding that may put results off by more than the models differ.
+    #[must_use]
+    pub fn warning(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Self::new(Severity::Warning, code, field.into(), value)
+    }
+
+    /// A finding for information.
+    #[must_use]
+    pub fn note(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Self::new(Severity::Note, code, field.into(), value)
+    }
+
+    fn new(severity: Severity, code: &'static str, field: Cow<'static, str>, value: f64) -> Self {
+        Self {
+            code,
+            severity,
+            field,
+            value,
+            unit: "",
+            usual: [0.0, f64::INFINITY],
+            model: None,
+            quantity: None,
+            law: None,
+            at: None,
+            count: 1,
+            origin: None,
+            also: vec![],
+            fact: None,
+            advice: "".into(),
+            likely_unit: None,
+        }
+    }
+
+    /// With another severity.
+    #[must_use]
+    pub fn severity(self, severity: Severity) -> Self {
+        Self { severity, ..self }
+    }
+
+    /// With the usual range of the value.
+    #[must_use]
+    pub fn usual(self, usual: [f64; 2]) -> Self {
+        Self { usual, ..self }
+    }
+
+    /// With the SI unit of the value.
+    #[must_use]
+    pub fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// Of the answer of this model.
+    #[must_use]
+    pub fn of_model(self, model: impl Into<String>) -> Self {
+        Self { model: Some(model.into()), ..self }
+    }
+
+    /// Of this quantity.
+    #[must_use]
+    pub fn of_quantity(self, quantity: Quantity) -> Self {
+        Self { quantity: Some(quantity), ..self }
+    }
+
+    /// Of this law or part of a law.
+    #[must_use]
+    pub fn of_law(self, law: impl Into<String>) -> Self {
+        Self { law: Some(law.into()), ..self }
+    }
+
+    /// At this place.
+    #[must_use]
+    pub fn at(self, at: At) -> Self {
+        Self { at: Some(at), ..self }
+    }
+
+    /// With the number of rows; `at` is the worst or the first of them.
+    #[must_use]
+    pub fn in_rows(self, count: usize) -> Self {
+        Self { count, ..self }
+    }
+
+    /// With the origin of the inputs: a line of a scene file, a grid.
+    #[must_use]
+    pub fn from_origin(self, origin: impl Into<String>) -> Self {
+        Self { origin: Some(origin.into()), ..self }
+    }
+
+    /// With another first clause than "field is value unit (usual: range)".
+    #[must_use]
+    pub fn fact(self, fact: impl Into<Cow<'static, str>>) -> Self {
+        Self { fact: Some(fact.into()), ..self }
+    }
+
+    /// With the meaning and the remedy.
+    #[must_use]
+    pub fn advice(self, advice: impl Into<Cow<'static, str>>) -> Self {
+        Self { advice: advice.into(), ..self }
+    }
+
+    /// With a unit that explains the value, in place of the advice: "210 looks like GPa; ..".
+    #[must_use]
+    pub fn likely_unit(self, hint: impl Into<String>) -> Self {
+        Self { likely_unit: Some(hint.into()), ..self }
+    }
+
+    /// Without a likely unit, for a value that was given with its unit; `None` for a note, which
+    /// then says nothing.
+    #[must_use]
+    pub fn with_stated_unit(mut self) -> Option<Self> {
+        let guess = self.likely_unit.take();
+        (guess.is_none() || self.severity < Severity::Note).then_some(self)
+    }
+
+    /// With the field prefixed by its section: `body[1].hardness`.
+    #[must_use]
+    pub fn within(self, section: &str) -> Self {
+        Self { field: format!("{section}.{}", self.field).into(), ..self }
+    }
+
+    /// The whole text.
+    #[must_use]
+    pub fn message(&self) -> String {
+        self.to_string()
+    }
+
+    /// Ratio of the value to the bound of its usual range: 1 at the bound, infinite where no ratio
+    /// exists.
+    #[must_use]
+    pub fn excess(&self) -> f64 {
+        let [from, to] = self.usual;
+        match self.value {
+            value if value > to => value / to,
+            value if value > 0.0 => (value / to).max(from / value),
+            value if value < from || value.is_nan() => f64::INFINITY,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether the finding concerns only asperities, which
+    /// [models of the whole surface](crate::Validity::asperities) do not use.
+    #[must_use]
+    pub fn is_of_asperities(&self) -> bool {
+        const CODES: [&str; 6] = [
+            FEW_ASPERITIES,
+            ROUGHNESS_PARAMETER,
+            "estimators-disagree",
+            "no-asperities",
+            "no-second-estimator",
+            "summits-follow-sampling",
+        ];
+        let shape = ["roughness_parameter", "height_std_over_radius"];
+        CODES.contains(&self.code) || shape.contains(&&*self.field)
+    }
+
+    /// Whether the finding is a limit of one model.
+    #[must_use]
+    pub fn is_of_model(&self) -> bool {
+        ["above-hardness", "beyond-full-contact", "fit-misses", "sticks", "tabor", "yields"]
+            .contains(&self.code)
+    }
+}
+
+/// The code of an area that holds few asperities.
+pub(crate) const FEW_ASPERITIES: &str = "few-asperities";
+/// The code of β of a scan.
+const ROUGHNESS_PARAMETER: &str = "roughness-parameter";
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for prefix in self.origin.iter().chain(&self.model) {
+            write!(f, "{prefix}: ")?;
+        }
+        match &self.fact {
+            Some(fact) => f.write_str(fact)?,
+            None => {
+                let space = if self.unit.is_empty() { "" } else { " " };
+                write!(f, "{} is {}{space}{}", self.field, short(self.value), self.unit)?;
+            }
+        }
+        match (&self.at, self.count) {
+            (Some(at), 0 | 1) => write!(f, " at {at}")?,
+            (Some(at), count) => {
+                let which = if self.excess().is_finite() { "worst" } else { "first" };
+                write!(f, " in {count} rows, {which} at {at}")?;
+            }
+            (None, _) => {}
+        }
+        if self.fact.is_none() {
+            self.write_range(f)?;
+        }
+        match self.likely_unit.as_deref().unwrap_or(&self.advice) {
+            "" => {}
+            advice => write!(f, ": {advice}")?,
+        }
+        match &self.also[..] {
+            [] => Ok(()),
+            also => write!(f, " (likewise {})", also.join(", ")),
+        }
+    }
+}
+
+impl Finding {
+    fn write_range(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.usual {
+            [from, to] if from > 0.0 && to.is_finite() => {
+                write!(f, " (usual: {} to {})", short(from), short(to))
+            }
+            [from, _] if from > 0.0 => write!(f, " (usual: at least {})", short(from)),
+            [_, to] if to.is_finite() => write!(f, " (usual: at most {})", short(to)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A number with four digits for messages, without an exponent from 1e-3 to 1e5.
+#[must_use]
+pub fn short(x: f64) -> String {
+    let four: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    match four.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e5).contains(&size) => format!("{four}"),
+        _ => format!("{four:e}"),
+    }
+}

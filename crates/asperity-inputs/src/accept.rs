@@ -1,0 +1,101 @@
+//! The codes of warnings and notes that a scene may accept.
+
+use asperity::nearest_name;
+
+use crate::SceneError;
+use crate::document::Document;
+
+/// The codes of all warnings and notes about scans, scenes and answers.
+const CODES: &str = "\
+    above-hardness adhesion anisotropic area-above-nominal atomic below-a-pixel beyond-fit \
+    beyond-full-contact cancelled channel crowded curvature-follows-sampling deep despiked energy-gain \
+    estimators-disagree few-asperities few-contacts few-patches few-pixels filled fit-misses \
+    gaussian-moments heights-integral heights-std hurst-exponent inverted level mask negative \
+    negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \
+    not-monotone open-seam outliers periodic-part repeated resampled roughness-parameter seam \
+    short-waves slope small-scan sticks summits-follow-sampling tabor undeclared-kink underflow unit \
+    unusual-size yields";
+
+/// Refuses a code that no warning and no note has.
+pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {
+    let codes = || CODES.split_whitespace();
+    let Some(unknown) = accept.iter().find(|code| !codes().any(|known| known == *code)) else {
+        return Ok(());
+    };
+    Err(SceneError::Value {
+        at: document.place("accept"),
+        found: format!("{unknown:?}"),
+        near: nearest_name(unknown, codes()).map(Into::into),
+        needed: format!("a code of a warning or note ({})", codes().collect::<Vec<_>>().join(", "))
+            .into(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    use super::CODES;
+
+    fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                sources(&path, found);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                found.push(path);
+            }
+        }
+    }
+
+    /// The names of warnings and notes in the sources of the crates that a scene reads.
+    #[test]
+    fn the_codes_are_those_of_the_sources() {
+        let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf();
+        let mut files = vec![];
+        for entry in fs::read_dir(crates).unwrap() {
+            let folder = entry.unwrap().path().join("src");
+            if folder.is_dir() {
+                sources(&folder, &mut files);
+            }
+        }
+        let mut written = BTreeSet::new();
+        for file in files {
+            let text = fs::read_to_string(file).unwrap();
+            let calls = [
+                "Finding::warning(",
+                "Finding::note(",
+                " few(",
+                "CODE: &str = ",
+                "ASPERITIES: &str = ",
+            ];
+            for call in calls {
+                for after in text.split(call).skip(1) {
+                    let quoted = after.trim_start().strip_prefix('"');
+                    if let Some(code) = quoted.filter(|code| code.starts_with(char::is_alphabetic))
+                    {
+                        written.insert(code.split('"').next().unwrap().to_string());
+                    }
+                }
+            }
+        }
+        let known: BTreeSet<_> = CODES.split_whitespace().map(String::from).collect();
+        assert_eq!(known, written);
+        assert!(CODES.split_whitespace().is_sorted());
+    }
+
+    #[test]
+    fn an_unknown_code_is_refused_with_the_nearest_one() {
+        let with = |code: &str| {
+            let text = format!("accept = [\"crowded\", {code:?}]\n{}", crate::template());
+            crate::parse(&text, Path::new("."))
+        };
+        assert!(with("few-contacts").is_ok());
+        let message = with("few-contact").unwrap_err().to_string();
+        let wanted =
+            "line 1: accept is \"few-contact\" (the nearest is \"few-contacts\"): a code of a";
+        assert!(message.starts_with(wanted), "{message}");
+    }
+}

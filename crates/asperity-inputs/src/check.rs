@@ -1,0 +1,247 @@
+//! Plausibility of a scene file: the library's findings by the keys of the file, and those of a
+//! scan.
+
+use asperity::joints::conductance::GapRoughness;
+use asperity::{
+    At, Check, Contact, ContactError, ContactModel, Finding, Findings, HeightDistribution,
+    ProfileMoments, Severity,
+};
+use asperity_topography::Statistics;
+
+use crate::SceneFile;
+
+/// Statistics of a scan beyond its asperities.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Measured {
+    /// Heights, moments, asperities.
+    pub statistics: Statistics,
+    /// The longer side of a pixel \[m\].
+    pub pixel_size: f64,
+    /// The wavelength above which half of Sq² lies \[m\]; `None` for two surfaces and for scans
+    /// without a spectrum.
+    pub long_wavelength: Option<f64>,
+}
+
+/// Ranges of skewness and kurtosis of nearly Gaussian heights.
+const SKEWNESS: [f64; 2] = [-0.8, 0.8];
+pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
+
+/// Fields of findings about the asperities.
+const ASPERITY_FIELDS: [&str; 6] = [
+    "asperity_height_std",
+    "asperity_radius",
+    "asperity_density",
+    "roughness_parameter",
+    "height_std_over_radius",
+    "rms_slope",
+];
+
+/// Fields of the interface that are unusual as a consequence of this field of a body. Modulus and
+/// hardness are checked against each other, so that either may be the cause.
+fn follows(body_field: &str) -> Vec<&str> {
+    match body_field.rsplit('.').next().unwrap_or(body_field) {
+        "youngs_modulus" | "hardness" | "yield_strength" => {
+            vec!["equivalent_modulus", "hardness", "yield_strength"]
+        }
+        field => vec![field],
+    }
+}
+
+impl SceneFile {
+    /// Unusual values of the scene, of each body by its own name, and of a scan.
+    #[must_use]
+    pub fn findings(&self) -> Findings {
+        let body_field = |(body, k): (&asperity::Body, usize)| {
+            let section = format!("body[{k}]");
+            body.findings().into_iter().map(move |finding| finding.within(&section))
+        };
+        let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(body_field).collect();
+        let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
+        let of_interface = self.scene.findings().into_iter().map(|found| {
+            match ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty() {
+                true => {
+                    found.from_origin(format!("asperities from {}", self.follows_from.join(", ")))
+                }
+                false => found,
+            }
+        });
+        let of_interface = of_interface.filter(|found| !shown.contains(&&*found.field));
+        // Without asperities, these are numbers of a surface that stands in for them.
+        let stands_in =
+            |field: &str| self.no_asperities.is_some() && ASPERITY_FIELDS.contains(&field);
+        let of_interface = of_interface.filter(|found| !stands_in(&found.field));
+        let mut of_interface: Vec<Finding> = of_interface.collect();
+        // The number that was given, in place of findings about the asperities that follow from it.
+        let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
+        let is_wrong = |found: &Finding| of_asperities(found) && found.severity == Severity::Error;
+        if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
+            of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
+            of_interface.push(odd);
+        }
+        let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
+        let found =
+            of_interface.into_iter().chain(of_bodies.clone()).chain(self.missing_hardness());
+        // Consequences of findings about the bodies are not repeated.
+        let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
+        let found = self.accepted(found).into_iter();
+        let found = found.filter(|found| !self.warnings.contains(found));
+        found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// The finding without a likely unit if the number was given with its unit.
+    fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
+        let stated = |key: &str| {
+            let of = |path: &String| path == key || path.ends_with(&format!(".{key}"));
+            self.stated.iter().any(of)
+        };
+        // Asperities that follow from other numbers were given in no unit.
+        let derived = ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty();
+        let stated = derived || stated(&found.field);
+        if stated { found.with_stated_unit() } else { Some(found) }
+    }
+
+    /// One finding for each cause, without those that the scene accepts.
+    #[must_use]
+    pub fn accepted(&self, found: Findings) -> Findings {
+        found.by_cause().silenced(&self.accept)
+    }
+
+    /// The roughness of the gap for correlations of its conductance: of the scan or, without one,
+    /// of an isotropic Gaussian surface with these asperities.
+    #[must_use]
+    pub fn gap_roughness(&self) -> GapRoughness {
+        let measured = self.measured.as_ref().map(|measured| &measured.statistics);
+        let measured = measured.map(|s| ProfileMoments { m0: s.m0, m2: s.m2, m4: s.m4 });
+        GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
+    }
+
+    /// The derived numbers of the scene and, for a model, at a separation or load, with findings.
+    ///
+    /// # Errors
+    /// Those of [`Check::at`].
+    pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
+        let mut check = match place {
+            Some((model, at)) => Check::at(model, &self.scene, at)?,
+            None => self.scene.check()?,
+        };
+        let (theirs, of_scene) = (self.scene.findings(), self.findings());
+        // Findings about an answer may be consequences of an error of the scene.
+        let valid = !of_scene.iter().any(|finding| finding.severity == Severity::Error);
+        let of_answer = std::mem::take(&mut check.findings).into_iter();
+        let of_answer = of_answer.filter(|finding| valid && !theirs.contains(finding));
+        check.findings = of_answer.collect();
+        check.extend(of_scene);
+        if let Some((model, _)) = place {
+            check.keep_for(model);
+        }
+        if let Some(Measured { statistics, pixel_size, .. }) = &self.measured {
+            let profile = "of the measured profiles";
+            check.add_number("measured_height_std", statistics.sq, "m", "Sq");
+            check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
+            check.add_number(
+                "measured_kurtosis",
+                statistics.sku,
+                "",
+                "Sku, 3 for Gaussian heights",
+            );
+            check.add_number(
+                "measured_slope",
+                (2.0 * statistics.m2).sqrt(),
+                "",
+                "rms slope of the scan",
+            );
+            check.add_number("measured_bandwidth", statistics.alpha, "", profile);
+            check.add_number("pixel_size", *pixel_size, "m", "of the scan");
+            check.extend(self.below_a_pixel(&check, *pixel_size));
+        }
+        check.findings = self.accepted(check.findings);
+        Ok(check)
+    }
+
+    /// Unusual results of a model at these separations or loads; none if the scene has an error, of
+    /// which they may be a consequence.
+    #[must_use]
+    pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Findings {
+        self.judge(model, || Check::answers(model, &self.scene, places))
+    }
+
+    /// [`findings_at`](Self::findings_at) of a contact of the model on this scene, which is not
+    /// compiled again.
+    #[must_use]
+    pub fn findings_of(
+        &self,
+        model: &dyn ContactModel,
+        contact: &dyn Contact,
+        places: &[At],
+    ) -> Findings {
+        self.judge(model, || Check::answers_of(model, contact, places))
+    }
+
+    fn judge(&self, model: &dyn ContactModel, judged: impl Fn() -> Findings) -> Findings {
+        let known = self.findings().for_asperities(model.validity().asperities);
+        match known.at_least(Severity::Error).is_empty() {
+            true => self.accepted(judged()),
+            false => Findings::default(),
+        }
+    }
+
+    /// A warning if one body has a hardness and the other has none, which is probably an omission.
+    fn missing_hardness(&self) -> Option<Finding> {
+        let elastic = |body: &asperity::Body| body.hardness.or(body.yield_strength).is_none();
+        let [first, second] = &self.bodies[..] else { return None };
+        let (k, body) = match (elastic(first), elastic(second)) {
+            (true, false) => (1, first),
+            (false, true) => (2, second),
+            _ => return None,
+        };
+        let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
+        let advice = match without {
+            true => "both bodies are elastic, and only elastic models work",
+            false => "the other body is assumed to be the softer one",
+        };
+        let modulus = body.youngs_modulus;
+        let finding = Finding::warning("no-hardness", "youngs_modulus", modulus)
+            .unit("Pa")
+            .fact(format!("body[{k}] has neither hardness nor yield_strength"))
+            .advice(advice);
+        // No warning for rubber on glass.
+        (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
+    }
+
+    fn scan_findings(&self, Measured { statistics, pixel_size, .. }: &Measured) -> Vec<Finding> {
+        let mut found = vec![];
+        // Outliers would be part of measured heights.
+        let clean = !statistics.outliers.matter() && self.no_asperities.is_none();
+        if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
+            found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
+                Finding::warning("not-gaussian", field, value).usual(usual).advice(
+                    "the heights are not Gaussian; heights = \"measured\" uses those of the scan",
+                )
+            }));
+        }
+        found.extend(statistics.unusual_slope(*pixel_size));
+        found.extend(self.small_scan());
+        found
+    }
+
+    /// A warning if contacts are smaller than a pixel of the scan.
+    fn below_a_pixel(&self, check: &Check, pixel: f64) -> Option<Finding> {
+        let radius = check.number("contact_radius")?;
+        let found = Finding::warning("below-a-pixel", "contact_radius", radius)
+            .usual([pixel, f64::INFINITY])
+            .fact(format!(
+                "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
+            ))
+            .advice("the result depends on roughness below the pixel size; compare cut-offs with `asperity surface --scales`")
+            .unit("m");
+        (radius < pixel).then_some(found)
+    }
+}
+
+/// The number by which the heights of a scan are far from Gaussian, with its usual range.
+fn not_gaussian(statistics: &Statistics) -> Option<(&'static str, f64, [f64; 2])> {
+    let Statistics { ssk, sku, .. } = *statistics;
+    let shape = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
+    shape.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
+}

@@ -1,0 +1,291 @@
+//! The surface of a scene from measured files.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use asperity::{ContactError, Finding, ProfileMoments, Surface, TabulatedHeights};
+use asperity_topography::{
+    Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
+};
+
+use crate::document::{COUNTERFACE, Document};
+use crate::heights::HeightsKey;
+use crate::measured_keys::MeasuredKeys;
+use crate::scan::open_seam;
+use crate::small_scan::long_wavelength;
+use crate::{Measured, Roughness, SceneError};
+
+/// What a scene file is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// Models of asperities, among others.
+    Asperities,
+    /// Models without asperities, such as boundary elements, on a scan that is declared periodic if
+    /// the file or the caller says so.
+    Scan { periodic: bool },
+}
+
+/// The bandwidth α of the surface that stands in where a scan has no asperities.
+const BANDWIDTH: f64 = 3.0;
+
+/// Codes of warnings about a scan that describe the sum of two surfaces, not one of them.
+const OF_SUM: [&str; 6] = [
+    "anisotropic",
+    "estimators-disagree",
+    "no-asperities",
+    "no-second-estimator",
+    "outliers",
+    "roughness-parameter",
+];
+
+/// The surface of a scene.
+#[derive(Debug, Clone)]
+pub(crate) struct SurfaceDescription {
+    pub(crate) surface: Surface,
+    pub(crate) measured: Option<Measured>,
+    /// The density of its summits' heights, if requested.
+    pub(crate) heights: Option<TabulatedHeights>,
+    pub(crate) notes: Vec<Finding>,
+    /// The scan, levelled and filtered, if there is exactly one.
+    pub(crate) scan: Option<Arc<Topography>>,
+    /// The reason why the scan has no asperities.
+    pub(crate) no_asperities: Option<String>,
+    /// The keys from which the asperities follow, if they are not given directly.
+    pub(crate) follows_from: &'static [&'static str],
+    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    pub(crate) roughness: Option<Roughness>,
+    /// The number that explains findings about the asperities.
+    pub(crate) odd_number: Option<Finding>,
+}
+
+/// A scan of a scene.
+struct Scan {
+    /// The section of its keys.
+    section: &'static str,
+    /// The key of its path.
+    at: String,
+    path: PathBuf,
+    keys: MeasuredKeys,
+}
+
+impl Scan {
+    /// The scan as its keys prepare it.
+    fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
+        let (path, options) = (document.path(&self.path), self.keys.read_options());
+        let read = match document.handed(&self.at, &self.path)? {
+            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &options),
+            None => read(&path, &options),
+        };
+        let prepared = read.and_then(|read| self.keys.prepare(read));
+        prepared.map_err(|error| self.refused(document, error))
+    }
+
+    /// The statistics of a scan by the keys of this one.
+    fn measure(&self, document: &Document<'_>, scan: &Topography) -> Result<Measured, SceneError> {
+        let [dx, dy] = scan.pixel_size();
+        let statistics = scan.statistics(self.keys.estimator);
+        let statistics = statistics.map_err(|error| self.refused(document, error))?;
+        let long_wavelength = long_wavelength(scan);
+        Ok(Measured { statistics, pixel_size: dx.max(dy), long_wavelength })
+    }
+
+    /// Errors of an option are at that option, all others at the file.
+    fn refused(&self, document: &Document<'_>, error: TopographyError) -> SceneError {
+        let option = |field: &str| document.place(&format!("{}.{field}", self.section));
+        match without_path(error) {
+            TopographyError::OutOfRange { field, value, required } => {
+                SceneError::value(option(field), value, required)
+            }
+            TopographyError::Cutoff { field, value, required } => {
+                SceneError::value(option(field), value, &required)
+            }
+            error => {
+                let at = match error {
+                    TopographyError::TooManyMissing { .. } => option("max_missing"),
+                    _ => document.place(&self.at),
+                };
+                let reason = format!("{}: {error}", self.path.display());
+                SceneError::Measured { at, reason }
+            }
+        }
+    }
+}
+
+/// The scans of a scene: one or two.
+fn scans(document: &Document<'_>, asked: Asked) -> Result<Vec<Scan>, SceneError> {
+    let mut scans = vec![];
+    let sections = ["surface", COUNTERFACE].into_iter().filter(|section| document.has(section));
+    for section in sections {
+        let mut keys: MeasuredKeys = document.rough(section)?;
+        keys.periodic |= asked == Asked::Scan { periodic: true };
+        if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
+            let needed = "a value of smooth below filter, which keeps some wavelengths,";
+            let [smooth, filter] = ["smooth", "filter"].map(|key| format!("{section}.{key}"));
+            return Err(document.conflict(&smooth, &filter, needed));
+        }
+        let one = |at: &str, path: &Path| Scan {
+            section,
+            at: at.into(),
+            path: path.into(),
+            keys: keys.clone(),
+        };
+        let files_at = "surface.files";
+        match (&keys.file, keys.files.as_deref()) {
+            (Some(_), Some(_)) => {
+                let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
+                return Err(document.conflict("surface.file", files_at, needed));
+            }
+            (_, Some(_)) if document.has(COUNTERFACE) => {
+                let needed = "file = \"a.x3p\" with a counterface, or files of both surfaces,";
+                return Err(document.conflict(COUNTERFACE, files_at, needed));
+            }
+            (_, Some([first, second])) => {
+                scans.push(one("surface.files[1]", first));
+                scans.push(one("surface.files[2]", second));
+            }
+            (_, Some(files)) => {
+                let needed = "a list of two paths, one for each surface in contact,";
+                let found = format_args!("a list of {}", files.len());
+                return Err(SceneError::value(document.place(files_at), found, needed));
+            }
+            (Some(file), None) => scans.push(one(&format!("{section}.file"), file)),
+            (None, None) => {}
+        }
+    }
+    Ok(scans)
+}
+
+/// The surface of one scan, of two in contact, or of one and a surface with these moments.
+pub(crate) fn measured(
+    document: &Document<'_>,
+    heights: &HeightsKey,
+    asked: Asked,
+    other: Option<ProfileMoments>,
+) -> Result<SurfaceDescription, SceneError> {
+    let measured_heights = matches!(heights, HeightsKey::Measured);
+    let scans = scans(document, asked)?;
+    let (first, second) = match &scans[..] {
+        [] => return Err(document.missing("surface.file", "a measured file")),
+        [first, rest @ ..] => (first, rest.first()),
+    };
+    let pair = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
+    let alignment = document.rough::<MeasuredKeys>("surface")?.aligned.alignment();
+    let is_pair = second.is_some() || other.is_some();
+    if alignment.is_some() && second.is_none() {
+        let needed = "two scans, files or a file and counterface.file,";
+        let found = format_args!("for one scan");
+        return Err(SceneError::value(document.place("surface.aligned"), found, needed));
+    }
+    if is_pair && alignment.is_none() {
+        let by_summits = |scan: &&Scan| scan.keys.estimator == Estimator::Summits;
+        if let Some(scan) = scans.iter().find(by_summits) {
+            let needed = "estimator = \"moments\" for two surfaces: moments add, summits do not,";
+            return Err(document.conflict(&format!("{}.estimator", scan.section), pair, needed));
+        }
+        if measured_heights {
+            let needed = "one file or aligned scans: the heights of two surfaces do not add,";
+            return Err(document.conflict("surface.heights", pair, needed));
+        }
+    }
+    let at = if is_pair { pair } else { &first.at };
+    let refused = |reason: TopographyError| {
+        let reason = match is_pair {
+            true => reason.to_string(),
+            false => format!("{}: {reason}", first.path.display()),
+        };
+        SceneError::Measured { at: document.place(at), reason }
+    };
+    let from = |at: &str| {
+        let at = document.place(at).to_string();
+        move |found: Finding| found.from_origin(at.clone())
+    };
+    let mut notes = vec![];
+    let mut alone = |of: &Scan| {
+        let found = of.measure(document, &of.read(document)?)?;
+        let own = found.statistics.warnings.iter().filter(|found| !OF_SUM.contains(&found.code));
+        notes.extend(own.cloned().map(from(&of.at)));
+        Ok::<_, SceneError>(found)
+    };
+    let sum = |one: Measured, two: Measured| {
+        let both = Statistics::combined(&one.statistics, &two.statistics).map_err(refused)?;
+        Ok::<_, SceneError>((
+            Measured {
+                statistics: both,
+                pixel_size: one.pixel_size.max(two.pixel_size),
+                long_wavelength: None,
+            },
+            None,
+        ))
+    };
+    let (measured, scan) = match (second, alignment, other) {
+        (Some(second), Some(alignment), _) => {
+            let (one, two) = (first.read(document)?, second.read(document)?);
+            let both = one.facing(&two, alignment).map_err(refused)?;
+            (first.measure(document, &both)?, Some(both))
+        }
+        (Some(second), None, _) => sum(alone(first)?, alone(second)?)?,
+        (None, _, Some(moments)) => {
+            let statistics = Statistics::gaussian(moments);
+            sum(alone(first)?, Measured { statistics, pixel_size: 0.0, long_wavelength: None })?
+        }
+        (None, _, None) => {
+            let scan = first.read(document)?;
+            (first.measure(document, &scan)?, Some(scan))
+        }
+    };
+    let statistics = &measured.statistics;
+    let (surface, no_asperities) = match statistics.surface() {
+        Ok(surface) => (surface, None),
+        // Only models without asperities are valid for it.
+        Err(reason) if asked != Asked::Asperities => {
+            (alike(statistics).map_err(document.refused("surface"))?, Some(reason.to_string()))
+        }
+        Err(reason) => return Err(refused(reason)),
+    };
+    surface.check().map_err(document.refused("surface"))?;
+    notes.extend(statistics.warnings.iter().cloned().map(from(at)));
+    for Scan { section, keys, .. } in &scans {
+        let tilted = keys.level.and_then(|level| level.tilts(keys.periodic));
+        notes.extend(tilted.map(from(&format!("{section}.level"))));
+    }
+    let seam = scan.as_ref().and_then(open_seam);
+    notes.extend(seam.map(from(&format!("{}.periodic", first.section))));
+    let of_summits = scan.as_ref().filter(|_| measured_heights && no_asperities.is_none());
+    let heights = of_summits.map(|scan| {
+        let points = density(scan).map_err(refused)?;
+        TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
+    });
+    Ok(SurfaceDescription {
+        surface,
+        heights: heights.transpose()?,
+        measured: Some(measured),
+        notes,
+        scan: scan.map(Arc::new),
+        no_asperities,
+        follows_from: &[],
+        roughness: None,
+        odd_number: None,
+    })
+}
+
+/// A Gaussian surface with the rms height and slope of a scan without asperities.
+fn alike(statistics: &Statistics) -> Result<Surface, ContactError> {
+    let Statistics { m0, m2, .. } = *statistics;
+    Surface::from_moments(&ProfileMoments { m0, m2, m4: BANDWIDTH * m2 * m2 / m0 })
+}
+
+/// The error without the name of the file, which only errors of reading have.
+fn without_path(error: TopographyError) -> TopographyError {
+    match error {
+        TopographyError::File { source, .. } => *source,
+        other => other,
+    }
+}
+
+/// The density of the summits' heights above the mean plane.
+fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> {
+    let summits = topography.summits()?;
+    let offset = summits.mean() - topography.mean();
+    let HeightDensity { heights_m, density_per_m, .. } = summits.height_density()?;
+    Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
+}

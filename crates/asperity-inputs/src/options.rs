@@ -1,0 +1,248 @@
+//! Options of the models for scene files, keywords and command lines.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use asperity::{
+    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Displacement, FlowPressure,
+    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
+    Stick,
+};
+use serde::{Deserialize, Serialize};
+use toml::Value;
+
+use crate::document::{Document, Files};
+use crate::scan::ScanSpectrum;
+use crate::{Place, SceneError};
+
+/// Variants of the models; the defaults are the models' own.
+///
+/// As a scene file's `[options]`, as keywords and in serde formats, it is a map from the names of
+/// these fields to [`OptionValue`]s, each optional.
+///
+/// ```
+/// use asperity_inputs::ModelOptions;
+///
+/// let mut options = ModelOptions::default();
+/// options.set("at_reading", &"additive".into())?;
+/// options.set("displacement", &[("zeta", 0.1), ("xi", 0.1)].into())?;
+/// assert_eq!(options.model("at")?.name(), "AT additive");
+/// let mistyped = options.set("at_reading", &"aditive".into()).unwrap_err();
+/// assert!(mistyped.to_string().contains("the nearest is \"additive\""));
+/// # Ok::<(), asperity_inputs::SceneError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, expecting = "a table, [options],")]
+pub struct ModelOptions {
+    /// The reading of the id `at` (`at-additive` and `at-overlap` are fixed).
+    pub at_reading: AtReading,
+    /// The distribution of the contact normals of Gao and AT.
+    #[serde(with = "AngleChoice")]
+    pub angle_density: AngleDensity,
+    /// The tangential displacements of Gao and AT.
+    pub displacement: Displacement,
+    /// Whether friction limits the tangential forces of Gao and AT.
+    pub stick: Stick,
+    /// Which force Gao and AT sum.
+    pub force: ForceComponent,
+    /// The hardness of the id `jg` (`jg-cosine` is fixed).
+    pub jg_hardness: GeometricHardness,
+    /// The pressure under AF's embedded plastic asperity.
+    pub af_flow_pressure: FlowPressure,
+    /// H, from 0.1 to 1: the power-law spectrum of the mean gaps and stiffnesses of `persson` and
+    /// `persson-fudge`. With a scan, it replaces the scan's spectrum, with a warning.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hurst_exponent: Option<f64>,
+    /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
+    /// may also have this key in `[surface]`.
+    pub asperities: Asperities,
+}
+
+/// The distribution of the asperity radii.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Asperities {
+    /// All asperities have one radius.
+    #[default]
+    Equal,
+    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
+    /// moments of the asperities: see [`Model::random`].
+    Random,
+}
+
+/// The spelling of `angle_density`.
+#[derive(Serialize, Deserialize)]
+#[serde(
+    remote = "AngleDensity",
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"upright\" or { a20 = -0.5, a21 = 1.0, b21 = 1.0 }"
+)]
+enum AngleChoice {
+    Upright,
+    #[serde(untagged)]
+    Harmonic {
+        a20: f64,
+        a21: f64,
+        b21: f64,
+    },
+}
+
+/// The value of one option: a name, a number, or named numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum OptionValue {
+    /// As in `stick = "unlimited"`.
+    Name(String),
+    /// As in `hurst_exponent = 0.8`.
+    Number(f64),
+    /// As in `displacement = { zeta = 0.1, xi = 0.1 }`.
+    Numbers(BTreeMap<String, f64>),
+}
+
+impl From<&str> for OptionValue {
+    fn from(name: &str) -> Self {
+        Self::Name(name.into())
+    }
+}
+
+impl From<f64> for OptionValue {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl<const N: usize> From<[(&str, f64); N]> for OptionValue {
+    fn from(numbers: [(&str, f64); N]) -> Self {
+        Self::Numbers(numbers.map(|(name, number)| (name.into(), number)).into())
+    }
+}
+
+impl fmt::Display for OptionValue {
+    /// Formats the value as TOML.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Value::try_from(self).map_err(|_| fmt::Error)?.fmt(f)
+    }
+}
+
+impl ModelOptions {
+    /// Sets one option; on error, no option changes.
+    ///
+    /// # Errors
+    /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
+    /// allowed.
+    pub fn set(&mut self, name: &str, value: &OptionValue) -> Result<(), SceneError> {
+        let mut values = self.all();
+        values.insert(name.into(), value.clone());
+        let line = |(name, value): (String, _)| format!("{} = {value}\n", Value::from(name));
+        let text: String = values.into_iter().map(line).collect();
+        let document = Document::new(None, Files::Nowhere, &text)?;
+        let options: Self = document.keys()?;
+        options.check(&document, "")?;
+        *self = options;
+        Ok(())
+    }
+
+    /// The options that differ from the defaults, by name.
+    #[must_use]
+    pub fn changed(&self) -> BTreeMap<String, OptionValue> {
+        let defaults = Self::default().all();
+        self.all().into_iter().filter(|(name, value)| defaults.get(name) != Some(value)).collect()
+    }
+
+    fn all(&self) -> BTreeMap<String, OptionValue> {
+        // Every option is a name, a number or a table of numbers.
+        let table = toml::Table::try_from(self).ok();
+        table.and_then(|table| table.try_into().ok()).unwrap_or_default()
+    }
+
+    fn lateral(&self) -> LateralOptions {
+        let Self { angle_density, displacement, stick, force, .. } = *self;
+        LateralOptions { angle_density, displacement, stick, force }
+    }
+
+    /// Checks the ranges of the numbers; `section` is their section in errors, with a dot.
+    pub(crate) fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
+        let at = |option: &str| format!("{section}{option}");
+        self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
+        if let Some(hurst) = self.hurst_exponent {
+            let section = section.trim_end_matches('.');
+            Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
+        }
+        if let Displacement::Given { zeta, xi } = self.displacement {
+            for (field, value) in [("zeta", zeta), ("xi", xi)] {
+                if !(value >= 0.0 && value.is_finite()) {
+                    let required = "a finite number, at least 0,";
+                    let error = ContactError::OutOfRange { field, value, required };
+                    return Err(document.refused(&at("displacement"))(error));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The model of an id, with these options.
+    ///
+    /// # Errors
+    /// [`SceneError::Contact`] for an unknown id, with a similar id and all ids.
+    pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        self.model_beside(|| None, id)
+    }
+
+    /// The model of an id, with these options; a theory of the whole surface gets the spectrum of a
+    /// scan, or the reason why there is none.
+    pub(crate) fn model_beside(
+        &self,
+        spectrum: impl FnOnce() -> Option<ScanSpectrum>,
+        id: &str,
+    ) -> Result<Model, SceneError> {
+        let at = |reading| Model::known(AminiTehrani { reading, options: self.lateral() });
+        let jg = |hardness| Model::known(JacksonGreen { hardness });
+        let known: Model = id
+            .parse()
+            .map_err(|source| SceneError::Contact { at: Place::field("model").into(), source })?;
+        let model = match known.equal().id() {
+            "jg" => jg(self.jg_hardness),
+            "jg-cosine" => jg(GeometricHardness::Cosine),
+            "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
+            "gao" => Model::known(Gao { options: self.lateral() }),
+            "at" => at(self.at_reading),
+            "at-additive" => at(AtReading::Additive),
+            "at-overlap" => at(AtReading::Overlap),
+            id => match Persson::variance_of(id) {
+                Some(variance) => {
+                    let hurst_exponent = self.hurst_exponent;
+                    Model::known(Persson { variance, hurst_exponent, spectrum: spectrum() })
+                }
+                None => known.equal().clone(),
+            },
+        };
+        let named_so = known.equal().id() != known.id();
+        Ok(if named_so { model.random() } else { self.on_surface(model) })
+    }
+
+    /// The model on equal or random asperities, by these options; theories of the whole surface
+    /// have no asperities.
+    #[must_use]
+    pub fn on_surface(&self, model: Model) -> Model {
+        match self.asperities {
+            Asperities::Random if model.validity().asperities => model.random(),
+            _ => model,
+        }
+    }
+
+    /// Every model with these options, each once: if `jg_hardness` or `at_reading` give `jg` or
+    /// `at` the meaning of another id, that id replaces it.
+    #[must_use]
+    pub fn models(&self) -> Vec<Model> {
+        let mut models: Vec<Model> = vec![];
+        for known in Model::all() {
+            let model = self.model(known.id()).unwrap_or(known);
+            if !models.iter().any(|m| m.id() == model.id()) {
+                models.push(model);
+            }
+        }
+        models
+    }
+}

@@ -1,0 +1,284 @@
+//! The scan of a scene for boundary elements.
+
+use std::sync::Arc;
+
+use asperity::{Finding, Spectrum};
+use asperity_bem::{Bem, BemError, Continuation, HeightMap};
+use asperity_topography::Topography;
+
+use crate::{Place, SceneError, SceneFile};
+
+/// The height map of a scan for boundary elements.
+///
+/// # Errors
+/// [`BemError`] for a profile, and for missing points.
+pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
+    let [along_row, along_column] = scan.pixel_size();
+    let shape = [scan.rows(), scan.columns()];
+    HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
+}
+
+/// A warning for a scan declared periodic whose edges do not match; `None` for other scans and for
+/// those without a [`height_map`].
+#[must_use]
+pub fn open_seam(scan: &Topography) -> Option<Finding> {
+    let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
+    let step = map.seam_step();
+    let fact = format!(
+        "the edges of the scan do not match (step {step:.1} times that between neighbours)"
+    );
+    let found = Finding::warning("open-seam", "seam_step", step).fact(fact);
+    Some(found.advice(
+        "slopes, curvatures and boundary elements include this step; remove periodic if it is not real",
+    ))
+}
+
+impl SceneFile {
+    /// The boundary-element model of the scene's scan, levelled and filtered; see [`Bem::new`].
+    /// Without a continuation, a scan with `periodic = true` is repeated as it is.
+    ///
+    /// # Errors
+    /// [`SceneError::Missing`] without a scan or with two;
+    /// [`SceneError::Measured`] for a profile and for missing points.
+    pub fn bem(
+        &self,
+        continuation: Option<Continuation>,
+        elastic: bool,
+    ) -> Result<Bem, SceneError> {
+        let at = Box::new(Place::field("surface.file"));
+        let Some(scan) = &self.scan else {
+            let one = "boundary elements (bem) need the scan of one surface";
+            if self.measured.is_some() {
+                let reason = format!(
+                    "{one}, or scans of both with aligned = true; here heights of two surfaces are known by their moments only"
+                );
+                return Err(SceneError::Measured { at, reason });
+            }
+            let needed = format!(
+                "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
+            );
+            return Err(SceneError::Missing { at, needed });
+        };
+        let map = whole_map(scan, "boundary elements need");
+        let map = map.map_err(|reason| SceneError::Measured { at, reason })?;
+        Ok(Bem::new(map, continuation.or(declared(scan)), elastic))
+    }
+
+    /// The spectrum of the scene's scan, continued periodically, or the reason why it has none;
+    /// `None` without a scan. Computed once.
+    pub(crate) fn spectrum(&self) -> Option<ScanSpectrum> {
+        let of = |scan: &Topography| {
+            let map = whole_map(scan, "its spectrum needs")?;
+            // As boundary elements press it.
+            let map = declared(scan).unwrap_or_else(|| Continuation::of(&map)).applied(map);
+            let spectrum = Spectrum::of_waves(map.waves()).map_err(|error| error.to_string())?;
+            Ok(Arc::new(spectrum))
+        };
+        let scan = self.scan.as_deref()?;
+        Some(self.spectrum.get_or_init(|| of(scan)).clone())
+    }
+}
+
+/// The spectrum of a scan, or the reason why there is none.
+pub(crate) type ScanSpectrum = Result<Arc<Spectrum>, String>;
+
+/// The continuation of a scan that is declared periodic.
+fn declared(scan: &Topography) -> Option<Continuation> {
+    scan.is_periodic().then_some(Continuation::Periodic)
+}
+
+/// The height map of a scan; the error for missing points explains how to fill them.
+fn whole_map(scan: &Topography, needing: &str) -> Result<HeightMap, String> {
+    height_map(scan).map_err(|error| match scan.missing_share() {
+        missing if missing > 0.0 => {
+            let (percent, most) = (100.0 * missing, 100.0 * Topography::MOST_FILLED);
+            format!(
+                "{percent:.3} % of the points are missing, and {needing} all points: fill_missing = true in [surface] fills up to {most} %"
+            )
+        }
+        _ => error.to_string(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use asperity::ContactModel;
+
+    use super::*;
+
+    /// Waves of two lengths on a grid that is wider than high.
+    fn scan() -> Topography {
+        let height = |k: usize| {
+            let (x, y) = ((k % 48) as f64, (k / 48) as f64);
+            1e-7 * ((0.8 * x + 0.3 * y).cos() + (0.7 * y - 0.2 * x).sin())
+        };
+        Topography::new((0..48 * 32).map(height).collect(), 48, [1e-6, 2e-6]).unwrap()
+    }
+
+    fn scene(surface: &str) -> SceneFile {
+        let folder = tempfile::tempdir().unwrap();
+        let lines: Vec<String> = scan()
+            .heights()
+            .chunks(48)
+            .map(|row| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+            .collect();
+        std::fs::write(folder.path().join("scan.txt"), lines.join("\n")).unwrap();
+        let text = format!(
+            "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n\
+             hardness = 1e9\n[surface]\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n{surface}"
+        );
+        crate::parse(&text, folder.path()).unwrap()
+    }
+
+    #[test]
+    fn rows_and_columns_keep_their_distances() {
+        let map = height_map(&scan()).unwrap();
+        assert_eq!((map.shape(), map.pixel()), ([32, 48], [2e-6, 1e-6]));
+        assert!((map.area() / (48.0 * 32.0 * 2e-12) - 1.0).abs() < 1e-12);
+        assert!(
+            (map.heights()[1] - map.heights()[0] - scan().heights()[1] + scan().heights()[0]).abs()
+                < 1e-20
+        );
+    }
+
+    #[test]
+    fn a_hurst_exponent_with_a_scan_is_used_and_has_a_warning() {
+        let own = scene("file = \"scan.txt\"");
+        let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
+        let text = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
+        assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
+        assert!(
+            given.warnings.iter().any(|found| found.to_string().starts_with(text)),
+            "{:?}",
+            given.warnings
+        );
+        let request =
+            asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
+        let [a, b] = [own, given].map(|file| {
+            let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
+            answer.columns[0].rows[0].as_ref().unwrap().value()
+        });
+        assert!((a / b - 1.0).abs() > 1e-3, "{a} {b}");
+    }
+
+    #[test]
+    fn a_step_at_periodic_edges_and_crossed_cut_offs_are_reported() {
+        // A quarter of a wave more than whole waves leaves a step at the edges.
+        let tilted = |k: usize| 1e-7 * (TAU * (k % 48) as f64 / 38.4).sin();
+        let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
+        assert_eq!(open_seam(&tilted), None);
+        let open = open_seam(&tilted.with_periodic(true)).unwrap();
+        assert!(
+            open.to_string().starts_with("the edges of the scan do not match (step "),
+            "{open}"
+        );
+        let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
+        let reason = file
+            .warnings
+            .iter()
+            .any(|w| w.to_string().starts_with("line 10: surface.periodic: the"));
+        assert!(reason, "{:?}", file.warnings);
+        let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
+        let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
+        assert_eq!(open_seam(&whole.with_periodic(true)), None);
+        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
+                    poissons_ratio = 0.3\n[surface]\nfile = \"a.x3p\"\nsmooth = 8e-6\nfilter = 4e-6\n";
+        let refused = crate::parse(text, std::path::Path::new("")).unwrap_err().to_string();
+        let wanted = "line 7: surface.smooth and surface.filter (line 8) exclude each other: a value of smooth";
+        assert!(refused.starts_with(wanted), "{refused}");
+    }
+
+    #[test]
+    fn the_spectrum_of_a_scan_is_computed_once_and_its_absence_explained() {
+        let file = scene("file = \"scan.txt\"");
+        let [first, again] = [&file, &file.clone()].map(|file| file.spectrum().unwrap().unwrap());
+        assert!(Arc::ptr_eq(&first, &again));
+        let mut surface = file.scene.surface;
+        surface.asperity_height_std *= 2.0;
+        let other = file.with_numbers(file.scene.interface, surface, 1e-6).unwrap();
+        assert!(other.spectrum().is_none());
+        let profile = Topography::new(scan().heights()[..48].to_vec(), 48, [1e-6; 2]).unwrap();
+        let mut heights = scan().heights().to_vec();
+        heights[100] = f64::NAN;
+        let holed = Topography::new(heights, 48, [1e-6, 2e-6]).unwrap();
+        for (scan, reason) in [(profile, "rows is 1"), (holed, "fill_missing = true in [surface]")]
+        {
+            let mut file = SceneFile::from(file.scene.clone());
+            file.scan = Some(Arc::new(scan));
+            let request = asperity::Request::new([asperity::Quantity::Tangent]);
+            let request = request.at([asperity::At::Pressure(1e8)]);
+            let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
+            let text = answer.columns[0].rows[0].as_ref().unwrap_err().to_string();
+            assert!(
+                text.starts_with("hurst_exponent is missing") && text.contains(reason),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_few_missing_points_are_filled_on_request() {
+        let folder = tempfile::tempdir().unwrap();
+        let lines = |missing: usize| -> String {
+            let point = |(k, z): (usize, &f64)| {
+                let there = k % 19 != 5 || k >= 19 * missing;
+                let end = if k % 48 == 47 { "\n" } else { " " };
+                if there { format!("{z}{end}") } else { format!("nan{end}") }
+            };
+            scan().heights().iter().enumerate().map(point).collect()
+        };
+        std::fs::write(folder.path().join("few.txt"), lines(10)).unwrap();
+        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
+             poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
+        let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
+        let refused = read("").bem(Some(Continuation::Free), true).unwrap_err().to_string();
+        let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all points: fill_missing = true in [surface] fills up to 5 %";
+        assert_eq!(refused, wanted);
+        let filled = read("fill_missing = true");
+        let bem = filled.bem(Some(Continuation::Free), true).unwrap();
+        let whole = scan().level(asperity_topography::Level::Plane).unwrap();
+        let largest = whole.heights().iter().fold(0.0, |m: f64, z| m.max(z.abs()));
+        let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
+        // A wave of 8 pixels is 0.3 of its height higher than the mean of its neighbours.
+        assert!(off.fold(0.0, f64::max) < 0.4 * largest);
+        assert!(
+            filled
+                .warnings
+                .iter()
+                .any(|w| w.to_string().contains("0.651 % of the points were missing"))
+        );
+        std::fs::write(folder.path().join("few.txt"), lines(81)).unwrap();
+        let more = format!("{text}fill_missing = true\n");
+        let many = crate::parse(&more, folder.path()).unwrap_err().to_string();
+        assert!(many.contains("the share of missing points is 0.0527: at most 0.05"), "{many}");
+    }
+
+    #[test]
+    fn the_scan_is_levelled_and_belongs_to_its_surface() {
+        let file = scene("file = \"scan.txt\"");
+        let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
+        let bem = file.bem(Some(Continuation::Free), true).unwrap();
+        for (a, b) in bem.map().heights().iter().zip(levelled.heights()) {
+            assert!((a - b).abs() < 1e-18);
+        }
+        assert_eq!(file.model("bem").unwrap().id(), "bem");
+        let asperity::Scene { interface, surface, nominal_area, .. } = file.scene;
+        let (mut harder, mut rougher) = (interface, surface);
+        harder.hardness = Some(2e9);
+        rougher.asperity_height_std = 1e-6;
+        let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
+        assert!(same.bem(None, false).is_ok());
+        let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
+        let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
+        for (none, end) in
+            [(other, "if the file does not state them"), (two, "known by their moments only")]
+        {
+            let refused = none.bem(None, false).unwrap_err().to_string();
+            assert!(refused.starts_with("surface.file"), "{refused}");
+            assert!(refused.contains(": boundary elements (bem) need the scan"), "{refused}");
+            assert!(refused.ends_with(end), "{refused}");
+        }
+    }
+}

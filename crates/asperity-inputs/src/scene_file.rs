@@ -1,0 +1,324 @@
+//! Scene files.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use asperity::{
+    Body, Datum, Finding, Findings, HeightDistribution, Scene, Separation, SeparationUnit, Surface,
+    TabulatedHeights, WeibullHeights,
+};
+use asperity_topography::Topography;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use crate::document::{Document, Files, HandedFiles, read_text};
+use crate::heights::{HeightKeys, HeightsKey, compare_std};
+use crate::interface::{InterfaceKeys, interface};
+use crate::measured::Asked;
+use crate::measurements::{SCENE_FIRST, is_measurements};
+use crate::scan::{ScanSpectrum, height_map};
+use crate::surface::surface;
+use crate::write::Read;
+use crate::{Asperities, Measured, ModelOptions, Place, Roughness, SceneError, accept};
+
+/// A scene with the options of its models, as a scene file describes it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct SceneFile {
+    /// The surfaces in contact.
+    pub scene: Scene,
+    /// The variants of the models.
+    pub options: ModelOptions,
+    /// The plane from which separations are measured.
+    pub separation_from: Datum,
+    /// The table of heights of `scene.heights`, if there is one.
+    pub table: Option<TabulatedHeights>,
+    /// The bodies from which the interface follows, if given.
+    pub bodies: Vec<Body>,
+    /// Statistics of the scans of the surface, if there are any.
+    pub measured: Option<Measured>,
+    /// Warnings about the file.
+    pub warnings: Findings,
+    /// Codes of accepted warnings and notes, which are not shown.
+    pub accept: Vec<String>,
+    /// The scan of the surface, levelled and filtered, if there is exactly one.
+    pub scan: Option<Arc<Topography>>,
+    /// The reason why the scan has no asperities, in a scene from [`load_scan`].
+    pub(crate) no_asperities: Option<String>,
+    /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
+    pub(crate) follows_from: &'static [&'static str],
+    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    pub roughness: Option<Roughness>,
+    /// The number of the surface that explains findings about the asperities.
+    pub(crate) odd_number: Option<Finding>,
+    /// The keys that were given with a unit.
+    pub(crate) stated: Vec<String>,
+    /// The file as read, for writing it again.
+    pub(crate) read: Option<Arc<Read>>,
+    /// The spectrum of the scan, computed on first use.
+    pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
+    /// The Hurst exponent of the scan, fitted on first use.
+    pub(crate) hurst: Arc<OnceLock<Option<f64>>>,
+}
+
+/// Reads a scene file and the files that it names.
+///
+/// # Errors
+/// [`SceneError`] with the file, the line, the field, the value found and the value needed.
+pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Asperities)
+}
+
+/// [`load`] for [boundary elements](SceneFile::bem) and `persson`, which need no asperities: of a
+/// sphere, a wave or a step, for example. The surface of such a scene only has the rms height and
+/// slope of the scan, and [`SceneFile::model`] refuses models of asperities with the reason. With
+/// `periodic` the scan is declared periodic, whatever the file says.
+///
+/// # Errors
+/// Those of [`load`], except that of a scan without asperities.
+pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Scan { periodic })
+}
+
+fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
+    let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
+    let read = || {
+        let advice = "a scene is a text in TOML, of which `asperity init` writes an example";
+        let text = read_text(path, advice, named)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
+    };
+    read().map_err(|error| scan_instead_of_scene(path, error))
+}
+
+/// Extensions of scans, which scene files do not have.
+const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
+
+/// The error for a scan given instead of a scene file.
+fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
+    let end = path.extension().unwrap_or_default().to_ascii_lowercase();
+    if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
+        return error;
+    }
+    let scan = |reason| {
+        let name = path.display();
+        if std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text)) {
+            return format!(
+                "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
+            );
+        }
+        format!(
+            "the file looks like a scan, not like a scene in TOML ({reason}); create a scene with `asperity surface {name} --scene scene.toml`"
+        )
+    };
+    match error {
+        SceneError::Syntax { at, reason } => SceneError::Syntax { at, reason: scan(reason) },
+        SceneError::Unreadable { at, reason } => {
+            SceneError::Unreadable { at, reason: scan(reason) }
+        }
+        other => other,
+    }
+}
+
+/// Reads a scene from its text; relative paths in it are relative to `directory`.
+///
+/// ```
+/// use asperity::{ContactModel, Quantity, Request};
+/// use asperity_inputs::{parse, template};
+///
+/// let file = parse(template(), std::path::Path::new("."))?;
+/// let answer = file.model("ke")?.solve(&file.scene, &Request::new([Quantity::Force]).at([2.0]));
+/// assert!(answer.is_ok());
+/// let mistyped = template().replace("nominal_area", "nominal_aera");
+/// let error = parse(&mistyped, std::path::Path::new(".")).unwrap_err().to_string();
+/// assert!(error.contains("the nearest is \"nominal_area\""));
+/// # Ok::<(), asperity_inputs::SceneError>(())
+/// ```
+///
+/// # Errors
+/// Those of [`load`], without a file's name.
+pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
+    scene_file(&Document::new(None, Files::In(directory), text)?, Asked::Asperities)
+}
+
+/// Reads a scene from its text and the bytes of the files that it names: where there is no file
+/// system, as in a browser.
+///
+/// # Errors
+/// Those of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
+pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
+    scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
+}
+
+/// [`parse_handed`] as [`load_scan`] reads, for boundary elements alone.
+///
+/// # Errors
+/// Those of [`parse_handed`], except that of a scan without asperities.
+pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
+    let asked = Asked::Scan { periodic: false };
+    scene_file(&Document::new(None, Files::Handed(files), text)?, asked)
+}
+
+/// The keys at the top of the file; sections have readers of their own.
+#[derive(Deserialize)]
+struct FileKeys {
+    nominal_area: f64,
+    /// Required, but read elsewhere.
+    #[serde(rename = "surface")]
+    _surface: IgnoredAny,
+    #[serde(default)]
+    options: ModelOptions,
+    #[serde(default)]
+    accept: Vec<String>,
+}
+
+/// The option that `[surface]` may also have.
+#[derive(Deserialize)]
+struct AsperitiesKey {
+    asperities: Option<Asperities>,
+}
+
+fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
+    let table = document.table()?;
+    let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
+    options.check(document, "options.")?;
+    accept::check(document, &accept)?;
+    let interface_keys: InterfaceKeys = document.keys()?;
+    let (interface, interface_section, bodies) = interface(document, &interface_keys)?;
+    let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
+    let AsperitiesKey { asperities } = document.surface()?;
+    if let Some(asperities) = asperities {
+        if document.has("options.asperities") {
+            let needed = "one of the two";
+            return Err(document.conflict("surface.asperities", "options.asperities", needed));
+        }
+        options.asperities = asperities;
+    }
+    asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
+
+    let given = heights.table(document)?;
+    let own_std = given.as_ref().map(TabulatedHeights::standard_deviation);
+    let described = surface(document, &heights, &interface, own_std, asked)?;
+    let (surface, mut warnings) = (described.surface, described.notes);
+    if let Some(table) = &given {
+        warnings.extend(compare_std(document, table, surface.asperity_height_std)?);
+    }
+    let heights_table = given.or(described.heights);
+    let measured = described.measured;
+    let mut scene = Scene::new(interface, surface, nominal_area);
+    scene.heights = match (&heights, &heights_table) {
+        (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
+        (HeightsKey::Skewed { skewness }, _) => {
+            let heights =
+                WeibullHeights::new(*skewness).map_err(document.refused("surface.heights"));
+            HeightDistribution::Weibull(heights?)
+        }
+        (_, Some(table)) => HeightDistribution::other(table.clone()),
+        _ => HeightDistribution::Gaussian,
+    };
+    let offset = measured.as_ref().and_then(|measured| measured.statistics.mean_plane_offset);
+    let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
+    if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
+        let source = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
+        let needed = "one of the two: the offset follows from measured heights";
+        return Err(document.conflict("surface.mean_plane_offset", source, needed));
+    }
+    scene.mean_plane_offset = mean_plane_offset.or(offset);
+    scene.asperity().map_err(|error| {
+        let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
+        document.refused(if of_plane { "surface" } else { interface_section })(error)
+    })?;
+    if separation_from != Datum::AsperityMean
+        && let Some(needed) = no_mean_plane(&scene, heights_table.as_ref())
+    {
+        return Err(document.conflict("surface.separation_from", "surface.heights", needed));
+    }
+    let scan = described.scan;
+    if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
+        let at = document.place("options.hurst_exponent");
+        let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
+        let found = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
+            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
+            .advice("remove hurst_exponent to use the spectrum of the scan");
+        warnings.push(found.from_origin(at.to_string()));
+    }
+    let read = Read::new(document, table, interface, surface, heights_table.as_ref());
+    Ok(SceneFile {
+        scene,
+        options,
+        separation_from,
+        table: heights_table,
+        bodies,
+        measured,
+        warnings: warnings.into_iter().collect::<Findings>().silenced(&accept),
+        accept,
+        scan,
+        no_asperities: described.no_asperities,
+        follows_from: described.follows_from,
+        roughness: described.roughness,
+        odd_number: described.odd_number,
+        stated: document.stated.clone(),
+        read: Some(Arc::new(read)),
+        spectrum: Arc::default(),
+        hurst: Arc::default(),
+    })
+}
+
+/// The missing requirement for separations from the mean plane of the surface, if any.
+fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'static str> {
+    match (&scene.heights, table) {
+        (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
+            "a table whose heights are measured from the mean plane of the surface (the mean of this table is 0: its heights are measured from their own mean)",
+        ),
+        _ if scene.mean_plane_offset.is_some() => None,
+        (HeightDistribution::Exponential, _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of exponential heights is unknown)",
+        ),
+        (HeightDistribution::Weibull(_), _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed heights is unknown)",
+        ),
+        _ => None,
+    }
+}
+
+impl From<Scene> for SceneFile {
+    /// A scene without a file: default options, and separations from the mean of the asperity
+    /// heights.
+    fn from(scene: Scene) -> Self {
+        Self {
+            scene,
+            options: ModelOptions::default(),
+            separation_from: Datum::AsperityMean,
+            table: None,
+            bodies: vec![],
+            measured: None,
+            warnings: Findings::default(),
+            accept: vec![],
+            scan: None,
+            no_asperities: None,
+            follows_from: &[],
+            roughness: None,
+            odd_number: None,
+            stated: vec![],
+            read: None,
+            spectrum: Arc::default(),
+            hurst: Arc::default(),
+        }
+    }
+}
+
+impl SceneFile {
+    /// A separation measured from the plane of this scene.
+    #[must_use]
+    pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
+        Separation { value, unit, from: self.separation_from }
+    }
+
+    /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
+    #[must_use]
+    pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
+        let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
+        let (options, separation_from) = (self.options, self.separation_from);
+        Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
+    }
+}

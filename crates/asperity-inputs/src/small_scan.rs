@@ -1,0 +1,88 @@
+//! Scans that are much smaller than the nominal area.
+
+use asperity::{Finding, short};
+use asperity_topography::Topography;
+
+use crate::SceneFile;
+
+/// Points on a side of the reduced scan.
+const COARSE: usize = 128;
+/// Nominal area over scan area above which a scan may be too small.
+const LARGER: f64 = 100.0;
+/// The least number of long waves on a side of a scan whose spectrum flattens: of self-affine
+/// surfaces without a longest wave, half of Sq² lies in waves above half of the side.
+const WAVES: f64 = 3.0;
+
+/// The wavelength \[m\] above which half of Sq² of a scan lies; `None` for scans without a
+/// spectrum.
+pub(crate) fn long_wavelength(scan: &Topography) -> Option<f64> {
+    let size = size(scan);
+    // Means of blocks of points have the same long waves.
+    let (heights, columns) = scan.coarse(COARSE);
+    let rows = heights.len() / columns.max(1);
+    let pixel = [size[0] / columns as f64, size[1] / rows as f64];
+    let coarse = Topography::new(heights, columns, pixel).ok()?;
+    Some(coarse.with_periodic(scan.is_periodic()).spectra().ok()?.median_wavelength)
+}
+
+/// Width and height \[m\].
+fn size(scan: &Topography) -> [f64; 2] {
+    let [dx, dy] = scan.pixel_size();
+    [scan.columns() as f64 * dx, scan.rows() as f64 * dy]
+}
+
+impl SceneFile {
+    /// A note if the scan is much smaller than the nominal area and its spectrum does not flatten
+    /// towards long waves.
+    pub(crate) fn small_scan(&self) -> Option<Finding> {
+        let scan = self.scan.as_deref()?;
+        let long = self.measured.as_ref()?.long_wavelength?;
+        let (area, [width, height]) = (self.scene.nominal_area, size(scan));
+        let side = if scan.is_profile() { width } else { width.min(height) };
+        let of_scan = if scan.is_profile() { width * width } else { width * height };
+        let (ratio, small) = (area / of_scan, long * WAVES > side && area > LARGER * of_scan);
+        let found = Finding::note("small-scan", "nominal_area", area)
+            .unit("m2")
+            .usual([0.0, LARGER * of_scan])
+            .fact(format!(
+                "nominal_area is {} times the area of the scan, and half of Sq^2 lies in waves longer than {} m, which is a third of the side of the scan or more",
+                short(ratio),
+                short(long),
+            ))
+            .advice(
+                "waves longer than the scan are missing, and Sq and the separation may be too small; measure a larger scan",
+            );
+        small.then_some(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_bem::RandomSurface;
+
+    use super::*;
+    use crate::{HandedFiles, parse_handed};
+
+    /// What is noted about a scan of 10 um with this longest wave [m] and nominal area [m^2].
+    fn noted(longest: f64, nominal_area: f64) -> Option<Finding> {
+        let surface = RandomSurface::of_wavelengths([longest, longest, 2e-7], [1e-5; 2]).unwrap();
+        let map = surface.rms_height(2e-8).unwrap().heights(128).unwrap();
+        let scan = Topography::new(map.heights().to_vec(), 128, [1e-5 / 128.0; 2]).unwrap();
+        let files = HandedFiles::from([("scan.x3p".to_string(), scan.x3p().unwrap())]);
+        let text = format!(
+            "nominal_area = {nominal_area}\n[interface]\nequivalent_modulus = 1e11\n\
+             poissons_ratio = 0.3\nhardness = 1e9\n[surface]\nfile = \"scan.x3p\"\n"
+        );
+        let file = parse_handed(&text, &files).unwrap();
+        file.findings().into_iter().find(|found| found.code == "small-scan")
+    }
+
+    #[test]
+    fn a_small_scan_without_flat_spectrum_has_a_note() {
+        let text = noted(1e-5, 1e-4).unwrap().to_string();
+        let wanted = "nominal_area is 1e6 times the area of the scan, and half of Sq^2 lies in waves longer than ";
+        assert!(text.starts_with(wanted) && text.ends_with("measure a larger scan"), "{text}");
+        // A spectrum that flattens within the scan, and an area that is hardly larger.
+        assert_eq!((noted(1.25e-6, 1e-4), noted(1e-5, 5e-9)), (None, None));
+    }
+}

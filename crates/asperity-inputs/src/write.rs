@@ -1,0 +1,327 @@
+//! Writer of scenes as text that reads back bit for bit.
+
+use std::path::Path;
+use std::{fs, mem};
+
+use asperity::{Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
+use toml::{Table, Value};
+
+use crate::document::Document;
+use crate::template::{key, keys_of};
+use crate::{Place, SceneError, SceneFile, parse, write_heights};
+
+/// A scene file as read, whose keys are written again if the scene has not changed.
+#[derive(Debug)]
+pub(crate) struct Read {
+    /// The keys in SI units, with absolute paths of scans.
+    table: Table,
+    interface: Interface,
+    surface: Surface,
+    /// The heights of the summits of a scan.
+    summits: Option<TabulatedHeights>,
+}
+
+impl Read {
+    pub(crate) fn new(
+        document: &Document<'_>,
+        mut table: Table,
+        interface: Interface,
+        surface: Surface,
+        heights: Option<&TabulatedHeights>,
+    ) -> Self {
+        let whole = |path: &mut Value| {
+            if let Value::String(text) = path {
+                *text = document.whole_path(Path::new(text)).to_string_lossy().into_owned();
+            }
+        };
+        let mut summits = None;
+        if let Some(keys) = table.get_mut("surface").and_then(Value::as_table_mut) {
+            keys.get_mut("file").into_iter().for_each(whole);
+            let files = keys.get_mut("files").and_then(Value::as_array_mut);
+            files.into_iter().flatten().for_each(whole);
+            let counterface = keys.get_mut("counterface").and_then(|keys| keys.get_mut("file"));
+            counterface.into_iter().for_each(whole);
+            let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
+            summits = heights.filter(|_| measured).cloned();
+            // These keys follow from the scene when written.
+            for own in ["heights", "asperities", "separation_from", "mean_plane_offset"] {
+                keys.remove(own);
+            }
+        }
+        table.remove("options");
+        Self { table, interface, surface, summits }
+    }
+}
+
+/// The destination of a table of heights.
+#[derive(Clone, Copy)]
+enum HeightsIn<'a> {
+    Text,
+    File(&'a str),
+}
+
+impl SceneFile {
+    /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
+    /// its head, one per line. A table of heights is part of the text, and paths of scans are
+    /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface
+    /// keeps the kind of its keys if these were changed, and else has its asperities.
+    ///
+    /// ```
+    /// use asperity_inputs::{parse, template};
+    /// use std::path::Path;
+    ///
+    /// let mut file = parse(template(), Path::new("."))?;
+    /// file.scene.nominal_area = 2e-4;
+    /// let again = parse(&file.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
+    /// assert_eq!(again.scene.interface, file.scene.interface);
+    /// # Ok::<(), asperity_inputs::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`parse`] if a number of the scene is out of its range, and
+    /// [`SceneError::Unwritable`] for heights that a file cannot represent.
+    pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
+        let text = self.text(HeightsIn::Text, comments)?;
+        // Scans are not read again.
+        if self.names_no_scan() {
+            let again = parse(&text, Path::new(""))?;
+            if let Some(field) = self.differs_in(&again) {
+                let reason = "a scene file cannot combine this value with the others";
+                return Err(unwritable(Place::field(field), reason));
+            }
+        }
+        Ok(text)
+    }
+
+    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights is
+    /// written to a CSV file in the same folder: `scene.csv` for `scene.toml`.
+    ///
+    /// # Errors
+    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// reason.
+    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
+        let mut text = self.to_toml(comments)?;
+        let written = |path: &Path, text: &str| {
+            let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
+            fs::write(path, text).map_err(|error| unwritable(at(), &error.to_string()))
+        };
+        if let Some(table) = self.table.as_ref().filter(|_| !self.has_heights_of_scan()) {
+            let beside = path.with_extension("csv");
+            let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
+            let name = name.ok_or_else(|| {
+                let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
+                unwritable(at, "its name must be valid UTF-8 and must not end in .csv")
+            })?;
+            text = self.text(HeightsIn::File(name), comments)?;
+            written(&beside, &write_heights(table.points()))?;
+        }
+        written(path, &text)?;
+        Ok(text)
+    }
+
+    fn text(&self, heights: HeightsIn<'_>, comments: &[&str]) -> Result<String, SceneError> {
+        let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
+        let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+        let mut top = self.interface_keys();
+        top.insert("nominal_area".into(), self.scene.nominal_area.into());
+        top.insert("surface".into(), self.surface_keys(heights)?.into());
+        if !self.accept.is_empty() {
+            top.insert("accept".into(), self.accept.clone().into());
+        }
+        let options = Table::try_from(self.options.changed()).unwrap_or_default();
+        if !options.is_empty() {
+            top.insert("options".into(), options.into());
+        }
+        let mut sections = vec![];
+        for name in ["body", "interface", "surface", "options"] {
+            match top.remove(name) {
+                Some(Value::Array(bodies)) => {
+                    sections.extend(bodies.into_iter().map(|body| (name, "[[body]]".into(), body)));
+                }
+                Some(section) => sections.push((name, format!("[{name}]"), section)),
+                None => {}
+            }
+        }
+        text += &lines("", &top);
+        for (name, header, section) in sections {
+            if let Value::Table(section) = section {
+                text += &format!("\n{header}\n{}", lines(name, &section));
+            }
+        }
+        Ok(text)
+    }
+
+    /// The bodies as read if unchanged, otherwise the interface.
+    fn interface_keys(&self) -> Table {
+        let interface = self.scene.interface;
+        if let Some(read) = self.read.as_ref().filter(|read| read.interface == interface) {
+            let names = ["rigid_counterface", "work_of_adhesion", "interface", "body"];
+            let kept = read.table.iter().filter(|(name, _)| names.contains(&name.as_str()));
+            return kept.map(|(name, value)| (name.clone(), value.clone())).collect();
+        }
+        let interface = Table::try_from(interface).unwrap_or_default();
+        Table::from_iter([("interface".into(), interface.into())])
+    }
+
+    /// The keys of `[surface]` as read, if they still describe this surface.
+    fn kept_surface(&self) -> Option<&Table> {
+        let read = self.read.as_ref().filter(|read| read.surface == self.scene.surface)?;
+        let keys = read.table.get("surface")?.as_table()?;
+        let same_interface = read.interface == self.scene.interface;
+        // The plasticity index depends on the interface, too.
+        (same_interface || !keys.contains_key("plasticity_index")).then_some(keys)
+    }
+
+    fn names_no_scan(&self) -> bool {
+        let surface = self.kept_surface();
+        let counterface = surface.and_then(|keys| keys.get("counterface")?.as_table());
+        let names = |keys: &Table| keys.contains_key("file") || keys.contains_key("files");
+        !surface.into_iter().chain(counterface).any(names)
+    }
+
+    /// Whether the heights are those of the summits of the scan that is named.
+    fn has_heights_of_scan(&self) -> bool {
+        let summits = self.read.as_ref().and_then(|read| read.summits.as_ref());
+        let points = |table: &TabulatedHeights| bits(table.points());
+        summits.is_some()
+            && self.kept_surface().is_some()
+            && summits.map(points) == self.table.as_ref().map(points)
+    }
+
+    fn surface_keys(&self, heights_in: HeightsIn<'_>) -> Result<Table, SceneError> {
+        let scene = &self.scene;
+        let mut keys = match (self.kept_surface(), self.roughness) {
+            (Some(keys), _) => keys.clone(),
+            // Other numbers of the same kind.
+            (None, Some(kind)) if kind.surface().is_ok_and(|made| made == scene.surface) => {
+                let numbers = kind.keys().iter().zip(kind.numbers());
+                numbers.map(|(key, number)| ((*key).into(), number.into())).collect()
+            }
+            (None, _) => Table::try_from(scene.surface).unwrap_or_default(),
+        };
+        let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
+        let heights: Option<Value> = match (&scene.heights, &self.table, heights_in) {
+            (HeightDistribution::Gaussian, ..) => None,
+            (HeightDistribution::Exponential, ..) => Some("exponential".into()),
+            (HeightDistribution::Weibull(heights), ..) => {
+                Some(named("skewness", heights.skewness().into()))
+            }
+            (_, Some(_), _) if self.has_heights_of_scan() => Some("measured".into()),
+            (_, Some(_), HeightsIn::File(file)) => Some(named("file", file.into())),
+            (_, Some(table), HeightsIn::Text) => {
+                let (heights, densities): (Vec<f64>, Vec<f64>) =
+                    table.points().iter().copied().unzip();
+                let columns = [("height_m", heights), ("density_per_m", densities)];
+                let column = |(name, column): (&str, Vec<f64>)| (name.into(), Value::from(column));
+                Some(Table::from_iter(columns.map(column)).into())
+            }
+            _ => {
+                let reason = format!("{}: a density that is not a table", scene.heights.name());
+                return Err(unwritable(Place::field("surface.heights"), &reason));
+            }
+        };
+        keys.extend(heights.map(|heights| ("heights".into(), heights)));
+        if self.separation_from == Datum::SurfaceMean {
+            keys.insert("separation_from".into(), "surface-mean".into());
+        }
+        let measured = self.measured.as_ref().filter(|_| !self.names_no_scan());
+        let measured = measured.and_then(|measured| measured.statistics.mean_plane_offset);
+        let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
+        let offset = scene.mean_plane_offset;
+        if known.is_none() {
+            keys.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+        } else if known.map(f64::to_bits) != offset.map(f64::to_bits) {
+            let reason = "it differs from the offset of the measured heights";
+            return Err(unwritable(Place::field("surface.mean_plane_offset"), reason));
+        }
+        Ok(keys)
+    }
+
+    /// The first field that differs, compared bit for bit.
+    fn differs_in(&self, other: &Self) -> Option<&'static str> {
+        // A new field must be compared, or named here, to compile.
+        let Self {
+            scene,
+            options,
+            separation_from,
+            table,
+            accept,
+            // Compared as the interface and the surface that follow from them.
+            bodies: _,
+            measured: _,
+            scan: _,
+            follows_from: _,
+            roughness: _,
+            // Made on reading.
+            no_asperities: _,
+            odd_number: _,
+            stated: _,
+            warnings: _,
+            read: _,
+            spectrum: _,
+            hurst: _,
+        } = self;
+        let offset = |scene: &Scene| scene.mean_plane_offset.map(f64::to_bits);
+        let points = |table: &Option<TabulatedHeights>| table.as_ref().map(|t| bits(t.points()));
+        let heights = |scene: &Scene| {
+            let skewness = match &scene.heights {
+                HeightDistribution::Weibull(heights) => Some(heights.skewness().to_bits()),
+                _ => None,
+            };
+            (mem::discriminant(&scene.heights), skewness)
+        };
+        let same = [
+            ("nominal_area", scene.nominal_area.to_bits() == other.scene.nominal_area.to_bits()),
+            ("interface", scene.interface == other.scene.interface),
+            ("surface", scene.surface == other.scene.surface),
+            ("surface.mean_plane_offset", offset(scene) == offset(&other.scene)),
+            ("surface.heights", heights(scene) == heights(&other.scene)),
+            ("surface.heights", points(table) == points(&other.table)),
+            ("surface.separation_from", *separation_from == other.separation_from),
+            ("options", *options == other.options),
+            ("accept", *accept == other.accept),
+        ];
+        same.into_iter().find(|(_, same)| !same).map(|(field, _)| field)
+    }
+}
+
+fn bits(points: &[(f64, f64)]) -> Vec<[u64; 2]> {
+    points.iter().map(|(height, density)| [height.to_bits(), density.to_bits()]).collect()
+}
+
+fn unwritable(at: Place, reason: &str) -> SceneError {
+    SceneError::Unwritable { at: at.into(), reason: reason.into() }
+}
+
+/// The keys of a section, one per line, in the order of the template; numbers have a comment with
+/// their unit.
+fn lines(section: &str, table: &Table) -> String {
+    let names = keys_of(section).into_iter();
+    let beside = table.keys().map(String::as_str).filter(|name| !names.clone().any(|n| n == *name));
+    let line = |name: &str| {
+        let value = table.get(name)?;
+        let meaning = match value {
+            Value::Float(_) | Value::Integer(_) => key(section, name).map_or("", |key| key.meaning),
+            _ => "",
+        };
+        let gap = if meaning.is_empty() { "" } else { "  # " };
+        Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
+    };
+    names.clone().chain(beside).filter_map(line).collect()
+}
+
+/// A value on one line: numbers with the shortest digits that read back.
+fn inline(value: &Value) -> String {
+    let joined = |parts: Vec<String>| parts.join(", ");
+    match value {
+        Value::Float(number) if number.is_nan() => "nan".into(),
+        Value::Float(number) => format!("{number:e}"),
+        Value::Array(items) => format!("[{}]", joined(items.iter().map(inline).collect())),
+        Value::Table(table) => {
+            let pair = |(name, value): (&String, &Value)| format!("{name} = {}", inline(value));
+            format!("{{ {} }}", joined(table.iter().map(pair).collect()))
+        }
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,275 @@
+//! Scenes whose surface is a measured file.
+
+use std::path::{Path, PathBuf};
+
+use asperity::{Quantity, Request};
+use asperity_inputs::{SceneError, SceneFile, load};
+use asperity_topography::{Estimator, Level, ReadOptions, Statistics, read};
+
+const HEAD: &str = "nominal_area = 1e-4
+rigid_counterface = true
+[[body]]
+youngs_modulus = 210e9
+poissons_ratio = 0.3
+hardness = 2e9
+[surface]
+";
+
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+fn scene(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
+    let path = directory.join("scene.toml");
+    std::fs::write(&path, format!("{HEAD}{surface}\n")).unwrap();
+    load(&path)
+}
+
+#[test]
+fn errors_of_a_measured_surface_name_line_and_field() {
+    let directory = directory("measured-errors");
+    std::fs::write(directory.join("empty.txt"), "").unwrap();
+    std::fs::write(
+        directory.join("a.txt"),
+        format!("# Width: 1 um\n# Height: 1 um\n# Value units: nm\n{}", scan(1.0)),
+    )
+    .unwrap();
+    let mut failures = String::new();
+    for (surface, wanted) in [
+        ("file = 3", ":8: surface.file is 3: the path of a file, in quotes (text, NumPy"),
+        ("file = \"absent.x3p\"", ":8: surface.file: "),
+        ("file = \"absent.x3p\"", "absent.x3p"),
+        ("file = \"empty.txt\"", "empty.txt: "),
+        ("files = \"a\"", ":8: surface.files is \"a\": a list (the two surfaces in contact) was"),
+        ("files = [\"a\"]", ":8: surface.files is a list of 1: a list of two paths"),
+        ("files = [\"a\", 3]", "surface.files"),
+        ("files = [\"empty.txt\", \"b\"]", ":8: surface.files[1]: "),
+        (
+            "file = \"a\"\nfiles = [\"a\", \"b\"]",
+            "surface.file and surface.files (line 9) exclude each other",
+        ),
+        (
+            "file = \"a\"\nm0 = 1e-12",
+            "surface.m0 and surface.file (line 8) exclude each other: exactly one way",
+        ),
+        (
+            "file = \"a\"\nasperity_height_std = 1e-6",
+            "surface.asperity_height_std and surface.file (line 8)",
+        ),
+        ("file = \"a\"\nunit = \"miles\"", ":9: surface.unit is \"miles\": one of \"m\", \"cm\", "),
+        ("file = \"a\"\nunit = \"Um\"", "the nearest is \"um\""),
+        (
+            "file = \"a\"\npixel_size = \"1 mile\"",
+            ":9: surface.pixel_size is \"1 mile\": a length in the unit",
+        ),
+        ("file = \"a\"\npixel_size = 0", "surface.pixel_size is 0.0: a finite length above 0"),
+        ("file = \"a\"\npixel_size = [1, 2, 3]", "surface.pixel_size is [1, 2, 3]: a length"),
+        (
+            "file = \"a\"\npixel_size = [1, nan]",
+            "surface.pixel_size is NaN: a finite length above 0",
+        ),
+        ("file = \"a\"\nestimator = \"sumits\"", "the nearest is \"summits\""),
+        ("file = \"a\"\nlevel = \"plain\"", "the nearest is \"plane\""),
+        ("file = \"a.txt\"\nfilter = -1", ":9: surface.filter is -1.0: a length of at least two"),
+        ("file = \"a\"\nmax_missing = 10", ":9: surface.max_missing is 10.0: a share from 0 to 1"),
+        (
+            "files = [\"a\", \"b\"]\nestimator = \"summits\"",
+            "surface.estimator and surface.files (line 8) exclude each other: estimator = \"moments\"",
+        ),
+    ] {
+        let message = scene(&directory, surface).unwrap_err().to_string();
+        if !message.contains(wanted) || message.contains('\n') {
+            failures += &format!("{message}\n  lacks: {wanted}\n");
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
+
+/// Heights \[nm\] of 96 x 96 points, as text: waves in many directions.
+fn scan(phase: f64) -> String {
+    let waves: Vec<[f64; 3]> = (0..40)
+        .map(|k| {
+            let (turn, size) = (2.399_963 * f64::from(k), 0.2 + 0.4 * f64::from(k % 7) / 7.0);
+            [size * turn.cos(), size * turn.sin(), phase * f64::from(k * k)]
+        })
+        .collect();
+    let height = |x: i32, y: i32| {
+        let wave = |[a, b, c]: &[f64; 3]| (a * f64::from(x) + b * f64::from(y) + c).cos();
+        100.0 * waves.iter().map(wave).sum::<f64>()
+    };
+    let row = |y| (0..96).map(|x| format!("{:.4}", height(x, y))).collect::<Vec<_>>().join("\t");
+    (0..96).map(|y| row(y) + "\n").collect()
+}
+
+#[test]
+fn a_periodic_scan_keeps_its_moments_by_default() {
+    let directory = tempfile::tempdir().unwrap();
+    let rough = asperity_bem::RandomSurface::new(2.0, 2.0, 12.0).unwrap();
+    let rough = rough.side(96e-6).unwrap().gradient(0.02).unwrap().seed(2);
+    let map = rough.heights(96).unwrap();
+    let lines: Vec<String> = map
+        .heights()
+        .chunks(96)
+        .map(|row| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+        .collect();
+    std::fs::write(directory.path().join("scan.txt"), lines.join("\n")).unwrap();
+    let read = |more: &str| {
+        let keys = "file = \"scan.txt\"\nunit = \"m\"\npixel_size = 1e-6\nperiodic = true\n";
+        scene(directory.path(), &format!("{keys}{more}")).unwrap()
+    };
+    let moments = |file: &asperity_inputs::SceneFile| {
+        let statistics = &file.measured.as_ref().unwrap().statistics;
+        (statistics.m2, statistics.m4)
+    };
+    let (usual, mean) = (read(""), read("level = \"mean\""));
+    let (m2, m4) = moments(&usual);
+    assert_eq!((m2, m4), moments(&mean));
+    // Differences underestimate the shortest waves, of 8 pixels, by 2.5 and 5 %.
+    let exact = rough.moments();
+    assert!((m2 / exact.m2 - 1.0).abs() < 0.04 && (m4 / exact.m4 - 1.0).abs() < 0.06, "{m2} {m4}");
+    let tilted = read("level = \"plane\"");
+    assert!(moments(&tilted).1 > 1.1 * m4);
+    let tilt_warning = |file: &asperity_inputs::SceneFile| {
+        file.warnings.iter().any(|w| w.message().contains("level plane of a periodic surface"))
+    };
+    assert!(
+        tilt_warning(&tilted) && !tilt_warning(&usual) && !tilt_warning(&mean),
+        "{:?}",
+        tilted.warnings
+    );
+    // Boundary elements use the same scan.
+    let bem = usual.bem(None, true).unwrap();
+    assert!(bem.note().is_none());
+    assert_eq!(bem.continuation(), asperity_bem::Continuation::Periodic);
+}
+
+#[test]
+fn files_give_the_surfaces_of_the_topography_crate() {
+    let directory = directory("measured-files");
+    let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
+    std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
+    std::fs::write(directory.join("b.txt"), header.to_string() + &scan(2.7)).unwrap();
+    std::fs::write(directory.join("bare.txt"), scan(5.1)).unwrap();
+
+    let statistics = |name: &str| {
+        let topography = read(&directory.join(name), &ReadOptions::default()).unwrap();
+        topography.level(Level::Plane).unwrap().statistics(Estimator::Moments).unwrap()
+    };
+    let (a, b) = (statistics("a.txt"), statistics("b.txt"));
+    let one = scene(&directory, "file = \"a.txt\"").unwrap();
+    assert_eq!(one.scene.surface, a.surface().unwrap());
+    assert!(one.warnings.len() == a.warnings.len());
+    let both = scene(&directory, "files = [\"a.txt\", \"b.txt\"]").unwrap();
+    assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface().unwrap());
+
+    let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err().to_string();
+    assert!(bare.contains("scene.toml:8: surface.file: ") && bare.contains("bare.txt"), "{bare}");
+    let tilt_warning =
+        scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
+    assert!(
+        (tilt_warning.scene.surface.asperity_radius / a.asperity_radius.unwrap() - 1.0).abs()
+            < 1e-9
+    );
+    let wide = "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = [1000, 2000]";
+    let wide = scene(&directory, wide).unwrap().scene.surface;
+    assert!(wide.asperity_radius > 1.1 * a.asperity_radius.unwrap());
+
+    let from = scene(&directory, "file = \"a.txt\"\nseparation_from = \"surface-mean\"").unwrap();
+    assert!((from.scene.mean_plane_offset() - a.mean_plane_offset.unwrap()).abs() < 1e-15);
+    assert!(
+        from.model("ke")
+            .unwrap()
+            .solve(&from.scene, &Request::new([Quantity::Force]).at([1.0]))
+            .is_ok()
+    );
+}
+
+#[test]
+fn measured_heights_smooth_and_periodic_are_applied() {
+    let directory = directory("measured-heights");
+    let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
+    std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
+    let read_with = |keys: &str| scene(&directory, &format!("file = \"a.txt\"\n{keys}"));
+    let file = read_with(
+        "heights = \"measured\"\nestimator = \"summits\"\nseparation_from = \"surface-mean\"",
+    );
+    let file = file.unwrap();
+    let topography = read(&directory.join("a.txt"), &ReadOptions::default()).unwrap();
+    let topography = topography.level(Level::Plane).unwrap();
+    let summits = topography.summits().unwrap();
+    let table = file.table.as_ref().unwrap();
+    let std = summits.surface().unwrap().asperity_height_std;
+    assert!((table.standard_deviation() / std - 1.0).abs() < 1e-9);
+    // The offset from the mean plane is that of the summits.
+    let offset = summits.mean() - topography.mean();
+    assert!(offset > 0.3 * std && (file.scene.mean_plane_offset() / offset - 1.0).abs() < 1e-9);
+    let plain = read_with("").unwrap();
+    let smooth = read_with("smooth = 12e-6\nperiodic = true").unwrap();
+    let options = Statistics::clone(&plain.measured.as_ref().unwrap().statistics);
+    assert!(smooth.scene.surface.asperity_radius > 1.05 * plain.scene.surface.asperity_radius);
+    assert!((options.sq - topography.statistics(Estimator::Moments).unwrap().sq).abs() < 1e-20);
+    let two = scene(&directory, "files = [\"a.txt\", \"a.txt\"]\nheights = \"measured\"");
+    let two = two.unwrap_err().to_string();
+    assert!(
+        two.contains("one file or aligned scans: the heights of two surfaces do not add"),
+        "{two}"
+    );
+}
+
+#[test]
+fn unusual_scans_have_warnings() {
+    let directory = directory("measured-check");
+    std::fs::write(directory.join("a.txt"), scan(5.1)).unwrap();
+    // Pits: most of the surface is flat.
+    let pits = scan(5.1);
+    let pits =
+        pits.split_whitespace().map(|z| (-(0.002 * z.parse::<f64>().unwrap()).exp()).to_string());
+    let rows: Vec<String> = pits.collect();
+    let rows: String = rows.chunks(96).map(|row| row.join(" ") + "\n").collect();
+    std::fs::write(directory.join("pits.txt"), rows).unwrap();
+    let codes = |words: &str| {
+        let file = scene(&directory, words).unwrap();
+        file.findings().iter().map(|f| f.code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1000"), [""; 0]);
+    // The pixels are in micrometres, the heights in nanometres.
+    let steep = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1");
+    assert!(steep.contains(&"slope"), "{steep:?}");
+    let flat = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1e7");
+    assert!(flat.contains(&"slope"), "{flat:?}");
+    let pits = codes("file = \"pits.txt\"\nunit = \"nm\"\npixel_size = 1000");
+    assert!(pits.contains(&"not-gaussian"), "{pits:?}");
+}
+
+#[test]
+fn outliers_are_the_first_warning_and_despike_replaces_them() {
+    let directory = directory("measured-outliers");
+    std::fs::write(directory.join("a.txt"), scan(5.1)).unwrap();
+    let spiked: Vec<String> = scan(5.1).split_whitespace().map(Into::into).collect();
+    let spiked: Vec<String> = spiked
+        .into_iter()
+        .enumerate()
+        .map(|(k, z)| if k % 1537 == 700 { "9000".to_string() } else { z })
+        .collect();
+    let rows: String = spiked.chunks(96).map(|row| row.join(" ") + "\n").collect();
+    std::fs::write(directory.join("spiked.txt"), rows).unwrap();
+    let of = |name: &str, words: &str| {
+        let words = format!("file = \"{name}\"\nunit = \"nm\"\npixel_size = 1000\n{words}");
+        scene(&directory, &words).unwrap()
+    };
+    let (clean, spiked) = (of("a.txt", ""), of("spiked.txt", ""));
+    let found = spiked.findings();
+    assert_eq!(spiked.warnings.iter().next().unwrap().code, "outliers");
+    assert!(found.iter().all(|f| f.code != "not-gaussian"), "{found:?}");
+    let radius = |file: &asperity_inputs::SceneFile| file.scene.surface.asperity_radius;
+    assert!(radius(&spiked) < 0.5 * radius(&clean));
+    let despiked = of("spiked.txt", "despike = true");
+    assert!((radius(&despiked) / radius(&clean) - 1.0).abs() < 0.02);
+    let notes: Vec<String> = despiked.warnings.iter().map(ToString::to_string).collect();
+    assert!(notes.iter().any(|note| note.contains("6 outliers were replaced")), "{notes:?}");
+    // Smoothing spreads them, so they are looked for before.
+    let smooth = of("spiked.txt", "smooth = 5e-6");
+    assert_eq!(smooth.measured.as_ref().unwrap().statistics.outliers.count, 6);
+}

@@ -1,0 +1,240 @@
+//! Two rough surfaces in contact: numbers, scans, and one of each.
+
+use std::path::Path;
+
+use asperity::{ContactModel, ProfileMoments, Quantity, Request, Surface};
+use asperity_inputs::{SceneError, SceneFile, parse};
+
+const HEAD: &str = "nominal_area = 1e-8\nrigid_counterface = true
+[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n[surface]\n";
+
+fn scene(folder: &Path, surface: &str) -> Result<SceneFile, SceneError> {
+    parse(&format!("{HEAD}{surface}\n"), folder)
+}
+
+fn numbers(surface: &str) -> SceneFile {
+    scene(Path::new("."), surface).unwrap()
+}
+
+fn near(found: f64, wanted: f64, within: f64) {
+    assert!((found / wanted - 1.0).abs() < within, "{found} is not {wanted}");
+}
+
+/// The asperities of an isotropic Gaussian surface, in closed form: η, R and σ_z.
+fn asperities([m0, m2, m4]: [f64; 3]) -> [f64; 3] {
+    let pi = std::f64::consts::PI;
+    let alpha = m0 * m4 / (m2 * m2);
+    let density = m4 / (6.0 * 3f64.sqrt() * pi * m2);
+    [density, 0.375 * (pi / m4).sqrt(), ((1.0 - 0.896_805_8 / alpha) * m0).sqrt()]
+}
+
+fn is(surface: &Surface, wanted: [f64; 3]) {
+    let Surface { asperity_density, asperity_radius, asperity_height_std, .. } = *surface;
+    for (found, wanted) in
+        [asperity_density, asperity_radius, asperity_height_std].into_iter().zip(wanted)
+    {
+        near(found, wanted, 1e-9);
+    }
+}
+
+#[test]
+fn moments_of_two_sets_add() {
+    let file = numbers(
+        "m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4\n[surface.counterface]\nm0 = 4e-13\nm2 = 2e-5\nm4 = 3e4",
+    );
+    is(&file.scene.surface, asperities([1.4e-12, 1.2e-4, 8e4]));
+    assert!(file.warnings.is_empty(), "{:?}", file.warnings);
+}
+
+#[test]
+fn iso_parameters_add_as_moments_of_gaussian_surfaces() {
+    // 9 π Spc²/64 and m4/(6 √3 π Spd), as the note says.
+    let pi = std::f64::consts::PI;
+    let moments = |sq: f64, spd: f64, spc: f64| {
+        let m4 = 9.0 * pi / 64.0 * spc * spc;
+        [sq * sq, m4 / (6.0 * 3f64.sqrt() * pi * spd), m4]
+    };
+    let [a, b] = [moments(1.1e-6, 2e8, 5e3), moments(0.4e-6, 3e8, 4e3)];
+    let keys = "sq = \"1.1 um\"\nspd = \"200 1/mm2\"\nspc = \"5 1/mm\"\n\
+                counterface = { sq = \"0.4 um\", spd = 3e8, spc = 4e3 }";
+    let file = numbers(keys);
+    is(&file.scene.surface, asperities([a[0] + b[0], a[1] + b[1], a[2] + b[2]]));
+    let notes: Vec<String> = file.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(notes.len(), 2, "{notes:?}");
+    assert!(
+        notes[0].contains(": surface: m0, m2 and m4 are those of an isotropic"),
+        "{}",
+        notes[0]
+    );
+    assert!(notes[1].contains(": surface.counterface: m0, m2"), "{}", notes[1]);
+    assert!(notes[1].contains("m0 = sq^2, m4 = 9 pi spc^2/64"), "{}", notes[1]);
+    let mixed = numbers(&format!(
+        "m0 = {:e}\nm2 = {:e}\nm4 = {:e}\n[surface.counterface]\nsq = 0.4e-6\nspd = 3e8\nspc = 4e3",
+        a[0], a[1], a[2]
+    ));
+    is(&mixed.scene.surface, asperities([a[0] + b[0], a[1] + b[1], a[2] + b[2]]));
+    // Asperities are those of an isotropic Gaussian surface, too.
+    let own = Surface::new(2e-4, 2e8, 1e-6);
+    let ProfileMoments { m0, m2, m4 } = own.moments();
+    let twice = "asperity_radius = 2e-4\nasperity_density = 2e8\nasperity_height_std = 1e-6";
+    let file = numbers(&format!("{twice}\n[surface.counterface]\n{twice}"));
+    is(&file.scene.surface, asperities([2.0 * m0, 2.0 * m2, 2.0 * m4]));
+}
+
+#[test]
+fn a_pair_is_written_and_read_again() {
+    let file = numbers(
+        "sq = \"1.1 um\"\nspd = 2e8\nspc = 5e3\n[surface.counterface]\nm0 = 4e-13\nm2 = 2e-5\nm4 = 3e4",
+    );
+    let text = file.to_toml(&[]).unwrap();
+    assert!(text.contains("counterface = { m0 = 4e-13, m2 = 2e-5, m4 = 3e4 }"), "{text}");
+    assert_eq!(parse(&text, Path::new(".")).unwrap().scene.surface, file.scene.surface);
+}
+
+/// Two independent Gaussian surfaces of 128 x 128 points, as files and as heights.
+fn pair(folder: &Path) -> [Vec<f64>; 2] {
+    [("a.txt", 3), ("b.txt", 4)].map(|(name, seed)| {
+        let rough = asperity_bem::RandomSurface::new(2.0, 4.0, 24.0).unwrap();
+        let rough = rough.side(128e-6).unwrap().gradient(0.05).unwrap().seed(seed);
+        let heights = rough.heights(128).unwrap().heights().to_vec();
+        let row = |row: &[f64]| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+        let text: Vec<String> = heights.chunks(128).map(row).collect();
+        std::fs::write(folder.join(name), text.join("\n")).unwrap();
+        heights
+    })
+}
+
+const READ: &str = "unit = \"m\"\npixel_size = 1e-6\nperiodic = true";
+
+#[test]
+fn a_scan_and_a_set_add() {
+    let folder = tempfile::tempdir().unwrap();
+    pair(folder.path());
+    let of = |more: &str| scene(folder.path(), &format!("file = \"a.txt\"\n{READ}\n{more}"));
+    let alone = of("").unwrap();
+    let set = "m0 = 1e-14\nm2 = 5e-4\nm4 = 1e9";
+    let sum = of(&format!("[surface.counterface]\n{set}")).unwrap();
+    let own = &alone.measured.as_ref().unwrap().statistics;
+    is(&sum.scene.surface, asperities([own.m0 + 1e-14, own.m2 + 5e-4, own.m4 + 1e9]));
+    let of_sum = &sum.measured.as_ref().unwrap().statistics;
+    near(of_sum.ssk * of_sum.m0.powf(1.5), own.ssk * own.m0.powf(1.5), 1e-12);
+    let turned =
+        scene(folder.path(), &format!("{set}\n[surface.counterface]\nfile = \"a.txt\"\n{READ}"));
+    let turned = turned.unwrap();
+    is(&turned.scene.surface, asperities([own.m0 + 1e-14, own.m2 + 5e-4, own.m4 + 1e9]));
+    let refused = sum.bem(None, true).unwrap_err().to_string();
+    assert!(refused.contains("scans of both with aligned = true"), "{refused}");
+    // The path of the second scan is absolute, so that the text is valid in any folder.
+    let again = parse(&turned.to_toml(&[]).unwrap(), Path::new("/")).unwrap();
+    assert_eq!(again.scene.surface, turned.scene.surface);
+}
+
+#[test]
+fn two_scans_may_have_keys_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    pair(folder.path());
+    let b = std::fs::read_to_string(folder.path().join("b.txt")).unwrap();
+    let nm = b.split('\n').map(|row| {
+        let row = row.split(' ').map(|z| format!("{}", 1e9 * z.parse::<f64>().unwrap()));
+        row.collect::<Vec<_>>().join(" ")
+    });
+    std::fs::write(folder.path().join("nm.txt"), nm.collect::<Vec<_>>().join("\n")).unwrap();
+    let files = scene(folder.path(), &format!("files = [\"a.txt\", \"b.txt\"]\n{READ}")).unwrap();
+    let own = "file = \"nm.txt\"\nunit = \"nm\"\npixel_size = [\"1 um\", 1000]\nperiodic = true";
+    let text = format!("file = \"a.txt\"\n{READ}\n[surface.counterface]\n{own}");
+    let keys = scene(folder.path(), &text).unwrap();
+    let [a, b] = [&files, &keys].map(|file| file.scene.surface);
+    is(&b, [a.asperity_density, a.asperity_radius, a.asperity_height_std]);
+}
+
+#[test]
+fn aligned_scans_add_point_by_point_and_their_moments_within_the_sampling_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let [a, b] = pair(folder.path());
+    let of = |more: &str| {
+        let text = format!("files = [\"a.txt\", \"b.txt\"]\n{READ}\n{more}");
+        scene(folder.path(), &text).unwrap()
+    };
+    let (independent, aligned) = (of(""), of("aligned = true"));
+    let scan = aligned.scan.clone().unwrap();
+    let mean = a.iter().chain(&b).sum::<f64>() / a.len() as f64;
+    for (k, z) in scan.heights().iter().enumerate() {
+        assert!((z - (a[k] + b[k] - mean)).abs() < 1e-18, "{k}");
+    }
+    let statistics = |file: &SceneFile| file.measured.clone().unwrap().statistics;
+    let (sum, both) = (statistics(&independent), statistics(&aligned));
+    // 128² points with 24 points in the longest wave: some tens of independent ones.
+    near(both.m0, sum.m0, 0.15);
+    near(both.m2, sum.m2, 0.05);
+    near(both.m4, sum.m4, 0.03);
+    assert!((both.m0 / sum.m0 - 1.0).abs() > 1e-6);
+    assert!(independent.scan.is_none());
+    let request = Request::new([Quantity::Area]).at([asperity::At::Pressure(1e8)]);
+    let bem = aligned.model("bem").unwrap().solve(&aligned.scene, &request).unwrap();
+    assert!(bem.values(Quantity::Area).unwrap()[0] > 0.0);
+    let mirrored = of("aligned = \"mirrored\"").scan.unwrap();
+    for (k, z) in mirrored.heights().iter().enumerate() {
+        let turned = k / 128 * 128 + 127 - k % 128;
+        assert!((z - (a[k] + b[turned] - mean)).abs() < 1e-18, "{k}");
+    }
+    // Summits are found on the sum.
+    assert!(of("aligned = true\nestimator = \"summits\"\nheights = \"measured\"").table.is_some());
+}
+
+#[test]
+fn impossible_pairs_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    pair(folder.path());
+    let few: Vec<&str> = vec!["1e-9 0 2e-9 0"; 4];
+    std::fs::write(folder.path().join("few.txt"), few.join("\n")).unwrap();
+    let mut failures = String::new();
+    let (a, both) = (format!("file = \"a.txt\"\n{READ}\n"), "files = [\"a.txt\", \"b.txt\"]\n");
+    let m = "m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4\n";
+    for (surface, wanted) in [
+        (
+            format!("{a}aligned = true"),
+            "line 12: surface.aligned is for one scan: two scans, files",
+        ),
+        (format!("{a}aligned = \"yes\""), "line 12: surface.aligned is \"yes\": true, false or"),
+        (
+            format!("{a}aligned = true\n[surface.counterface]\nfile = \"few.txt\"\n{READ}"),
+            "the scans are not aligned: the first has 128 x 128 points, the second 4 x 4 points",
+        ),
+        (
+            format!("{both}{READ}\n[surface.counterface]\n{m}"),
+            "surface.counterface and surface.files (line 8) exclude each other",
+        ),
+        (
+            format!("{a}[surface.counterface]\nestimator = \"summits\"\nfile = \"b.txt\"\n{READ}"),
+            "line 13: surface.counterface.estimator and surface.counterface (line 12) exclude",
+        ),
+        (
+            format!("{a}heights = \"measured\"\n[surface.counterface]\n{m}"),
+            "line 12: surface.heights and surface.counterface (line 13) exclude each other",
+        ),
+        (
+            format!("{m}[surface.counterface]\nm0 = -1\nm2 = 1\nm4 = 1"),
+            "line 12: surface.counterface.m0 is -1.0: ",
+        ),
+        (
+            format!("{m}[surface.counterface]\nsq = 1e-6\nspd = 2e8"),
+            "surface.counterface.spc is missing: sq and spd go with spc or sdq",
+        ),
+        (
+            format!("{m}[surface.counterface]\nm0 = 1\nfiles = [\"a.txt\"]"),
+            "line 13: surface.counterface.files is not known: it belongs to [surface]",
+        ),
+        (
+            format!("{m}[surface.counterface]\nm6 = 1"),
+            "line 12: surface.counterface.m6 is not known (the nearest is",
+        ),
+        (format!("{m}counterface = 3"), "line 11: surface.counterface is 3: "),
+        (format!("{m}[surface.counterface]\n"), "line 11: surface.counterface is missing"),
+    ] {
+        let message = scene(folder.path(), &surface).unwrap_err().to_string();
+        if !message.contains(wanted) || message.contains('\n') {
+            failures += &format!("{message}\n  lacks: {wanted}\n");
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}

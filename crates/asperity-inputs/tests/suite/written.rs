@@ -1,0 +1,309 @@
+//! The template and written scenes read back.
+
+use std::path::Path;
+
+use asperity::{
+    Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights, WeibullHeights,
+};
+use asperity_inputs::{ModelOptions, SceneFile, load, parse, template};
+use proptest::prelude::*;
+
+fn read(text: &str) -> SceneFile {
+    parse(text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Writes the scene and reads it again, unchanged.
+fn again(file: &SceneFile) -> (String, SceneFile) {
+    let text = file.to_toml(&["any"]).unwrap();
+    let again = read(&text);
+    assert_same(file, &again);
+    assert_eq!(again.to_toml(&["any"]).unwrap(), text);
+    (text, again)
+}
+
+fn assert_same(one: &SceneFile, other: &SceneFile) {
+    assert_same_inputs(one, other);
+    // Messages name the lines of a file.
+    let findings = |file: &SceneFile| -> Vec<_> {
+        let each = file.findings().into_iter();
+        each.map(|f| (f.code, f.severity, f.field, f.value.to_bits(), f.usual)).collect()
+    };
+    assert_eq!(findings(one), findings(other));
+}
+
+fn assert_same_inputs(one: &SceneFile, other: &SceneFile) {
+    assert_eq!(one.scene.interface, other.scene.interface);
+    assert_eq!(one.scene.surface, other.scene.surface);
+    let bits = |file: &SceneFile| {
+        let offset = file.scene.mean_plane_offset.map(f64::to_bits);
+        let points = file.table.as_ref().map(|table| format!("{:?}", table.points()));
+        let skewness = match &file.scene.heights {
+            HeightDistribution::Weibull(heights) => Some(heights.skewness().to_bits()),
+            _ => None,
+        };
+        let kind = std::mem::discriminant(&file.scene.heights);
+        (file.scene.nominal_area.to_bits(), offset, points, skewness, kind)
+    };
+    assert_eq!(bits(one), bits(other));
+    assert_eq!(one.options, other.options);
+    assert_eq!(one.separation_from, other.separation_from);
+    assert_eq!(one.bodies, other.bodies);
+}
+
+#[test]
+fn the_template_has_the_defaults_and_no_warning() {
+    let file = read(template());
+    assert!(file.warnings.is_empty());
+    assert_eq!(file.options, ModelOptions::default());
+    assert!(
+        (file.scene.plasticity_index().unwrap() - 4.501).abs() < 1e-3,
+        "{:?}",
+        file.scene.plasticity_index()
+    );
+}
+
+#[test]
+fn every_alternative_of_the_template_is_read_and_written() {
+    let lines: Vec<&str> = template().lines().collect();
+    let block = |from: &str, to: &str| {
+        let place = |mark: &str| lines.iter().position(|line| line.contains(mark)).unwrap();
+        let chosen = lines[place(from)..place(to)].iter().map(|line| line.trim_start_matches("# "));
+        chosen
+            .filter(|line| line.contains(" = ") || line.starts_with('['))
+            // Instead of spc.
+            .filter(|line| !line.starts_with("sdq"))
+            .map(|l| format!("{l}\n"))
+            .collect::<String>()
+    };
+    // A material stands instead of the numbers below it.
+    let (material, bodies): (Vec<&str>, Vec<&str>) = lines
+        [lines.iter().position(|line| line.starts_with("[[body]]")).unwrap()..]
+        .iter()
+        .map(|line| line.trim_start_matches("# "))
+        .take_while(|line| !line.starts_with("... or, instead"))
+        .filter(|line| line.contains(" = ") || line.starts_with('['))
+        .partition(|line| line.starts_with("material"));
+    let bodies = bodies.join("\n") + "\n";
+    let material = format!("[[body]]\n{0}\n[[body]]\n{0}\n", material[0]);
+    let interface = block("# [interface]", "[surface]");
+    let (index, moments) =
+        (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. parameters"));
+    let iso = block("# sq =", "# 5. a measurement");
+    let surface = block("asperity_radius", "# surface_height_std");
+    let options = template().split_once("[options]").unwrap().1;
+    let options = format!("[options]{options}");
+    for (interface, surface, kept) in [
+        (&bodies, &surface, "[[body]]"),
+        (&material, &surface, "material = \"steel-100cr6\""),
+        (&interface, &surface, "[interface]"),
+        (&bodies, &index, "plasticity_index = 2e0"),
+        (&interface, &moments, "m4 = 5e4"),
+        (&bodies, &iso, "spc = 5e3"),
+    ] {
+        let file = read(&format!("nominal_area = 1e-4\n{interface}[surface]\n{surface}{options}"));
+        let (text, _) = again(&file);
+        assert!(text.contains(kept), "{text}");
+    }
+    // Bodies and interface are the same steel.
+    let [a, b] = [&bodies, &interface]
+        .map(|i| read(&format!("nominal_area = 1\n{i}[surface]\n{surface}")).scene.interface);
+    assert!((a.equivalent_modulus / b.equivalent_modulus - 1.0).abs() < 0.01);
+    let shear = |i: &Interface| i.equivalent_shear_modulus.unwrap();
+    assert!((shear(&a) / shear(&b) - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn every_key_of_the_top_and_of_the_surface_is_written_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let wave = |k: usize| {
+        let (x, y) = ((k % 48) as f64, (k / 48) as f64);
+        1e-7 * ((0.9 * x).sin() + (0.7 * y + 1.0).cos() + (0.5 * x - 0.8 * y).sin())
+    };
+    let row = |y: usize| (48 * y..48 * (y + 1)).map(|k| wave(k).to_string()).collect::<Vec<_>>();
+    let rows: Vec<String> = (0..32).map(|y| row(y).join(" ")).collect();
+    std::fs::write(folder.path().join("scan.txt"), rows.join("\n")).unwrap();
+    let head = "nominal_area = 1e-6\nrigid_counterface = true\nwork_of_adhesion = 0.05\n[[body]]
+        youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nhardness = 2e9\n[surface]\n";
+    let scan = "file = \"scan.txt\"\nunit = \"m\"\npixel_size = [1e-6, 1.5e-6]\n";
+    let two = scan.replace("file = \"scan.txt\"", "files = [\"scan.txt\", \"scan.txt\"]");
+    let asperities = "asperity_radius = \"0.2 mm\"\nasperity_density = 2e8\n";
+    for surface in [
+        &format!(
+            "{scan}level = \"quadratic\"\nfilter = \"20 um\"\nsmooth = 4e-6\nmax_missing = 0.2"
+        ),
+        &format!("{scan}estimator = \"summits\"\nfill_missing = true\nheights = \"measured\""),
+        &format!("{scan}periodic = true\nseparation_from = \"surface-mean\""),
+        &two,
+        &format!("{asperities}surface_height_std = 1.1e-6\nasperities = \"random\""),
+        &format!("{asperities}asperity_height_std = 1e-6\nheights = \"exponential\""),
+        &"surface_height_std = \"1 um\"\nmean_slope = 0.1\nasperity_density = 2e9".to_string(),
+        &format!(
+            "{asperities}asperity_height_std = 1e-6\nmean_plane_offset = 2e-6\nseparation_from = \"surface-mean\""
+        ),
+        &format!(
+            "{asperities}asperity_height_std = 1e-6\nheights = {{ skewness = -0.3 }}\nmean_plane_offset = \"2 um\"\nseparation_from = \"surface-mean\""
+        ),
+        &format!(
+            "{asperities}heights = {{ height_m = [0, 1e-6, 3e-6], density_per_m = [0, 1, 0] }}\nseparation_from = \"surface-mean\""
+        ),
+    ] {
+        let file = parse(&format!("{head}{surface}\n"), folder.path()).unwrap();
+        let (text, again) = again(&file);
+        // Names of keys, independent of the values.
+        let names = |text: &str| -> Vec<String> {
+            let lines = text.lines().filter_map(|line| line.trim().split_once(" = "));
+            let mut names: Vec<String> = lines.map(|(name, _)| name.to_string()).collect();
+            names.sort();
+            names
+        };
+        let (mut given, written) = (names(&format!("{head}{surface}")), names(&text));
+        // `asperities` is written with the options.
+        given.retain(|name| name != "asperities");
+        given.retain(|name| written.contains(name) || name != "heights");
+        for name in &given {
+            assert!(written.contains(name), "{name} is lost\n{text}");
+        }
+        assert_eq!(
+            again.scan.as_deref().map(|s| s.heights().to_vec()),
+            file.scan.as_deref().map(|s| s.heights().to_vec())
+        );
+        let statistics =
+            |file: &SceneFile| file.measured.as_ref().map(|m| format!("{:?}", m.statistics));
+        assert_eq!(statistics(&file), statistics(&again));
+    }
+}
+
+#[test]
+fn the_keys_of_a_surface_stay_when_its_numbers_change() {
+    let head = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n\
+                hardness = 2e9\n[surface]\n";
+    for (surface, changed, line) in [
+        ("sq = 1e-6\nspd = 2e9\nsdq = 0.15", "sdq", "sdq = 2e-1 "),
+        ("sq = 1e-6\nspd = 2e8\nspc = 5e3", "sq", "sq = 2e-1 "),
+        ("m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4", "m0", "m0 = 2e-1 "),
+    ] {
+        let file = read(&format!("{head}{surface}\n"));
+        let (text, _) = again(&file);
+        assert!(surface.lines().all(|line| text.contains(line.split(" =").next().unwrap())));
+        assert!(!text.contains("asperity_radius"), "{text}");
+        let inputs = file.inputs([changed]).unwrap();
+        let other = file.with_inputs(inputs.into_iter().map(|input| (input, 0.2))).unwrap();
+        let text = other.to_toml(&[]).unwrap();
+        assert!(text.contains(line) && !text.contains("asperity_radius"), "{text}");
+        let again = read(&text);
+        assert_same_inputs(&again, &other);
+        // Findings of a text name its keys, those of changed numbers the asperities.
+        let kinds = |file: &SceneFile| -> Vec<_> {
+            file.findings().iter().map(|found| (found.code, found.severity)).collect()
+        };
+        assert_eq!(kinds(&again), kinds(&other));
+    }
+}
+
+#[test]
+fn changed_numbers_are_written() {
+    let mut file = read(template());
+    file.scene.interface.hardness = Some(3e9);
+    let (text, _) = written_only(&file);
+    assert!(text.contains("hardness = 3e9") && !text.contains("[[body]]"), "{text}");
+    let index = template().replace("asperity_radius = 2e-4 ", "plasticity_index = 2 ");
+    let index = index.replace("asperity_density = 2e8 ", "roughness_parameter = 0.04 ");
+    let file = read(&index);
+    let mut harder = file.scene.interface;
+    harder.hardness = Some(3e9);
+    let other = file.with_numbers(harder, file.scene.surface, 1e-4).unwrap();
+    let (text, _) = written_only(&other);
+    assert!(text.contains("asperity_radius") && !text.contains("plasticity_index"), "{text}");
+}
+
+/// Writes and reads a scene whose bodies have changed.
+fn written_only(file: &SceneFile) -> (String, SceneFile) {
+    let text = file.to_toml(&[]).unwrap();
+    let again = read(&text);
+    assert_eq!(file.scene.interface, again.scene.interface);
+    assert_eq!(file.scene.surface, again.scene.surface);
+    (text, again)
+}
+
+#[test]
+fn heights_and_comments_are_written() {
+    let mut file = read(template());
+    file.scene.heights = HeightDistribution::Exponential;
+    let text = file.to_toml(&["from scan.x3p,\nlevelled\r[x]"]).unwrap();
+    assert!(text.starts_with("# from scan.x3p,\n# levelled [x]\n"), "{text}");
+    again(&file);
+    file.scene.heights = HeightDistribution::Weibull(WeibullHeights::new(-0.6).unwrap());
+    let (text, _) = again(&file);
+    let message = parse(&text.replace("-6e-1", "-6.0"), Path::new(".")).unwrap_err().to_string();
+    assert!(
+        message.contains("surface.heights.skewness") && message.contains("-1 to 2"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let points: Vec<(f64, f64)> =
+        (0..50).map(|k| (1e-6 * f64::from(k) / 7.0, (f64::from(k) / 3.0).sin().powi(2))).collect();
+    let table = TabulatedHeights::new("own", &points).unwrap();
+    let mut file = read(template());
+    file.scene.surface.asperity_height_std = table.standard_deviation();
+    file.scene.heights = HeightDistribution::other(table.clone());
+    file.scene.mean_plane_offset = Some(table.mean());
+    file.separation_from = Datum::SurfaceMean;
+    // Without its points the density cannot be written.
+    let refused = file.to_toml(&[]).unwrap_err().to_string();
+    assert_eq!(refused, "surface.heights cannot be written: own: a density that is not a table");
+    file.table = Some(table);
+    again(&file);
+    let path = folder.path().join("scene.toml");
+    let text = file.save(&path, &[]).unwrap();
+    assert!(text.contains("heights = { file = \"scene.csv\" }"), "{text}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+    assert_same(&file, &load(&path).unwrap());
+    let refused = file.save(&folder.path().join("scene.csv"), &[]).unwrap_err().to_string();
+    assert!(refused.ends_with("must be valid UTF-8 and must not end in .csv"), "{refused}");
+    let refused = file.save(&folder.path().join("no/scene.toml"), &[]).unwrap_err().to_string();
+    assert!(refused.contains("cannot be written"), "{refused}");
+    // An offset other than the table's has no key.
+    file.scene.mean_plane_offset = Some(1e-6);
+    let refused = file.to_toml(&[]).unwrap_err().to_string();
+    assert!(refused.starts_with("surface.mean_plane_offset cannot be written"), "{refused}");
+}
+
+#[test]
+fn scenes_that_cannot_be_read_are_not_written() {
+    let mut file = read(template());
+    file.scene.nominal_area = f64::NAN;
+    let refused = file.to_toml(&[]).unwrap_err().to_string();
+    assert!(refused.contains("nominal_area is NaN: a finite number above 0"), "{refused}");
+}
+
+proptest! {
+    #[test]
+    fn any_scene_reads_back_bit_for_bit(
+        numbers in prop::array::uniform8(-12f64..12.0),
+        nu in -0.99f64..0.5,
+        given in prop::array::uniform5(any::<bool>()),
+        cosine in any::<bool>(),
+        zeta in 0f64..3.0,
+    ) {
+        let [e, g, h, y, r, eta, std, offset] = numbers.map(|n| 10f64.powf(n) * 1.1);
+        let mut interface = Interface::new(e, nu, h);
+        interface.equivalent_shear_modulus = given[0].then_some(g);
+        interface.yield_strength = given[1].then_some(y);
+        interface.pressure_factor = given[2].then_some(0.577);
+        let mut scene = Scene::new(interface, Surface::new(r, eta, std), e);
+        scene.mean_plane_offset = given[3].then_some(offset);
+        let mut file = SceneFile::from(scene);
+        if given[4] {
+            file.separation_from = Datum::SurfaceMean;
+        }
+        if cosine {
+            file.options.set("jg_hardness", &"cosine".into()).unwrap();
+            file.options.set("displacement", &[("zeta", zeta), ("xi", 0.0)].into()).unwrap();
+        }
+        again(&file);
+    }
+}
