@@ -1,0 +1,97 @@
+//! A table of values, with what there is to say about them.
+
+use std::sync::Arc;
+
+use asperity::{Finding, Findings};
+use serde::{Serialize, Serializer};
+
+/// Rows under the names of their columns, which end with the unit: `force_N`.
+#[derive(Debug, Clone, Default)]
+pub struct Sheet {
+    /// Names of the columns.
+    pub heads: Vec<String>,
+    /// The rows, each with a cell for every column.
+    pub rows: Vec<Vec<Cell>>,
+    /// Findings, in the order in which they are to be read.
+    pub findings: Vec<Finding>,
+}
+
+/// A name, a number in the unit of its column, or a blank with its reason.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A name or a word.
+    Text(Arc<str>),
+    /// A number.
+    Number(f64),
+    /// No value; the reason, where it concerns this cell.
+    Blank(Option<Arc<str>>),
+}
+
+impl Cell {
+    /// A blank without a reason of its own.
+    pub const BLANK: Self = Self::Blank(None);
+
+    /// The number, where the cell has one.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        if let Self::Number(number) = self { Some(*number) } else { None }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(number: Option<f64>) -> Self {
+        number.map_or(Self::BLANK, Self::Number)
+    }
+}
+
+impl Serialize for Cell {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::Number(number) => serializer.serialize_f64(*number),
+            Self::Blank(_) => serializer.serialize_none(),
+        }
+    }
+}
+
+impl Sheet {
+    /// Without rows, under these columns.
+    #[must_use]
+    pub fn new(heads: &[&str]) -> Self {
+        let heads = heads.iter().map(ToString::to_string).collect();
+        Self { heads, ..Self::default() }
+    }
+
+    /// The place of a column.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.heads.iter().position(|head| head == name)
+    }
+
+    /// Adds a note that is a sentence of its own.
+    pub fn note(&mut self, code: &'static str, text: impl Into<String>) {
+        self.findings.push(Finding::note(code, "", f64::NAN).fact(text.into()));
+    }
+
+    /// Adds a warning that is a sentence of its own.
+    pub fn warn(&mut self, code: &'static str, text: impl Into<String>) {
+        self.findings.push(Finding::warning(code, "", f64::NAN).fact(text.into()));
+    }
+
+    /// Adds findings, most severe first.
+    pub fn extend(&mut self, findings: Findings) {
+        self.findings.extend(findings);
+    }
+}
