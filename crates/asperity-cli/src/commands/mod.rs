@@ -3,7 +3,6 @@
 
 mod bem;
 mod check;
-mod compare;
 mod conductance;
 mod conductance_picture;
 mod conductance_rows;
@@ -26,7 +25,6 @@ mod scales;
 mod slip;
 mod slip_forces;
 mod slip_preloads;
-mod solve;
 mod surface;
 mod truth;
 mod unload;
@@ -43,9 +41,9 @@ pub enum Command {
     Check(check::Check),
     Materials(materials::Materials),
     Models(models::Models),
-    Solve(solve::Solve),
+    Solve(curve::Solve),
     Curve(curve::Curve),
-    Compare(compare::Compare),
+    Compare(curve::Compare),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Plan(plan::Plan),

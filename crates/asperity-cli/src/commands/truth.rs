@@ -70,7 +70,10 @@ impl TruthCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_any(&self.scene, self.way.periodic())?;
         let bem = self.way.bem(&scene)?;
-        let models = scene.models_beside_bem(&self.models, &[])?;
+        let models = |sheet: &mut _| {
+            Ok(asperity_answer::models_beside_bem(&scene.file, &self.models, &[], sheet)?)
+        };
+        let (_, models) = scene.answer(models)?;
         let area = scene.file.scene.nominal_area;
         let numbers =
             |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
+use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -18,7 +19,7 @@ use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{
     load, load_or_tension, number, pressure, pressure_or_tension, relative_error,
 };
-use crate::output::table::{Format, Table};
+use crate::output::table::{self, Format, Table};
 use crate::output::{self, once};
 use crate::scene::{ALL_MODELS, LoadedScene, NamedModel};
 
@@ -181,6 +182,10 @@ impl OutputArgs {
         output::write(self.output.as_deref(), |out| table.write(self.format, out))
     }
 
+    pub fn write_sheet(&self, sheet: &Sheet) -> Result<()> {
+        output::write(self.output.as_deref(), |out| table::write(sheet, self.format, out))
+    }
+
     pub fn write_text(&self, text: &str) -> Result<()> {
         output::write_text(self.output.as_deref(), text)
     }
@@ -208,6 +213,20 @@ impl DrawnArgs {
             output::write_text(self.plot.as_deref(), &picture()?)?;
         }
         self.output.write(table)
+    }
+}
+
+impl DrawnArgs {
+    /// Writes the sheet, and its plot where one is requested.
+    pub fn write_sheet(
+        &self,
+        sheet: &Sheet,
+        picture: impl FnOnce() -> Result<String>,
+    ) -> Result<()> {
+        if self.plot.is_some() {
+            output::write_text(self.plot.as_deref(), &picture()?)?;
+        }
+        self.output.write_sheet(sheet)
     }
 }
 

@@ -7,6 +7,7 @@ pub mod number;
 pub mod plot;
 pub mod table;
 
+use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -16,9 +17,13 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use asperity::Findings;
+use asperity::{Finding, Findings};
+use asperity_answer::Watch;
+pub use asperity_answer::once;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
+
+use crate::interrupt;
 
 /// Shorter work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -137,17 +142,6 @@ pub fn summary(error: &anyhow::Error) -> String {
     text
 }
 
-/// Each once, in order.
-pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
-    let mut kept: Vec<T> = vec![];
-    for item in all {
-        if !kept.contains(item) {
-            kept.push(item.clone());
-        }
-    }
-    kept
-}
-
 /// Progress on a terminal, shown after one second until it is dropped.
 pub fn progress(what: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
@@ -195,6 +189,28 @@ pub fn print_message(kind: &str, text: &str) {
 /// A message on standard error, also where warnings and notes are left out.
 pub fn print_always(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
+}
+
+/// Each finding on a line of standard error.
+pub fn show(found: &[Finding]) {
+    found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
+}
+
+/// Shows the progress of an answer on a terminal, and ends it on Ctrl-C.
+#[derive(Default)]
+pub struct Terminal(RefCell<Option<ProgressBar>>);
+
+impl Watch for Terminal {
+    fn progress(&self, doing: &str) {
+        match &mut *self.0.borrow_mut() {
+            Some(bar) => bar.set_message(doing.to_string()),
+            hidden => *hidden = Some(progress(doing)),
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        interrupt::requested()
+    }
 }
 
 /// Each finding on a line of standard error, most severe first.
