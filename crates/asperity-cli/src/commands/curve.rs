@@ -1,12 +1,15 @@
-//! `asperity curve`: quantities against separation or load, and its forms `solve` and `compare`.
+//! `asperity curve`: quantities against separation or load, and its forms `solve`, `compare` and
+//! `plan`.
 
-use anyhow::{Result, bail};
-use asperity::{At, Quantity, linspace};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use asperity::{At, ContactModel, Quantity, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet};
 use clap::{ArgGroup, Args};
 
 use crate::input::args::{DrawnArgs, ModelArgs, OutputArgs, model_id};
-use crate::output::{Terminal, plot};
+use crate::output::{self, Terminal, plot};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
@@ -55,6 +58,10 @@ pub struct Curve {
     #[arg(long, value_name = "M", value_parser = model_id)]
     #[arg(conflicts_with_all = ["errors", "corrected", "all"])]
     reference: Option<String>,
+    /// Print how the values are computed instead: the integrals, their number of terms, and the
+    /// terms left out
+    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference"])]
+    plan: bool,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -77,6 +84,10 @@ struct BesideArgs {
 
 impl Curve {
     pub fn run(self) -> Result<()> {
+        if self.plan {
+            let output = self.output.into_output();
+            return Plan { asked: self.asked, output }.run();
+        }
         self.output.check("curve");
         let scene = LoadedScene::load_for(&self.asked.scene, &self.asked.models)?;
         let reference = self.reference.as_deref().map(Some);
@@ -134,6 +145,30 @@ impl Compare {
         let reference = Some(self.reference.as_deref());
         let (sheet, _) = answer(&scene, &self.asked, &[2.0], beside, reference)?;
         self.output.write_sheet(&sheet)
+    }
+}
+
+/// How a result is computed: `curve --plan`
+#[derive(Debug, Args)]
+#[command(hide = true)]
+pub struct Plan {
+    #[command(flatten)]
+    asked: ModelArgs,
+    /// Write to this file, which is overwritten, instead of standard output
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Plan {
+    pub fn run(self) -> Result<()> {
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
+        let mut plans = String::new();
+        for (id, model) in scene.models(&self.asked.models, &request.quantities)? {
+            let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));
+            plans += &plan.with_context(|| format!("{}: {id}", scene.name))?.to_string();
+        }
+        output::write_text(self.output.as_deref(), &plans)
     }
 }
 

@@ -15,10 +15,8 @@ mod generate;
 mod glance;
 mod history;
 mod init;
+mod list;
 mod manual;
-mod materials;
-mod models;
-mod plan;
 mod pull_off;
 mod recommend;
 mod scales;
@@ -39,14 +37,15 @@ pub enum Command {
     Surface(surface::Surface),
     Generate(generate::Generate),
     Check(check::Check),
-    Materials(materials::Materials),
-    Models(models::Models),
+    List(list::List),
+    Materials(list::Materials),
+    Models(list::Models),
     Solve(curve::Solve),
     Curve(curve::Curve),
     Compare(curve::Compare),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
-    Plan(plan::Plan),
+    Plan(curve::Plan),
     Unload(unload::Unload),
     Slip(slip::Slip),
     PullOff(pull_off::PullOff),
@@ -64,6 +63,7 @@ impl Command {
             Self::Surface(command) => command.run(),
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
+            Self::List(command) => command.run(),
             Self::Materials(command) => command.run(),
             Self::Models(command) => command.run(),
             Self::Solve(command) => command.run(),

@@ -192,6 +192,11 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
+    /// The file to write to, if there is one.
+    pub fn into_output(self) -> Option<PathBuf> {
+        self.output.output
+    }
+
     /// Ends the `command` where plot and data have the same destination.
     pub fn check(&self, command: &str) {
         let files = [self.plot.as_deref(), self.output.output.as_deref()];
