@@ -1,8 +1,10 @@
 //! A model on a scene, compiled once for what is asked of it.
 
+use std::sync::Arc;
+
 use asperity::{
-    At, Contact, ContactError, ContactModel, Evaluation, Finding, Findings, Model, Quantity,
-    Request, Separation, SeparationUnit, Severity,
+    At, Compared, Contact, ContactError, ContactModel, Corrected, Evaluation, Finding, Findings,
+    Model, Quantity, Request, Separation, SeparationUnit, Severity,
 };
 use asperity_inputs::SceneFile;
 
@@ -12,7 +14,7 @@ use crate::models::grouped;
 #[derive(Debug)]
 pub struct Asked {
     model: Model,
-    contact: Box<dyn Contact>,
+    contact: Arc<dyn Contact>,
     request: Request,
     /// The quantities that the model does not have, and why.
     refused: Vec<(Quantity, ContactError)>,
@@ -33,7 +35,7 @@ pub struct Line {
 
 impl Asked {
     /// The model compiled for the request, as far as it has the quantities, and for what it is
-    /// judged by.
+    /// judged by; to be `corrected`, also for what is compared with boundary elements.
     ///
     /// # Errors
     /// The reason why the scene refuses the model.
@@ -41,7 +43,7 @@ impl Asked {
         file: &SceneFile,
         model: &Model,
         request: &Request,
-        all: bool,
+        (all, corrected): (bool, bool),
     ) -> Result<Self, ContactError> {
         let scene = &file.scene;
         // The law of an area that is not asked for is made for it: of inclined contacts, it takes
@@ -50,11 +52,19 @@ impl Asked {
         let free = |q: &Quantity| asperities && (*q != Quantity::Area || !angles);
         let judged = Quantity::JUDGED.into_iter().filter(free);
         // Where each load has one row, few loads need no tables.
-        let compile = |quantities: &[Quantity]| {
-            let all_quantities = quantities.iter().copied().chain(judged.clone());
+        let alone = |quantities: &[Quantity]| {
+            let quantities = quantities.iter().copied().chain(judged.clone());
             let places = request.at.iter().copied();
-            let request = Request::new(all_quantities).within(request.tolerance).at(places);
+            let request = Request::new(quantities).within(request.tolerance).at(places);
             if all { model.compile(scene, &request) } else { model.contact(scene, &request) }
+        };
+        let compile = |quantities: &[Quantity]| match corrected {
+            true => {
+                // Some have no contact radii or no gap.
+                let with = |k: usize| alone(&[quantities, &Compared::QUANTITIES[..k]].concat());
+                [3, 2, 1].iter().find_map(|k| with(*k).ok()).map_or_else(|| with(0), Ok)
+            }
+            false => alone(quantities),
         };
         let (contact, refused) = match compile(&request.quantities) {
             Ok(contact) => (contact, vec![]),
@@ -68,7 +78,8 @@ impl Asked {
                 (compile(&had).map_err(|_| whole)?, refused)
             }
         };
-        Ok(Self { model: model.clone(), contact, request: request.clone(), refused, all })
+        let (model, request) = (model.clone(), request.clone());
+        Ok(Self { model, contact: contact.into(), request, refused, all })
     }
 
     /// Whether the model has a quantity.
@@ -95,6 +106,16 @@ impl Asked {
             }
         };
         [found, file.accepted(notes)]
+    }
+
+    /// The model over its expected ratio to boundary elements, under the id by which it was asked
+    /// for.
+    ///
+    /// # Errors
+    /// Those of [`Corrected::of`], and the reason why no solved surface is like the scan.
+    pub fn corrected(&self, file: &SceneFile, id: &str) -> Result<Corrected, ContactError> {
+        let (contact, refused) = (self.contact.clone(), self.refused.clone());
+        Ok(Corrected::of(&self.model, contact, refused, file.surface_shape()?)?.named(id))
     }
 
     /// The quantities that the model does not have, those of one reason together.

@@ -1,30 +1,25 @@
 //! Models divided by their expected ratio to boundary elements, with the interval, beside the
 //! models as they are.
 
-use asperity::{
-    Compared, ContactError, Corrected, CorrectedRow, Quantity, Separation, SeparationUnit,
-};
+use asperity::{Compared, ContactError, CorrectedRow, Quantity, Separation, SeparationUnit};
 
+use crate::asked::Asked;
 use crate::inquiry::{Found, Inquiry, count};
-use crate::models::NamedModel;
 use crate::{Cell, Sheet};
 
 impl Inquiry<'_> {
     /// Adds the corrected rows of one model, whose rows as they are begin at `first`.
     pub(crate) fn add_corrected(
         &self,
-        (own, model): &NamedModel,
+        own: &str,
+        asked: &Asked,
         first: usize,
         sheet: &mut Sheet,
         found: &mut Found,
     ) {
         let id = format!("{own}-corrected");
         let rows = self.request.at.len();
-        let shape = self.file.surface_shape();
-        let corrected = shape.and_then(|shape| {
-            Ok(Corrected::new(model, &self.file.scene, shape, &self.request)?.named(own))
-        });
-        let corrected = match corrected {
+        let corrected = match asked.corrected(self.file, own) {
             Ok(corrected) => corrected,
             Err(reason) => {
                 found.lacking.push((lacks(rows, rows, own, "value", &reason), id.clone()));

@@ -68,11 +68,12 @@ impl<'s> Inquiry<'s> {
             beside => {
                 for model in &self.models {
                     let first = sheet.rows.len();
-                    self.ask(model, &mut found, sheet, watch, |sheet, place, line| {
-                        sheet.rows.push(self.row(place, &line, beside));
-                    })?;
+                    let asked =
+                        self.ask(model, &mut found, sheet, watch, |sheet, place, line| {
+                            sheet.rows.push(self.row(place, &line, beside));
+                        })?;
                     if matches!(beside, Beside::Intervals) {
-                        self.add_corrected(model, first, sheet, &mut found);
+                        self.add_corrected(&model.0, &asked, first, sheet, &mut found);
                     }
                 }
             }
@@ -179,9 +180,10 @@ impl<'s> Inquiry<'s> {
         sheet: &mut Sheet,
         watch: &dyn Watch,
         mut deliver: impl FnMut(&mut Sheet, Vec<Cell>, Line),
-    ) -> Result<(), AnswerError> {
+    ) -> Result<Asked, AnswerError> {
         watch.progress(id);
-        let asked = Asked::new(self.file, model, &self.request, self.all)?;
+        let corrected = matches!(self.beside, Beside::Intervals);
+        let asked = Asked::new(self.file, model, &self.request, (self.all, corrected))?;
         let refusals = asked.refusals().into_iter();
         found.lacking.extend(refusals.map(|reason| (reason, id.clone())));
         // At default separations, findings are reported for one typical separation only.
@@ -205,7 +207,7 @@ impl<'s> Inquiry<'s> {
             found.without_tension.push(id.clone());
         }
         found.lacking.extend(blanks.texts(id).map(|text| (text, id.clone())));
-        Ok(())
+        Ok(asked)
     }
 
     /// The cells of a line's place.
