@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_fft::{Complex64, Fft};
 
+use crate::error::out_of_range;
 use crate::{LengthUnit, Topography, TopographyError};
 
 /// Distance from the centre \[cut-offs\] beyond which the weight is below 1e-16 of its maximum.
@@ -20,7 +21,7 @@ impl Topography {
     /// the remaining weights are scaled to the sum 1.
     ///
     /// # Errors
-    /// [`TopographyError::Cutoff`] when the cut-off is below two pixels or above the size of
+    /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
     /// the surface.
     pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
         let mean = self.gaussian_mean("filter", cutoff)?;
@@ -110,7 +111,7 @@ fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> 
     let required = format!(
         "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
     );
-    TopographyError::Cutoff { field, value, required }
+    out_of_range(field, value, required)
 }
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.

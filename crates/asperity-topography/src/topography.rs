@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::Finding;
 
+use crate::error::{at_most, out_of_range};
 use crate::{LengthUnit, Outliers, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
@@ -53,14 +54,10 @@ impl Topography {
         if heights.is_empty() || columns == 0 || !heights.len().is_multiple_of(columns) {
             return Err(TopographyError::Shape { heights: heights.len(), columns });
         }
-        if heights.len() > MAX_POINTS {
-            let (size, limit) = (heights.len() as u64, MAX_POINTS as u64);
-            return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
-        }
+        at_most("the number of points", heights.len() as u64, MAX_POINTS as u64)?;
         for value in pixel_size {
             if !(SMALLEST_PIXEL..=LARGEST).contains(&value) {
-                let required = "a length of 1e-15 to 1e9 m";
-                return Err(TopographyError::OutOfRange { field: "pixel_size", value, required });
+                return Err(out_of_range("pixel_size", value, "a length of 1e-15 to 1e9 m"));
             }
         }
         if let Some(index) = heights.iter().position(|height| height.abs() > LARGEST) {

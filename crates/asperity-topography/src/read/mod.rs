@@ -1,6 +1,5 @@
 //! Readers of scans, from files and bytes.
 
-mod foreign;
 mod format;
 mod gwy;
 mod gzip;
@@ -9,14 +8,10 @@ mod npy;
 mod options;
 mod points;
 mod profile;
-mod refusal;
 mod sample;
 mod scan;
 mod sdf;
-mod sdf_ascii;
-mod sdf_header;
 mod sur;
-mod sur_data;
 mod table;
 mod text;
 mod units;
@@ -31,6 +26,7 @@ use std::path::Path;
 pub use options::ReadOptions;
 
 use self::format::Format;
+use crate::error::at_most;
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -106,10 +102,10 @@ fn scan(
     };
     match channel {
         None => scan,
-        Some(channel) => Err(TopographyError::Channel {
-            found: crate::error::excerpt(channel),
-            names: "a file with several channels (.gwy or .sur)".to_owned(),
-        }),
+        Some(channel) => Err(scan::unknown_channel(
+            channel,
+            "a file with several channels (.gwy or .sur)".into(),
+        )),
     }
 }
 
@@ -123,9 +119,6 @@ fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
         file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
     }
     let size = size.max(bytes.len() as u64);
-    if size > MAX_FILE_BYTES {
-        let what = "the number of bytes of the file";
-        return Err(TopographyError::TooLarge { what, size, limit: MAX_FILE_BYTES });
-    }
+    at_most("the number of bytes of the file", size, MAX_FILE_BYTES)?;
     Ok(bytes)
 }

@@ -1,5 +1,6 @@
 //! Options for reading scans.
 
+use crate::error::out_of_range;
 use crate::{Distance, LengthUnit, TopographyError};
 
 /// Properties that a file may not state, and the accepted share of missing points.
@@ -22,15 +23,13 @@ pub struct ReadOptions {
 impl ReadOptions {
     /// Checks the range of every option, before a file is read.
     pub(crate) fn check(&self) -> Result<(), TopographyError> {
-        let share = ("max_missing", self.max_missing, 0.0..=1.0, "a share from 0 to 1");
-        let pixel = |size: Distance| {
-            ("pixel_size", size.value(), f64::MIN_POSITIVE..=f64::MAX, "a finite length above 0")
-        };
-        let pixels = self.pixel_size.into_iter().flatten().map(pixel);
-        for (field, value, range, required) in pixels.chain([share]) {
-            if !range.contains(&value) {
-                return Err(TopographyError::OutOfRange { field, value, required });
+        for size in self.pixel_size.into_iter().flatten().map(Distance::value) {
+            if !(f64::MIN_POSITIVE..=f64::MAX).contains(&size) {
+                return Err(out_of_range("pixel_size", size, "a finite length above 0"));
             }
+        }
+        if !(0.0..=1.0).contains(&self.max_missing) {
+            return Err(out_of_range("max_missing", self.max_missing, "a share from 0 to 1"));
         }
         Ok(())
     }

@@ -1,12 +1,17 @@
 //! The content of a file, completed by the options.
 
+use std::fmt::Display;
+
 use asperity_core::Finding;
 
-use crate::error::excerpt;
+use crate::error::{at_most, excerpt, refuse};
 use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;
+
+/// The highest ratio of deflate: 258 bytes in two bits.
+pub(super) const DEFLATE_RATIO: usize = 1032;
 
 /// The distance between points, as stated in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -102,11 +107,19 @@ impl Scan {
 
 /// The product of two counts declared in a file, if it is within the limit of points.
 pub(super) fn points(columns: u64, rows: u64) -> Result<usize, TopographyError> {
-    let (size, limit) = (columns.saturating_mul(rows), MAX_POINTS as u64);
-    if size > limit {
-        return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
-    }
+    let size = columns.saturating_mul(rows);
+    at_most("the number of points", size, MAX_POINTS as u64)?;
     Ok(size as usize)
+}
+
+/// A field of a file that is a length or a factor.
+pub(super) fn positive<T: Into<f64> + Display + Copy>(
+    field: impl Display,
+    found: T,
+) -> Result<f64, TopographyError> {
+    let value = found.into();
+    let wrong = || refuse(field, found, "a finite number above 0");
+    (value.is_finite() && value > 0.0).then_some(value).ok_or_else(wrong)
 }
 
 /// Reverses every row.
@@ -118,6 +131,11 @@ pub(super) fn mirror_columns(heights: &mut [f64], columns: usize) {
 pub(super) fn mirror_rows(heights: &mut [f64], columns: usize) {
     heights.reverse();
     mirror_columns(heights, columns);
+}
+
+/// The error for a channel that the file does not have.
+pub(super) fn unknown_channel(channel: &str, names: String) -> TopographyError {
+    TopographyError::UnknownName { field: "channel", found: excerpt(channel), names }
 }
 
 /// The index of a channel, and a note on the choice where the file has several.
@@ -141,7 +159,7 @@ pub(super) fn select(
     let same = |name: &String| name.to_lowercase() == channel.trim().to_lowercase();
     let numbered = || channel.trim().parse::<usize>().ok()?.checked_sub(1);
     let at = names.iter().position(same).or_else(numbered).filter(|at| *at < names.len());
-    let wrong = || TopographyError::Channel { found: excerpt(channel), names: list() };
+    let wrong = || unknown_channel(channel, list());
     Ok((at.ok_or_else(wrong)?, None))
 }
 
