@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde::Deserialize;
 
 use crate::error::excerpt;
+use crate::read::units;
 use crate::{LengthUnit, TopographyError};
 
 /// A distance between neighbouring points: `0.5`, in the unit of the heights, or `10 nm`.
@@ -76,18 +77,11 @@ impl FromStr for Distance {
     type Err = TopographyError;
 
     fn from_str(text: &str) -> Result<Self, TopographyError> {
-        let text = text.trim();
-        let end = text.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(0, |last| last + 1);
-        let (number, unit) = text.split_at(end);
-        let value = number.trim().parse().ok().filter(|value: &f64| *value > 0.0);
-        let unit = match unit.trim() {
-            "" => Some(None),
-            unit => unit.parse().ok().map(Some),
-        };
-        let found = value.filter(|value| value.is_finite()).zip(unit);
+        // A comma separates two distances.
+        let found = units::quantity(text).filter(|(value, _)| *value > 0.0 && !text.contains(','));
         let unknown = || TopographyError::UnknownName {
             field: "pixel_size",
-            found: excerpt(text),
+            found: excerpt(text.trim()),
             names: "a length above 0 in the unit of the heights, or with a unit (10 nm)".into(),
         };
         found.map(|(value, unit)| Self { value, unit }).ok_or_else(unknown)

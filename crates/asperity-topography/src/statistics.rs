@@ -54,9 +54,6 @@ pub struct Statistics {
     /// The asperities, or the reason why the estimator finds none.
     #[serde(skip)]
     asperities: Result<Surface, String>,
-    /// The asperities by the other estimator, if it finds any.
-    #[serde(skip)]
-    pub other: Option<Surface>,
     /// Findings of these numbers.
     #[serde(skip)]
     pub warnings: Vec<Finding>,
@@ -109,18 +106,16 @@ impl Topography {
             let anisotropic = clean.moments().ok().and_then(|moments| anisotropic(&moments));
             statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
             statistics.warnings.extend(notes);
-            statistics.other = other.ok().map(|(other, _)| other);
             return Ok(statistics);
         }
         statistics.warnings.extend(notes);
         statistics.warnings.extend(self.sampling());
+        // Without a warning for a profile: summits need 8 neighbours.
         match (other, &statistics.asperities) {
             (Ok((other, _)), Ok(primary)) => {
-                let primary = *primary;
-                statistics.compare(primary, other);
+                let disagree = statistics.disagreement(primary, &other);
+                statistics.warnings.extend(disagree);
             }
-            (Ok((other, _)), Err(_)) => statistics.other = Some(other),
-            // No warning for a profile: summits need 8 neighbours.
             (Err(TopographyError::SummitsOfProfile), _) | (_, Err(_)) => {}
             (Err(error), Ok(_)) => statistics.warnings.push(warning::no_second_estimator(&error)),
         }
@@ -131,12 +126,11 @@ impl Topography {
     fn sampling(&self) -> Option<Finding> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
-            let (fine, coarse) = (self.curvature_at_step(1)?, self.curvature_at_step(2)?);
-            return warning::curvature_follows_sampling(fine, coarse);
+            let fine = self.curvature_at_step(1)?;
+            return warning::curvature_follows_sampling([fine, self.curvature_at_step(2)?]);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
-        let (fine, coarse) = (self.summit_density(1)?, self.summit_density(2)?);
-        warning::summits_follow_sampling(fine, coarse)
+        warning::summits_follow_sampling([self.summit_density(1)?, self.summit_density(2)?])
     }
 }
 
@@ -183,25 +177,21 @@ impl Statistics {
             estimator,
             moments,
             asperities,
-            other: None,
             warnings: found.into_iter().flatten().collect(),
         }
     }
 
-    /// Keeps the asperities by the other estimator, and warns where the two disagree.
-    fn compare(&mut self, primary: Surface, other: Surface) {
-        let parameters = [
-            ("asperity_density", primary.asperity_density, other.asperity_density),
-            ("asperity_radius", primary.asperity_radius, other.asperity_radius),
-            ("asperity_height_std", primary.asperity_height_std, other.asperity_height_std),
-        ];
-        let by_moments = self.estimator == Estimator::Moments;
-        let parameters = parameters.map(|(name, primary, other)| match by_moments {
-            true => (name, primary, other),
-            false => (name, other, primary),
-        });
-        self.warnings.extend(warning::estimators_disagree(&parameters));
-        self.other = Some(other);
+    /// A warning where the asperities by the two estimators disagree.
+    fn disagreement(&self, primary: &Surface, other: &Surface) -> Option<Finding> {
+        let (moments, summits) = match self.estimator {
+            Estimator::Moments => (primary, other),
+            Estimator::Summits => (other, primary),
+        };
+        warning::estimators_disagree(&[
+            ("asperity_density", moments.asperity_density, summits.asperity_density),
+            ("asperity_radius", moments.asperity_radius, summits.asperity_radius),
+            ("asperity_height_std", moments.asperity_height_std, summits.asperity_height_std),
+        ])
     }
 
     /// The asperities as a surface for a scene.
@@ -212,18 +202,6 @@ impl Statistics {
     /// isotropic Gaussian surface has such moments.
     pub fn surface(&self) -> Result<Surface, TopographyError> {
         self.asperities.clone().map_err(TopographyError::NoAsperities)
-    }
-
-    /// Rms slope of profiles: √m₂.
-    #[must_use]
-    pub fn rms_slope(&self) -> f64 {
-        self.m2.sqrt()
-    }
-
-    /// Rms curvature of profiles \[1/m\]: √m₄.
-    #[must_use]
-    pub fn rms_curvature(&self) -> f64 {
-        self.m4.sqrt()
     }
 
     /// The statistics of an isotropic Gaussian surface with these moments of profiles, to

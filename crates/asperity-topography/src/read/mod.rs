@@ -14,7 +14,7 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
-mod units;
+pub(crate) mod units;
 mod x3p;
 mod x3p_xml;
 

@@ -28,7 +28,7 @@ pub(super) fn length(text: &str) -> Option<f64> {
 }
 
 /// A number and the unit after it, if there is one: `3.7e-007 m`.
-pub(super) fn quantity(text: &str) -> Option<(f64, Option<LengthUnit>)> {
+pub(crate) fn quantity(text: &str) -> Option<(f64, Option<LengthUnit>)> {
     let text = text.trim();
     let end = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'));
     let (value, name) = text.split_at(end.unwrap_or(text.len()));
