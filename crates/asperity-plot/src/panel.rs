@@ -38,9 +38,18 @@ pub(crate) struct Plot<'a> {
     legend: Legend,
 }
 
+/// The panels of a figure with their data, all of which are drawn.
+pub(crate) fn plots<'a>(figure: &'a Figure, csv: &str) -> Result<Vec<Plot<'a>>, PlotError> {
+    let table = Table::read(csv)?;
+    let each = (0..figure.panels.len()).map(|index| Plot::new(figure, index, &table));
+    let all = each.collect::<Result<_, _>>()?;
+    series::check_all_drawn(figure, &table)?;
+    Ok(all)
+}
+
 impl<'a> Plot<'a> {
     /// Takes the data of panel number `index` from the table.
-    pub(crate) fn new(figure: &'a Figure, index: usize, table: &Table) -> Result<Self, PlotError> {
+    fn new(figure: &'a Figure, index: usize, table: &Table) -> Result<Self, PlotError> {
         let panel = &figure.panels[index];
         let tag = char::from(b'a' + (index % 26) as u8);
         let tag = if figure.panels.len() > 1 { format!("({tag}) ") } else { String::new() };

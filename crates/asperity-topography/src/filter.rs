@@ -23,13 +23,8 @@ impl Topography {
     /// # Errors
     /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
     /// the surface.
-    pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean("filter", cutoff)?;
-        self = self.with_outliers_found();
-        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
-            *height -= mean;
-        }
-        Ok(self)
+    pub fn filter(self, cutoff: f64) -> Result<Self, TopographyError> {
+        self.with_mean("filter", cutoff, |height, mean| height - mean)
     }
 
     /// The Gaussian mean surface, which [`Topography::filter`] removes. Waves much shorter than
@@ -37,14 +32,20 @@ impl Topography {
     ///
     /// # Errors
     /// As [`Topography::filter`].
-    pub fn smooth(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean("smooth", cutoff)?;
+    pub fn smooth(self, cutoff: f64) -> Result<Self, TopographyError> {
+        self.with_mean("smooth", cutoff, |height, mean| if height.is_nan() { height } else { mean })
+    }
+
+    /// The surface with other heights, from its own and the Gaussian mean.
+    fn with_mean(
+        mut self,
+        field: &'static str,
+        cutoff: f64,
+        height: fn(f64, f64) -> f64,
+    ) -> Result<Self, TopographyError> {
+        let mean = self.gaussian_mean(field, cutoff)?;
         self = self.with_outliers_found();
-        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
-            if !height.is_nan() {
-                *height = mean;
-            }
-        }
+        self.heights_mut().iter_mut().zip(mean).for_each(|(z, mean)| *z = height(*z, mean));
         Ok(self)
     }
 

@@ -37,10 +37,9 @@ fn reported((name, value, unit, meaning): Number) -> Reported {
 pub struct Glance {
     /// Form and filters applied before all other numbers.
     pub filter: String,
-    /// What decides how far the scan is to be trusted, from `tilt_x` to `m4_over_half`.
-    pub trust: [Reported; 11],
-    /// What ISO 25178-2 defines, and the power law, from `sa` to `cut_off`.
-    pub numbers: [Reported; 13],
+    /// What decides how far the scan is to be trusted, from `tilt_x` to `m4_over_half`; what ISO
+    /// 25178-2 defines, and the power law, from `sa` to `cut_off`.
+    pub numbers: [Reported; 24],
     /// Height and hybrid parameters.
     pub parameters: Parameters,
     /// Direction of the lay.
@@ -56,7 +55,7 @@ impl Serialize for Glance {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("filter", &self.filter)?;
-        for number in self.trust.iter().chain(&self.numbers) {
+        for number in &self.numbers {
             map.serialize_entry(number.name, &number.value)?;
             if number.name == "hurst" {
                 map.serialize_entry("hurst_missing", &self.power_law.as_ref().err())?;
@@ -102,10 +101,14 @@ impl Glance {
         let decay = surface.decay();
         let peaks = surface.peaks().ok();
         let of_lay = |of: fn(Texture) -> f64| texture.map(of);
-        let (slope_ratio, lay) =
-            (texture.and_then(|texture| texture.ratio()), of_lay(|lay| lay.direction));
+        let (slope_ratio, lay) = (texture.and_then(|lay| lay.ratio()), of_lay(|lay| lay.direction));
         let waves = long.map(|length| side / length);
-        let trust: [Number; 11] = [
+        let Parameters { sa, sz, sp, sv, sdq, sdr, .. } = parameters;
+        let (sal, str) = (decay.map(|decay| decay.sal), decay.and_then(|decay| decay.str));
+        let (spd, spc) = (peaks.map(|peaks| peaks.spd), peaks.and_then(|peaks| peaks.spc));
+        let (hurst, ends) = (law.map(|law| law.hurst), law.map(|law| [law.roll_off, law.cut_off]));
+        let [roll_off, cut_off] = ends.unwrap_or_default();
+        let numbers: [Number; 24] = [
             ("tilt_x", Some(tilt_x), "", "slope along rows of the plane removed"),
             ("tilt_y", Some(tilt_y), "", "slope along columns of the plane removed"),
             ("form_height", Some(form_height), "m", "height of the form removed, with its tilt"),
@@ -117,14 +120,6 @@ impl Glance {
             ("long_waves", waves, "", "of them on the shorter side: 10 or more are wanted"),
             ("m2_over_half", m2_over_half, "", "m2 over that of every second point"),
             ("m4_over_half", m4_over_half, "", "likewise m4: 1 if resolved, 16 for noise"),
-        ];
-        let Parameters { sa, sz, sp, sv, sdq, sdr, .. } = parameters;
-        let (sal, str) = (decay.map(|decay| decay.sal), decay.and_then(|decay| decay.str));
-        let (spd, spc) = (peaks.map(|peaks| peaks.spd), peaks.and_then(|peaks| peaks.spc));
-        let hurst = law.map(|law| law.hurst);
-        let roll_off = law.and_then(|law| law.roll_off);
-        let cut_off = law.and_then(|law| law.cut_off);
-        let numbers: [Number; 13] = [
             ("sa", Some(sa), "m", "mean distance from the mean"),
             ("sz", Some(sz), "m", "from the lowest to the highest point"),
             ("sp", Some(sp), "m", "highest point above the mean"),
@@ -141,13 +136,15 @@ impl Glance {
         ];
         let mut numbers = numbers.map(reported);
         if let Err(reason) = &power_law {
-            numbers[10].meaning = reason.clone().into();
+            numbers[TRUST + 10].meaning = reason.clone().into();
         }
-        let (filter, trust) = (named(level, cutoffs), trust.map(reported));
-        Ok(Self { filter, trust, numbers, parameters, texture, spectra, power_law })
+        let filter = named(level, cutoffs);
+        Ok(Self { filter, numbers, parameters, texture, spectra, power_law })
     }
 }
 
+/// Numbers that decide trust.
+const TRUST: usize = 11;
 /// Slopes that stand in data, but not in a table, which has their ratio.
 const ALONG: &str = "slope_along_lay";
 const ACROSS: &str = "slope_across_lay";
@@ -158,17 +155,16 @@ const ACROSS: &str = "slope_across_lay";
 pub fn report(statistics: &Statistics, glance: Option<&Glance>) -> Vec<Reported> {
     let [sq, ssk, sku, moments @ .., missing, _, count, largest, share] = statistics.numbers();
     let mut all = vec![missing, count, largest, share];
-    let shown = |number: &&Reported| ![ALONG, ACROSS].contains(&number.name);
-    all.extend(glance.iter().flat_map(|glance| &glance.trust).filter(shown).cloned());
-    all.extend([ssk, sku]);
-    let filter = |glance: &Glance| Reported {
-        meaning: glance.filter.clone().into(),
-        ..reported(("filter", None, "", ""))
+    let Some(Glance { filter, numbers, .. }) = glance else {
+        all.extend([ssk, sku, sq].into_iter().chain(moments));
+        return all;
     };
-    all.extend(glance.map(filter));
-    all.push(sq);
-    all.extend(glance.iter().flat_map(|glance| &glance.numbers).cloned());
-    all.extend(moments);
+    let (trust, parameters) = numbers.split_at(TRUST);
+    let shown = |number: &&Reported| ![ALONG, ACROSS].contains(&number.name);
+    all.extend(trust.iter().filter(shown).cloned());
+    let filter = Reported { meaning: filter.clone().into(), ..reported(("filter", None, "", "")) };
+    all.extend([ssk, sku, filter, sq]);
+    all.extend(parameters.iter().cloned().chain(moments));
     all
 }
 
@@ -263,8 +259,7 @@ mod tests {
         let found = Glance::new(&raw, Level::Plane, [None, Some(8e-5)], &level).unwrap();
         // Whole waves of cosines have a small plane of their own.
         let number = |name: &str| {
-            let mut all = found.trust.iter().chain(&found.numbers);
-            all.find(|number| number.name == name).and_then(|number| number.value)
+            found.numbers.iter().find(|number| number.name == name).and_then(|number| number.value)
         };
         let of = |name: &str| number(name).unwrap();
         assert!((of("tilt_x") / 2e-3 - 1.0).abs() < 2e-2, "{found:?}");
@@ -288,8 +283,7 @@ mod tests {
     fn profiles_have_what_profiles_have() {
         let profile = Topography::new(scan().heights()[..160].to_vec(), 160, [1e-6; 2]).unwrap();
         let found = Glance::new(&profile, Level::None, [None; 2], &profile).unwrap();
-        let numbers = found.trust.iter().chain(&found.numbers);
-        let has = |name: &str| numbers.clone().any(|n| n.name == name && n.value.is_some());
+        let has = |name: &str| found.numbers.iter().any(|n| n.name == name && n.value.is_some());
         assert!(["long_waves", "sal"].map(has).iter().all(|has| *has));
         assert!(!["slope_ratio", "spd", "str", "hurst"].map(has).contains(&true));
         assert_eq!(found.power_law.unwrap_err(), "a profile has no radial spectrum");

@@ -2,10 +2,7 @@
 
 mod autocorrelation;
 mod curves;
-mod density;
-mod distance;
 mod error;
-mod estimator;
 mod fill;
 mod filter;
 mod fourier;
@@ -29,10 +26,7 @@ mod warning;
 mod write;
 
 pub use autocorrelation::Decay;
-pub use density::HeightDensity;
-pub use distance::Distance;
 pub use error::TopographyError;
-pub use estimator::Estimator;
 pub use glance::{Glance, Reported, report};
 pub use hills::Peaks;
 pub use level::Level;
@@ -44,8 +38,8 @@ pub use power_law::PowerLaw;
 pub use read::{MAX_FILE_BYTES, ReadOptions, read, read_bytes};
 pub use scale_dependence::AtDistance;
 pub use spectrum::{PowerSpectrum, Spectra};
-pub use statistics::Statistics;
-pub use summits::Summits;
+pub use statistics::{Estimator, Statistics};
+pub use summits::{HeightDensity, Summits};
 pub use texture::Texture;
 pub use topography::{MAX_POINTS, Topography};
-pub use unit::LengthUnit;
+pub use unit::{Distance, LengthUnit};

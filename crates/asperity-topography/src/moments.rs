@@ -79,19 +79,6 @@ impl Topography {
         Ok(Moments { profile, along_rows, along_columns })
     }
 
-    /// ⟨z_xx²⟩ \[1/m²\] along rows, of points `step` apart.
-    pub(crate) fn curvature_at_step(&self, step: usize) -> Option<f64> {
-        let mut curvature = Mean::default();
-        for row in self.heights().chunks(self.columns()) {
-            if row.len() > 2 * step {
-                let last = row.len() - step;
-                let (middle, width) = (&row[step..last], step as f64 * self.pixel_size()[0]);
-                curvature.add_curvatures(&row[..last - step], middle, &row[2 * step..], width);
-            }
-        }
-        curvature.mean()
-    }
-
     /// ⟨(z - mean)^power⟩ \[m^power\].
     pub(crate) fn central_moment(&self, mean: f64, power: i32) -> f64 {
         let row_sum = |row: &[f64]| {
@@ -209,14 +196,6 @@ mod tests {
         assert!((moments.profile.m2 - (1.0 + 4.0 + 9.0) / 3.0).abs() < 1e-15);
         assert!((moments.profile.m4 - 1.0).abs() < 1e-15);
         assert!(moments.along_columns.is_none());
-    }
-
-    #[test]
-    fn curvature_at_half_the_resolution_uses_every_second_point() {
-        let parabola = (0..9).map(|x| f64::from(x * x)).collect();
-        let profile = Topography::new(parabola, 9, [1.0; 2]).unwrap();
-        assert!((profile.curvature_at_step(2).unwrap() - 4.0).abs() < 1e-12);
-        assert!(profile.curvature_at_step(5).is_none());
     }
 
     #[test]

@@ -1,9 +1,39 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
-use asperity_core::{Finding, ProfileMoments, Surface};
-use serde::Serialize;
+use std::fmt;
+use std::str::FromStr;
 
-use crate::{Estimator, Moments, Outliers, Topography, TopographyError, warning};
+use asperity_core::{Finding, ProfileMoments, Surface};
+use serde::{Deserialize, Serialize};
+
+use crate::error::parse_name;
+use crate::{Moments, Outliers, Topography, TopographyError, warning};
+
+/// How asperities are found in a measured surface.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Estimator {
+    /// From the spectral moments of profiles, after McCool:
+    /// [`Surface::from_moments`].
+    #[default]
+    Moments,
+    /// From the summits of the surface: [`Topography::summits`](Topography::summits).
+    Summits,
+}
+
+impl fmt::Display for Estimator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
+impl FromStr for Estimator {
+    type Err = TopographyError;
+
+    fn from_str(name: &str) -> Result<Self, TopographyError> {
+        parse_name("estimator", name)
+    }
+}
 
 /// Statistics of a surface, in SI units.
 /// Serialisation has the numbers from `sq` to `outliers` only; those of asperities are null where
@@ -126,8 +156,8 @@ impl Topography {
     fn sampling(&self) -> Option<Finding> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
-            let fine = self.curvature_at_step(1)?;
-            return warning::curvature_follows_sampling([fine, self.curvature_at_step(2)?]);
+            let m4 = |step| Some(self.at_distance(step).curvature_rows?.powi(2));
+            return warning::curvature_follows_sampling([m4(1)?, m4(2)?]);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
         warning::summits_follow_sampling([self.summit_density(1)?, self.summit_density(2)?])
@@ -243,5 +273,21 @@ impl Statistics {
             combined.warnings = vec![found];
         }
         Ok(combined)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_round_trip() {
+        for estimator in [Estimator::Moments, Estimator::Summits] {
+            assert_eq!(estimator.to_string().parse::<Estimator>().unwrap(), estimator);
+            let json = serde_json::to_string(&estimator).unwrap();
+            assert_eq!(json, format!("\"{estimator}\""));
+        }
+        let error = "peaks".parse::<Estimator>().unwrap_err().to_string();
+        assert_eq!(error, "estimator is \"peaks\": moments or summits was required");
     }
 }

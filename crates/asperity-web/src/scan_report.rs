@@ -2,16 +2,13 @@
 
 use asperity::shortest_digits;
 use asperity_inputs::SceneFile;
-use asperity_plot::{ScanPicture, draw_scan};
+use asperity_plot::draw_surface;
 use asperity_topography::{AtDistance, Glance, Level, Statistics, Topography};
 use serde::Serialize;
 
 use crate::message::NumberShown;
 use crate::refusal::Refusal;
 use crate::shown::shown;
-
-/// Most points of a drawn scan on a side.
-const DRAWN: usize = 400;
 
 /// What the page shows of a scan.
 #[derive(Debug, Serialize)]
@@ -36,19 +33,9 @@ pub(crate) fn report(file: &SceneFile) -> Result<ScanReport, Refusal> {
     };
     let level = Level::usual(scan.is_periodic());
     let glance = Glance::new(scan, level, [None; 2], scan)?;
-    let (heights, columns) = scan.coarse(DRAWN);
-    let [dx, dy] = scan.pixel_size();
-    let picture = ScanPicture {
-        heights,
-        columns,
-        size: [scan.columns() as f64 * dx, scan.rows() as f64 * dy],
-        marks: glance.roll_off.into_iter().chain(glance.cut_off).collect(),
-        law: glance.hurst.map(|hurst| format!("power law, H = {hurst:.2}")).unwrap_or_default(),
-        ..Default::default()
-    };
     let rows = scan.scale_dependence();
     Ok(ScanReport {
-        svg: draw_scan(&picture, &scan.curves_csv(&glance))?,
+        svg: draw_surface(scan, &glance, None)?,
         caption: scan.caption(&glance),
         numbers: numbers(&measured.statistics),
         scales: Scales {

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use asperity_core::Finding;
 
 use super::scan::{PixelSize, Scan, points, positive, select};
-use super::units;
 use crate::error::{excerpt, refuse};
+use crate::unit;
 use crate::{LengthUnit, TopographyError};
 
 const MAGIC: &[u8] = b"GWYP";
@@ -20,33 +20,29 @@ pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, Topograp
     let Some((b"GwyContainer", items)) = Bytes(rest).object() else {
         return Err(refuse("gwy container", "no whole object", "an object GwyContainer"));
     };
-    let mut channels = BTreeMap::<u32, Channel<'_>>::new();
+    // Of each channel the data, the mask and the title.
+    let mut channels = BTreeMap::<u32, [Option<&[u8]>; 3]>::new();
     each(items, |name, item| {
         let key = name.strip_prefix('/').and_then(|name| name.split_once('/'));
         let Some((Ok(number), key)) = key.map(|(number, key)| (number.parse(), key)) else {
             return;
         };
-        match (key, item) {
-            ("data", Item::Object(b"GwyDataField", data)) => {
-                channels.entry(number).or_default().data = Some(data);
-            }
-            ("mask", Item::Object(b"GwyDataField", data)) => {
-                channels.entry(number).or_default().mask = Some(data);
-            }
-            ("data/title", Item::Text(title)) => {
-                channels.entry(number).or_default().title = Some(title);
-            }
-            _ => {}
-        }
+        let (at, bytes) = match (key, item) {
+            ("data", Item::Object(b"GwyDataField", data)) => (0, data),
+            ("mask", Item::Object(b"GwyDataField", mask)) => (1, mask),
+            ("data/title", Item::Text(title)) => (2, title),
+            _ => return,
+        };
+        channels.entry(number).or_default()[at] = Some(bytes);
     })?;
     let (mut names, mut fields, mut others) = (vec![], vec![], vec![]);
-    for (number, Channel { data, mask, title }) in channels {
+    for (number, [data, mask, title]) in channels {
         let Some(field) = data.map(Field::read).transpose()? else { continue };
         let name = title.map_or_else(
             || format!("channel {number}"),
             |title| String::from_utf8_lossy(title).trim().to_owned(),
         );
-        match units::unit(&field.units[1]) {
+        match unit::unit(&field.units[1]) {
             Some(unit) => {
                 names.push(name);
                 fields.push((field, mask, unit));
@@ -61,14 +57,6 @@ pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, Topograp
     let (at, note) = select(&names, channel)?;
     let (field, mask, unit) = fields.swap_remove(at);
     field.scan(mask.map(Field::read).transpose()?, unit, note)
-}
-
-/// The objects of a channel.
-#[derive(Default)]
-struct Channel<'a> {
-    data: Option<&'a [u8]>,
-    mask: Option<&'a [u8]>,
-    title: Option<&'a [u8]>,
 }
 
 /// A `GwyDataField`, not yet decoded.
@@ -118,7 +106,7 @@ impl<'a> Field<'a> {
         };
         let n = points(count(columns, "gwy xres")?, count(rows, "gwy yres")?)?;
         let mut heights = self.numbers(n)?;
-        let scale = units::unit(&self.units[0]).map(LengthUnit::metres);
+        let scale = unit::unit(&self.units[0]).map(LengthUnit::metres);
         let wrong = || refuse("gwy si_unit_xy", format!("{:?}", self.units[0]), "a unit of length");
         let scale = scale.ok_or_else(wrong)?;
         let [width, height] = self.size;

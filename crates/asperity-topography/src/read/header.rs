@@ -2,8 +2,8 @@
 
 use super::scan::PixelSize;
 use super::table::{Delimiter, Table};
-use super::units::{length, quantity, unit, unit_in};
 use crate::error::{refuse, refuse_line};
+use crate::unit::{length, quantity, unit, unit_in};
 use crate::{LengthUnit, TopographyError};
 
 const WIDTH: &[&str] = &["width", "breite", "largeur"];

@@ -5,7 +5,6 @@ mod gwy;
 mod gzip;
 mod header;
 mod npy;
-mod options;
 mod points;
 mod profile;
 mod sample;
@@ -14,7 +13,6 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
-pub(crate) mod units;
 mod x3p;
 mod x3p_xml;
 
@@ -23,7 +21,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use options::ReadOptions;
+pub use scan::ReadOptions;
 
 use self::format::Format;
 use crate::error::at_most;

@@ -14,8 +14,8 @@ use super::scan::{
     DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points, positive, select,
 };
 use super::table::decode;
-use super::units;
 use crate::error::refuse;
+use crate::unit::unit;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
@@ -197,7 +197,7 @@ impl Header<'_> {
         let name = self.text(at, 16);
         // Old files have the MS-DOS code of µ, which is æ in Latin 1.
         let symbol = if name == "\u{e6}m" { "um" } else { &name };
-        units::unit(symbol)
+        unit(symbol)
             .ok_or_else(|| refuse(format!("sur {field}"), format!("{name:?}"), "a unit of length"))
     }
 }
