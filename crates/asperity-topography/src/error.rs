@@ -282,6 +282,26 @@ pub(crate) fn refuse_line(line: usize, found: &str, required: &str) -> Topograph
     TopographyError::Content { place, found, required: required.to_owned() }
 }
 
+/// The names of an enum in text: those of serde.
+macro_rules! named {
+    ($type:ty, $field:literal) => {
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                serde::Serialize::serialize(self, f)
+            }
+        }
+
+        impl std::str::FromStr for $type {
+            type Err = TopographyError;
+
+            fn from_str(name: &str) -> Result<Self, TopographyError> {
+                $crate::error::parse_name($field, name)
+            }
+        }
+    };
+}
+pub(crate) use named;
+
 /// The value of a name; serde has the lists of names.
 pub(crate) fn parse_name<T: DeserializeOwned>(
     field: &'static str,

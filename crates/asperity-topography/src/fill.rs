@@ -18,25 +18,23 @@ impl Topography {
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
     /// [`TopographyError::NotFilled`] if the residual does not fall to 1e-10.
-    pub fn fill(self) -> Result<Self, TopographyError> {
-        let (share, limit) = (self.missing_share(), Self::MOST_FILLED);
-        if share > limit {
-            return Err(TopographyError::TooManyToFill { share, limit });
-        }
+    pub fn fill(mut self) -> Result<Self, TopographyError> {
         let places: Vec<usize> =
-            (0..self.heights().len()).filter(|at| self.heights()[*at].is_nan()).collect();
-        let heights = self.harmonic(&places)?;
-        Ok(self.with_filled(places.into_iter().zip(heights)))
+            (0..self.heights.len()).filter(|at| self.heights[*at].is_nan()).collect();
+        self.replace(&places, self.heights.len())?;
+        self.filled += std::mem::take(&mut self.missing);
+        Ok(self)
     }
 
-    /// The surface with harmonic heights at these points, which are outliers.
-    pub(crate) fn replaced(self, places: &[usize]) -> Result<Self, TopographyError> {
-        let (share, limit) = (places.len() as f64 / self.measured() as f64, Self::MOST_FILLED);
+    /// Harmonic heights at these points, at most a small share of `all`.
+    pub(crate) fn replace(&mut self, places: &[usize], all: usize) -> Result<(), TopographyError> {
+        let (share, limit) = (places.len() as f64 / all as f64, Self::MOST_FILLED);
         if share > limit {
             return Err(TopographyError::TooManyToFill { share, limit });
         }
         let heights = self.harmonic(places)?;
-        Ok(self.with_despiked(places.iter().copied().zip(heights)))
+        places.iter().zip(heights).for_each(|(at, height)| self.heights[*at] = height);
+        Ok(())
     }
 
     /// Harmonic heights \[m\] at these points, ascending; other points without a height count as

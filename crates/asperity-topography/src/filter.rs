@@ -45,7 +45,7 @@ impl Topography {
     ) -> Result<Self, TopographyError> {
         let mean = self.gaussian_mean(field, cutoff)?;
         self = self.with_outliers_found();
-        self.heights_mut().iter_mut().zip(mean).for_each(|(z, mean)| *z = height(*z, mean));
+        self.heights.iter_mut().zip(mean).for_each(|(z, mean)| *z = height(*z, mean));
         Ok(self)
     }
 

@@ -1,12 +1,9 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
-use std::fmt;
-use std::str::FromStr;
-
 use asperity_core::{Finding, ProfileMoments, Surface};
 use serde::{Deserialize, Serialize};
 
-use crate::error::parse_name;
+use crate::error::named;
 use crate::{Moments, Outliers, Topography, TopographyError, warning};
 
 /// How asperities are found in a measured surface.
@@ -21,19 +18,7 @@ pub enum Estimator {
     Summits,
 }
 
-impl fmt::Display for Estimator {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
-
-impl FromStr for Estimator {
-    type Err = TopographyError;
-
-    fn from_str(name: &str) -> Result<Self, TopographyError> {
-        parse_name("estimator", name)
-    }
-}
+named!(Estimator, "estimator");
 
 /// Statistics of a surface, in SI units.
 /// Serialisation has the numbers from `sq` to `outliers` only; those of asperities are null where

@@ -194,43 +194,34 @@ impl Surface {
             return self.output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
         }
         let mut table = Table::new(&["name", "value", "unit", "meaning"]);
-        for Reported { name, value, unit, meaning } in report(statistics, glance.as_ref()) {
-            table.rows.push(vec![
-                name.into(),
-                Cell::Number(value),
-                unit.into(),
-                meaning.as_ref().into(),
-            ]);
-        }
+        let row = |Reported { name, value, unit, meaning }| {
+            vec![name.into(), Cell::Number(value), unit.into(), meaning.as_ref().into()]
+        };
+        table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
         self.output.write(&table)
     }
 
     /// Refuses options that exclude each other.
     fn check(&self) {
         let (plot, two) = (self.scales.plot(), self.files.len() > 1);
-        let unlike = two && self.aligned.is_none();
-        let both = plot.zip(self.output.output.as_deref());
+        let separate = two && self.aligned.is_none();
+        let outputs = plot.zip(self.output.output.as_deref());
+        let one_output = outputs.is_some_and(|(plot, output)| output::is_same(plot, output));
+        let one_file = self.scene.is_some() && self.scene == self.heights;
         let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
-        let nothing_left = cutoffs.map(|(smooth, filter)| format!(
-            "--smooth {smooth} removes all that --filter {filter} keeps; choose --smooth below --filter"
-        ));
+        let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
+            let advice = "choose --smooth below --filter";
+            format!("--smooth {smooth} removes all that --filter {filter} keeps; {advice}")
+        });
+        let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
-            (
-                both.is_some_and(|(plot, output)| output::is_same(plot, output)),
-                "--plot and --output name the same file; choose two names",
-            ),
-            (
-                self.scene.is_some() && self.scene == self.heights,
-                "--scene and --heights name the same file; choose two names",
-            ),
+            (one_output, "--plot and --output name the same file; choose two names"),
+            (one_file, "--scene and --heights name the same file; choose two names"),
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
-            (
-                self.heights.is_some() && unlike,
-                "--heights takes one FILE or --aligned: the height densities of two surfaces do not add",
-            ),
+            (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
-            (plot.is_some() && unlike, "--plot takes one FILE or --aligned"),
-            (nothing_left.is_some(), nothing_left.as_deref().unwrap_or_default()),
+            (plot.is_some() && separate, "--plot takes one FILE or --aligned"),
+            (cutoffs.is_some(), &nothing_left),
         ];
         if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {
             crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);

@@ -31,7 +31,7 @@ impl Topography {
             return Err(TopographyError::Shape { heights: heights.len(), columns: places.len() });
         }
         let (Scan { heights, columns, notes, .. }, step) = profile(places, heights)?;
-        Ok(Self::in_unit(heights, columns, [step; 2], unit)?.with_notes(notes))
+        Ok(Self { notes, ..Self::in_unit(heights, columns, [step; 2], unit)? })
     }
 }
 

@@ -92,7 +92,7 @@ impl Scan {
         for height in &mut heights {
             *height *= unit;
         }
-        let topography = Topography::new(heights, columns, pixel_size)?.with_notes(notes);
+        let topography = Topography { notes, ..Topography::new(heights, columns, pixel_size)? };
         let share = topography.missing_share();
         let limit = options.max_missing;
         if share > limit {
