@@ -179,7 +179,7 @@ mod tests {
             "a_\u{200b}1 scan",
             "(a) map",
             ">10 µm<",
-            "height (µm)",
+            "height (nm)",
             "blank: missing",
             "rad/µm",
             "along rows",

@@ -253,11 +253,7 @@ impl TopographyError {
 }
 
 /// A value out of its range.
-pub(crate) fn out_of_range(
-    field: &'static str,
-    value: f64,
-    required: impl Into<String>,
-) -> TopographyError {
+pub(crate) fn out_of_range(field: &'static str, value: f64, required: &str) -> TopographyError {
     TopographyError::OutOfRange { field, value, required: required.into() }
 }
 

@@ -112,7 +112,7 @@ fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> 
     let required = format!(
         "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
     );
-    out_of_range(field, value, required)
+    out_of_range(field, value, &required)
 }
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.

@@ -128,7 +128,10 @@ impl Topography {
         // Without a warning for a profile: summits need 8 neighbours.
         match (other, &statistics.asperities) {
             (Ok((other, _)), Ok(primary)) => {
-                let disagree = statistics.disagreement(primary, &other);
+                let disagree = match estimator {
+                    Estimator::Moments => warning::estimators_disagree(primary, &other),
+                    Estimator::Summits => warning::estimators_disagree(&other, primary),
+                };
                 statistics.warnings.extend(disagree);
             }
             (Err(TopographyError::SummitsOfProfile), _) | (_, Err(_)) => {}
@@ -196,19 +199,6 @@ impl Statistics {
         }
     }
 
-    /// A warning where the asperities by the two estimators disagree.
-    fn disagreement(&self, primary: &Surface, other: &Surface) -> Option<Finding> {
-        let (moments, summits) = match self.estimator {
-            Estimator::Moments => (primary, other),
-            Estimator::Summits => (other, primary),
-        };
-        warning::estimators_disagree(&[
-            ("asperity_density", moments.asperity_density, summits.asperity_density),
-            ("asperity_radius", moments.asperity_radius, summits.asperity_radius),
-            ("asperity_height_std", moments.asperity_height_std, summits.asperity_height_std),
-        ])
-    }
-
     /// The asperities as a surface for a scene.
     ///
     /// # Errors
@@ -240,17 +230,13 @@ impl Statistics {
             return Err(TopographyError::SummitsOfTwo);
         }
         let moments = first.moments.plus(&second.moments);
-        let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
+        let surface = Surface::from_moments(&moments.profile);
+        let surface = surface.map_err(|reason| TopographyError::Moments(reason).to_string());
         let m0 = moments.profile.m0;
         let third = |of: &Self| of.ssk * (of.m0 / m0).powf(1.5);
         let fourth = |of: &Self| (of.sku - 3.0) * (of.m0 / m0).powi(2);
         let shape = [third(first) + third(second), 3.0 + fourth(first) + fourth(second)];
-        let mut combined = Self::new(
-            shape,
-            moments,
-            Estimator::Moments,
-            surface.map_err(|reason| reason.to_string()),
-        );
+        let mut combined = Self::new(shape, moments, Estimator::Moments, surface);
         combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
         combined.despiked = first.despiked + second.despiked;
         combined.outliers = first.outliers.plus(&second.outliers, first.m4 / combined.m4);

@@ -30,7 +30,12 @@ pub(crate) fn roughness_parameter(beta: f64) -> Option<Finding> {
 }
 
 /// A warning if parameters by the spectral moments and by the summits disagree.
-pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Finding> {
+pub(crate) fn estimators_disagree(moments: &Surface, summits: &Surface) -> Option<Finding> {
+    let parameters = [
+        ("asperity_density", moments.asperity_density, summits.asperity_density),
+        ("asperity_radius", moments.asperity_radius, summits.asperity_radius),
+        ("asperity_height_std", moments.asperity_height_std, summits.asperity_height_std),
+    ];
     let apart: Vec<_> = parameters.iter().filter(|(_, m, s)| ratio(*m, *s) > APART).collect();
     let largest = apart.iter().map(|(_, m, s)| ratio(*m, *s)).max_by(f64::total_cmp)?;
     let each = apart.iter().map(|(name, moments, summits)| {

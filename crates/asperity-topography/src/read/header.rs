@@ -150,7 +150,7 @@ fn is_factor(key: &str) -> bool {
 
 /// The names over the columns, if the line has as many.
 fn names(text: &str, table: &Table) -> Option<Vec<String>> {
-    let delimiters = [table.delimiter, Delimiter::Comma];
+    let delimiters = [table.delimiter, Delimiter(b',')];
     let split = |delimiter: &Delimiter| {
         let names: Vec<_> = delimiter
             .fields(text.as_bytes())
@@ -168,7 +168,7 @@ fn names(text: &str, table: &Table) -> Option<Vec<String>> {
         (parts.len() == table.columns).then_some(parts)
     };
     // A unit over each column, whatever separates the numbers.
-    let units = || split(&Delimiter::Space).filter(|names| names.iter().all(|name| is_unit(name)));
+    let units = || split(&Delimiter(b' ')).filter(|names| names.iter().all(|name| is_unit(name)));
     delimiters.iter().find_map(split).or_else(bracketed).or_else(units)
 }
 

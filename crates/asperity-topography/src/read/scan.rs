@@ -104,11 +104,7 @@ impl Scan {
     fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
         match (options.unit, self.unit) {
             (Some(given), Some(in_file)) if given != in_file => {
-                Err(TopographyError::Contradiction {
-                    option: "unit",
-                    given: given.to_string(),
-                    in_file: in_file.to_string(),
-                })
+                Err(contradiction("unit", given, in_file))
             }
             (given, in_file) => given.or(in_file).ok_or(TopographyError::UnitMissing),
         }
@@ -131,16 +127,19 @@ impl Scan {
             let axes = if self.heights.len() == self.columns { 1 } else { 2 };
             for (given, in_file) in given.into_iter().zip(in_file).take(axes) {
                 if (given - in_file).abs() > 1e-3 * in_file {
-                    return Err(TopographyError::Contradiction {
-                        option: "pixel_size",
-                        given: format!("{given:e} m"),
-                        in_file: format!("{in_file:e} m"),
-                    });
+                    let [given, in_file] = [given, in_file].map(|size| format!("{size:e} m"));
+                    return Err(contradiction("pixel_size", given, in_file));
                 }
             }
         }
         in_file.or(given).ok_or(TopographyError::PixelSizeMissing)
     }
+}
+
+/// An option that disagrees with the file.
+fn contradiction<T: Display>(option: &'static str, given: T, in_file: T) -> TopographyError {
+    let (given, in_file) = (given.to_string(), in_file.to_string());
+    TopographyError::Contradiction { option, given, in_file }
 }
 
 /// The product of two counts declared in a file, if it is within the limit of points.

@@ -137,12 +137,12 @@ fn binary(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
 /// The text form: `Name = value` lines, a line `*`, and numbers up to another `*`.
 fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
     let bcr = is_bcr(bytes);
-    let mut lines = bytes.split(|byte| *byte == b'\n').map(|line| {
+    let lines = bytes.split(|byte| *byte == b'\n').map(|line| {
         // BCR-1.0 allows comments.
         let end = line.iter().position(|byte| bcr && *byte == b';').unwrap_or(line.len());
         line[..end].trim_ascii()
     });
-    let header = Header::of_lines(lines.by_ref().take_while(|line| line != b"*"))?;
+    let header = Header::of_lines(lines.clone().take_while(|line| line != b"*"))?;
     let (n, sample) = header.points()?;
     // A number and its separator take two bytes.
     if n / 2 > bytes.len() {
@@ -151,7 +151,7 @@ fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
     let mut heights = Vec::with_capacity(n);
     // Gwyddion does not end the data of a BCR file.
     let mut whole = bcr;
-    for line in lines {
+    for line in lines.skip_while(|line| line != b"*").skip(1) {
         whole |= line == b"*";
         if line == b"*" || heights.len() > n {
             break;
@@ -185,57 +185,43 @@ fn height(word: &[u8]) -> Option<f64> {
 
 impl Header {
     /// The header of lines `Name = value`.
-    fn of_lines<'a>(lines: impl Iterator<Item = &'a [u8]>) -> Result<Self, TopographyError> {
-        const NAMES: [&str; 8] = [
-            "NumPoints",
-            "NumProfiles",
-            "Xscale",
-            "Yscale",
-            "Zscale",
-            "Compression",
-            "CheckType",
-            "DataType",
-        ];
-        let mut values: [Option<String>; 8] = Default::default();
-        for line in lines {
-            let line = String::from_utf8_lossy(line);
-            let Some((name, value)) = line.split_once('=') else { continue };
-            let named = |known: &&str| name.trim().eq_ignore_ascii_case(known);
-            if let Some(at) = NAMES.iter().position(|known| named(&known)) {
-                values[at] = Some(value.trim().to_owned());
-            }
-        }
-        let wrong = |at: usize, value: &str, required| {
-            refuse(format!("sdf {}", NAMES[at]), value, required)
+    fn of_lines<'a>(
+        lines: impl Iterator<Item = &'a [u8]> + Clone,
+    ) -> Result<Self, TopographyError> {
+        let value = |name: &str| {
+            lines.clone().find_map(|line| {
+                let (found, value) = std::str::from_utf8(line).ok()?.split_once('=')?;
+                found.trim().eq_ignore_ascii_case(name).then_some(value.trim())
+            })
         };
-        let there = |at: usize| {
-            let value = values[at].as_deref();
-            value.ok_or_else(|| wrong(at, "nothing", "this field in the header"))
+        let wrong =
+            |name: &str, found: &str, required| refuse(format!("sdf {name}"), found, required);
+        let there =
+            |name| value(name).ok_or_else(|| wrong(name, "nothing", "this field in the header"));
+        let count = |name| {
+            let found = there(name)?;
+            found.parse::<u64>().map_err(|_| wrong(name, found, "a whole number"))
         };
-        let count = |at: usize| {
-            let value = there(at)?;
-            value.parse::<u64>().map_err(|_| wrong(at, value, "a whole number"))
+        let scale = |name| {
+            let found = there(name)?;
+            found.parse::<f64>().map_err(|_| wrong(name, found, "a number"))
         };
-        let scale = |at: usize| {
-            let value = there(at)?;
-            value.parse::<f64>().map_err(|_| wrong(at, value, "a number"))
-        };
-        let none = |at: usize| match values[at].as_deref().map(str::to_ascii_lowercase).as_deref() {
+        let none = |name| match value(name).map(str::to_ascii_lowercase).as_deref() {
             None | Some("null" | "none") => Ok(0),
-            Some(value) => value.parse().map_err(|_| wrong(at, value, "0: none")),
+            Some(found) => found.parse().map_err(|_| wrong(name, found, "0: none")),
         };
-        let (columns, rows) = (count(0)?, count(1)?);
-        let y = if rows == 1 && values[3].is_none() { 2 } else { 3 };
+        let (columns, rows) = (count("NumPoints")?, count("NumProfiles")?);
+        let y = if rows == 1 && value("Yscale").is_none() { "Xscale" } else { "Yscale" };
         // Doubles, if the header does not say so: numbers of text have no other limits.
-        let kind = values[7].as_deref().unwrap_or("7");
+        let kind = value("DataType").unwrap_or("7");
         let named = TYPES.iter().position(|(_, name)| kind.eq_ignore_ascii_case(name));
         let data_type = named.map(|at| at as u8).or_else(|| kind.parse().ok());
         Ok(Self {
             columns,
             rows,
-            scales: [scale(2)?, scale(y)?, scale(4)?],
-            packing: [none(5)?, none(6)?],
-            data_type: data_type.ok_or_else(|| wrong(7, kind, "0 to 7"))?,
+            scales: [scale("Xscale")?, scale(y)?, scale("Zscale")?],
+            packing: [none("Compression")?, none("CheckType")?],
+            data_type: data_type.ok_or_else(|| wrong("DataType", kind, "0 to 7"))?,
         })
     }
 }

@@ -16,51 +16,40 @@ pub(super) struct Table {
     decimal: Option<u8>,
 }
 
-/// The separator of the fields of a line.
+/// The separator of the fields of a line; a space stands for any number of blanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Delimiter {
-    Semicolon,
-    Tab,
-    Comma,
-    Space,
-}
+pub(super) struct Delimiter(pub(super) u8);
 
 impl Delimiter {
     /// The delimiter of the first row. Commas within numbers between spaces are decimal commas, as
     /// beside semicolons or tabs.
     fn detect(line: &[u8]) -> Self {
-        let has = |byte| line.contains(&byte);
         let decimal = |word: &[u8]| word.contains(&b',') && value(word, true).is_some();
-        let mut words = Self::Space.fields(line);
-        match () {
-            () if has(b';') => Self::Semicolon,
-            () if line.trim_ascii().contains(&b'\t') => Self::Tab,
-            () if has(b',') && words.clone().count() > 1 && words.all(decimal) => Self::Space,
-            () if has(b',') => Self::Comma,
-            () => Self::Space,
-        }
+        let mut words = Self(b' ').fields(line);
+        Self(match () {
+            () if line.contains(&b';') => b';',
+            () if line.trim_ascii().contains(&b'\t') => b'\t',
+            () if line.contains(&b',') && words.clone().count() > 1 && words.all(decimal) => b' ',
+            () if line.contains(&b',') => b',',
+            () => b' ',
+        })
     }
 
     fn parts(self, byte: u8) -> bool {
-        match self {
-            Self::Semicolon => byte == b';',
-            Self::Tab => byte == b'\t',
-            Self::Comma => byte == b',',
-            Self::Space => byte.is_ascii_whitespace(),
-        }
+        byte == self.0 || self.0 == b' ' && byte.is_ascii_whitespace()
     }
 
     /// The fields of a line, without the spaces around them.
     pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> + Clone {
         line.split(move |byte| self.parts(*byte))
             .map(<[u8]>::trim_ascii)
-            .filter(move |field| self != Self::Space || !field.is_empty())
+            .filter(move |field| self.0 != b' ' || !field.is_empty())
     }
 
     /// The line without its trailing delimiter, if it has one.
     fn open(self, line: &[u8]) -> Option<&[u8]> {
         let (last, rest) = line.split_last()?;
-        (self != Self::Space && self.parts(*last)).then_some(rest)
+        (self.0 != b' ' && self.parts(*last)).then_some(rest)
     }
 }
 
@@ -112,7 +101,7 @@ impl Table {
         let start = self.values.len();
         let open = if self.closed { self.delimiter.open(line) } else { None };
         let line = open.unwrap_or(line);
-        let comma = self.delimiter != Delimiter::Comma;
+        let comma = self.delimiter.0 != b',';
         for field in self.delimiter.fields(line) {
             self.values.push(value(field, comma).ok_or_else(|| {
                 let required = match comma {
@@ -167,7 +156,7 @@ impl Table {
 /// which may underline a header.
 fn is_row(line: &[u8]) -> bool {
     let delimiter = Delimiter::detect(line);
-    let number = |field: &[u8]| value(field, delimiter != Delimiter::Comma).is_some();
+    let number = |field: &[u8]| value(field, delimiter.0 != b',').is_some();
     delimiter.fields(line).all(number)
         && delimiter.fields(line).any(|field| field.iter().any(u8::is_ascii_alphanumeric))
 }
