@@ -27,12 +27,9 @@ impl Topography {
             // A String takes all.
             let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y}");
         };
-        let mean = self.mean();
-        let sq = self.central_moment(mean, 2).sqrt();
+        let (mean, Parameters { sq, sv, sz, .. }) = (self.mean(), glance.parameters);
         let measured = || self.heights().iter().filter(|z| !z.is_nan()).map(|z| z - mean);
-        let low = measured().fold(f64::INFINITY, f64::min);
-        let high = measured().fold(f64::NEG_INFINITY, f64::max);
-        let width = (high - low) / BINS as f64;
+        let (low, width) = (-sv, sz / BINS as f64);
         let mut counts = [0_usize; BINS];
         measured().for_each(|z| counts[(((z - low) / width) as usize).min(BINS - 1)] += 1);
         let one = 1.0 / (self.measured() as f64 * width);
