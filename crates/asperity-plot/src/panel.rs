@@ -137,11 +137,9 @@ impl<'a> Plot<'a> {
 
     fn strip(&self, strip: &Strip, frame: &Rect) -> Rect {
         let ruler = if strip.upright { &self.x } else { &self.y };
-        let (from, to) =
-            (ruler.share(strip.from).clamp(0.0, 1.0), ruler.share(strip.to).clamp(0.0, 1.0));
-        let (low, high) =
-            if strip.upright { ((from, 0.0), (to, 1.0)) } else { ((0.0, from), (1.0, to)) };
-        let ((left, bottom), (right, top)) = (frame.at(low), frame.at(high));
+        let [from, to] = [strip.from, strip.to].map(|end| ruler.share(end).clamp(0.0, 1.0));
+        let corner = |end, side| frame.at(if strip.upright { (end, side) } else { (side, end) });
+        let ((left, bottom), (right, top)) = (corner(from, 0.0), corner(to, 1.0));
         Rect { left, top, right, bottom }
     }
 

@@ -67,20 +67,11 @@ struct Point {
 
 impl Point {
     fn new(surface: &Topography, places: &[usize], at: usize) -> Self {
-        let (columns, rows) = (surface.columns(), surface.rows());
-        let (x, y) = (at % columns, at / columns);
         let [wx, wy] = surface.pixel_size().map(|step| (step / surface.pixel_size()[0]).powi(-2));
-        // The index before or behind one of n, if there is one.
-        let step = |k: usize, n: usize, on: bool| match (on, surface.is_periodic()) {
-            (true, _) if k + 1 < n => Some(k + 1),
-            (false, _) if k > 0 => Some(k - 1),
-            (on, true) if n > 1 => Some(if on { 0 } else { n - 1 }),
-            _ => None,
-        };
-        let along = [false, true].map(|on| Some((y * columns + step(x, columns, on)?, wx)));
-        let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
+        let steps = [(0, -1, wx), (0, 1, wx), (-1, 0, wy), (1, 0, wy)];
+        let beside = |(down, along, weight)| Some((surface.beside(at, down, along)?, weight));
         let mut point = Self { weight: 0.0, measured: 0.0, missing: [None; 4] };
-        for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
+        for (k, (beside, weight)) in steps.into_iter().filter_map(beside).enumerate() {
             let height = surface.heights()[beside];
             match places.binary_search(&beside) {
                 Ok(number) => point.missing[k] = Some((number, weight)),

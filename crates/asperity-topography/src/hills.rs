@@ -54,7 +54,7 @@ const BEFORE: [(isize, isize); 4] = [(-1, -1), (-1, 0), (-1, 1), (0, -1)];
 
 impl Topography {
     /// The point at a distance, around the edges of a periodic surface.
-    fn neighbour(&self, at: usize, down: isize, along: isize) -> Option<usize> {
+    pub(crate) fn beside(&self, at: usize, down: isize, along: isize) -> Option<usize> {
         let (rows, columns) = (self.rows(), self.columns());
         let move_by = |from: usize, by: isize, n: usize| match self.is_periodic() {
             true => Some((from as isize + by).rem_euclid(n as isize) as usize),
@@ -62,7 +62,12 @@ impl Topography {
         };
         let row = move_by(at / columns, down, rows)?;
         let to = row * columns + move_by(at % columns, along, columns)?;
-        (!self.heights()[to].is_nan() && to != at).then_some(to)
+        (to != at).then_some(to)
+    }
+
+    /// Likewise, if it has a height.
+    fn neighbour(&self, at: usize, down: isize, along: isize) -> Option<usize> {
+        self.beside(at, down, along).filter(|to| !self.heights()[*to].is_nan())
     }
 
     /// Whether one point is above another; of equal ones, the later is.

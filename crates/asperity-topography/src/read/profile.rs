@@ -99,26 +99,20 @@ fn last_digit(places: &[f64], largest: f64) -> f64 {
 
 /// The heights at the first place and every step after it.
 fn interpolated(places: &[f64], heights: &[f64], step: f64) -> Vec<f64> {
-    let mut points = places.iter().zip(heights).peekable();
-    let Some(mut left) = points.next() else { return vec![] };
-    let start = *left.0;
     let at = |i: usize| {
-        let place = start + step * i as f64;
-        while let Some(right) = points.peek() {
-            if *right.0 >= place {
-                let share = (place - left.0) / (right.0 - left.0);
-                // The ends are met exactly, whatever is missing on the other side.
-                return match share {
-                    0.0 => *left.1,
-                    1.0 => *right.1,
-                    _ => left.1 + share * (right.1 - left.1),
-                };
+        let place = places[0] + step * i as f64;
+        let right = places.partition_point(|before| *before < place);
+        match (right.checked_sub(1), places.get(right)) {
+            (None, _) => heights[0],
+            // The last position, up to rounding.
+            (Some(left), None) => heights[left],
+            // A position is met exactly, whatever is missing before it.
+            (Some(_), Some(there)) if *there <= place => heights[right],
+            (Some(left), Some(there)) => {
+                let share = (place - places[left]) / (there - places[left]);
+                heights[left] + share * (heights[right] - heights[left])
             }
-            left = *right;
-            points.next();
         }
-        // The last position, up to rounding.
-        *left.1
     };
     (0..places.len()).map(at).collect()
 }
