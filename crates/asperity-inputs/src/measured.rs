@@ -94,9 +94,6 @@ impl Scan {
         let option = |field: &str| document.place(&format!("{}.{field}", self.section));
         match without_path(error) {
             TopographyError::OutOfRange { field, value, required } => {
-                SceneError::value(option(field), value, required)
-            }
-            TopographyError::Cutoff { field, value, required } => {
                 SceneError::value(option(field), value, &required)
             }
             error => {

@@ -146,10 +146,13 @@ impl Canvas<'_> {
 
     /// A filled polygon with this opacity.
     pub(crate) fn polygon(&self, corners: &[Point], colour: Colour, opacity: f64) {
+        self.shape(corners, colour, &format!("fill-opacity=\"{opacity:.3}\""));
+    }
+
+    /// A filled polygon with an attribute.
+    pub(crate) fn shape(&self, corners: &[Point], colour: &str, attribute: &str) {
         let corners = places(corners);
-        self.add(&format!(
-            "<polygon points=\"{corners}\" fill=\"{colour}\" fill-opacity=\"{opacity:.3}\"/>\n"
-        ));
+        self.add(&format!("<polygon points=\"{corners}\" fill=\"{colour}\" {attribute}/>\n"));
     }
 
     /// The outline of a rectangle.
@@ -198,14 +201,6 @@ impl Canvas<'_> {
 /// Of maps.
 #[cfg(feature = "scan")]
 impl Canvas<'_> {
-    /// A polygon of any colour, without gaps to its neighbours.
-    pub(crate) fn shade(&self, corners: &[Point], colour: &str) {
-        let corners = places(corners);
-        self.add(&format!(
-            "<polygon points=\"{corners}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>\n"
-        ));
-    }
-
     /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
     /// own: a page in the dark gives it another colour.
     pub(crate) fn image(&self, rect: &Rect, address: &str) {

@@ -47,7 +47,8 @@ fn lift(from: Point, to: Point, floor: Option<f64>) -> Option<(Point, Point, boo
     }
 }
 
-fn between(from: Point, to: Point, share: f64) -> Point {
+/// The point at a share of a segment.
+pub(crate) fn between(from: Point, to: Point, share: f64) -> Point {
     (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
 }
 

@@ -43,7 +43,7 @@ pub enum Legend {
 }
 
 /// One pair of axes with its curves.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Panel {
     /// A short heading above the frame, after the (a); empty for none.
@@ -77,25 +77,12 @@ impl Panel {
     /// A panel without curves.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
-        Self {
-            title: String::new(),
-            x,
-            y,
-            curve_column: "curve".into(),
-            only: None,
-            curves: vec![],
-            stacked: false,
-            between: vec![],
-            strips: vec![],
-            verticals: vec![],
-            horizontals: vec![],
-            readings: vec![],
-        }
+        Self { x, y, curve_column: "curve".into(), ..Self::default() }
     }
 }
 
 /// One axis: the column it shows, its name and its scale.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Axis {
     /// The column of the csv.
@@ -114,8 +101,7 @@ impl Axis {
     /// A linear axis over the range of the data.
     #[must_use]
     pub fn new(column: &str, label: &str) -> Self {
-        let (column, label) = (column.into(), label.into());
-        Self { column, label, scale: Scale::Linear, range: None, multiply: 1.0 }
+        Self { column: column.into(), label: label.into(), multiply: 1.0, ..Self::default() }
     }
 
     /// The same axis with a logarithmic scale.
@@ -141,10 +127,11 @@ impl Axis {
 }
 
 /// The scale of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Scale {
     /// Equal differences take equal lengths.
+    #[default]
     Linear,
     /// Equal ratios take equal lengths; values of 0 and below leave the frame at the bottom.
     Log,

@@ -37,8 +37,6 @@ mod scan;
 mod series;
 mod size;
 mod style;
-#[cfg(feature = "scan")]
-mod surface;
 mod text;
 mod trace;
 
@@ -48,15 +46,11 @@ pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
 pub use map::{Map, draw_map, map_png};
 pub use matrix::{Cell, Matrix, draw_matrix};
 #[cfg(feature = "scan")]
-pub use scan::{ScanPicture, draw_scan};
+pub use scan::draw_surface;
 pub use style::Curve;
-#[cfg(feature = "scan")]
-pub use surface::draw_surface;
 pub use text::{number, power_of_ten};
 
 use layout::Layout;
-use panel::Plot;
-use series::Table;
 
 /// Draws a figure from the text of a csv; returns the text of an svg.
 ///
@@ -64,11 +58,7 @@ use series::Table;
 /// A column or a curve that the csv does not have, a curve in it that no panel draws, a cell that
 /// is not a number, or an axis without a usable range.
 pub fn draw(figure: &Figure, csv: &str) -> Result<String, PlotError> {
-    let table = Table::read(csv)?;
-    let plots = (0..figure.panels.len())
-        .map(|index| Plot::new(figure, index, &table))
-        .collect::<Result<Vec<Plot>, _>>()?;
-    series::check_all_drawn(figure, &table)?;
+    let plots = panel::plots(figure, csv)?;
     let layout = Layout::new(figure, &plots);
     canvas::picture(&figure.title, (size::WIDTH, layout.height), |canvas| {
         layout.draw(canvas);

@@ -148,7 +148,10 @@ fn draw_colours(canvas: &Canvas, map: &Map, bar: &Rect) {
         let share = |k: usize| k as f64 / steps as f64;
         let corners = [(0.0, share(k)), (1.0, share(k)), (1.0, share(k + 1)), (0.0, share(k + 1))];
         let corners = corners.map(|corner| bar.at(corner));
-        canvas.shade(&corners, &hex(colour(map.share(low + range * share(k)))));
+        let [red, green, blue] = colour(map.share(low + range * share(k)));
+        // Without gaps to its neighbours.
+        let crisp = "shape-rendering=\"crispEdges\"";
+        canvas.shape(&corners, &format!("#{red:02X}{green:02X}{blue:02X}"), crisp);
     }
     canvas.outline(bar, BLACK, 1.0);
     let step = round(range / 3.0);
@@ -167,11 +170,8 @@ fn draw_colours(canvas: &Canvas, map: &Map, bar: &Rect) {
     let middle = (bar.right + 62.0, 0.5 * (bar.top + bar.bottom));
     let face = Type { upward: true, ..Type::new(LABEL, BLACK, "middle") };
     canvas.text(&map.label, middle, face);
-    canvas.text(
-        &map.white,
-        (bar.left, bar.bottom + 14.0 + CAPITAL * SMALL),
-        Type::new(SMALL, BLACK, "start"),
-    );
+    let below = (bar.left, bar.bottom + 14.0 + CAPITAL * SMALL);
+    canvas.text(&map.white, below, Type::new(SMALL, BLACK, "start"));
 }
 
 /// The largest of 1, 2 and 5 times a power of ten up to a length.
@@ -191,15 +191,15 @@ fn colour(share: f64) -> [u8; 3] {
     })
 }
 
-fn hex([red, green, blue]: [u8; 3]) -> String {
-    format!("#{red:02X}{green:02X}{blue:02X}")
-}
-
 /// The values as a png of one pixel each. Colour 0 is white, of this opacity.
 fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     // With a bottom the lowest heights have a colour too, and only missing ones have none.
     let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
-    let shade = |value: &f64| if value.is_nan() { 0 } else { index(map.share(*value).max(least)) };
+    // Colour 0 is that of values of 0 and below, and of missing ones.
+    let shade = |value: &f64| match map.share(*value).max(least) {
+        share if share > 0.0 && !value.is_nan() => 1 + (share.min(1.0) * 254.0).round() as u8,
+        _ => 0,
+    };
     let indices: Vec<u8> = map.values.iter().map(shade).collect();
     let shades = (0..255).flat_map(|k| colour(f64::from(k) / 254.0));
     let palette: Vec<u8> = [255; 3].into_iter().chain(shades).collect();
@@ -218,11 +218,6 @@ fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     writer.write_image_data(&indices).map_err(failed)?;
     writer.finish().map_err(failed)?;
     Ok(bytes)
-}
-
-/// The number of a colour: 0, white, for values of 0 and below.
-fn index(share: f64) -> u8 {
-    if share > 0.0 { 1 + (share.min(1.0) * 254.0).round() as u8 } else { 0 }
 }
 
 #[cfg(test)]

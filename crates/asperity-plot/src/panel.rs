@@ -38,9 +38,18 @@ pub(crate) struct Plot<'a> {
     legend: Legend,
 }
 
+/// The panels of a figure with their data, all of which are drawn.
+pub(crate) fn plots<'a>(figure: &'a Figure, csv: &str) -> Result<Vec<Plot<'a>>, PlotError> {
+    let table = Table::read(csv)?;
+    let each = (0..figure.panels.len()).map(|index| Plot::new(figure, index, &table));
+    let all = each.collect::<Result<_, _>>()?;
+    series::check_all_drawn(figure, &table)?;
+    Ok(all)
+}
+
 impl<'a> Plot<'a> {
     /// Takes the data of panel number `index` from the table.
-    pub(crate) fn new(figure: &'a Figure, index: usize, table: &Table) -> Result<Self, PlotError> {
+    fn new(figure: &'a Figure, index: usize, table: &Table) -> Result<Self, PlotError> {
         let panel = &figure.panels[index];
         let tag = char::from(b'a' + (index % 26) as u8);
         let tag = if figure.panels.len() > 1 { format!("({tag}) ") } else { String::new() };
@@ -128,11 +137,9 @@ impl<'a> Plot<'a> {
 
     fn strip(&self, strip: &Strip, frame: &Rect) -> Rect {
         let ruler = if strip.upright { &self.x } else { &self.y };
-        let (from, to) =
-            (ruler.share(strip.from).clamp(0.0, 1.0), ruler.share(strip.to).clamp(0.0, 1.0));
-        let (low, high) =
-            if strip.upright { ((from, 0.0), (to, 1.0)) } else { ((0.0, from), (1.0, to)) };
-        let ((left, bottom), (right, top)) = (frame.at(low), frame.at(high));
+        let [from, to] = [strip.from, strip.to].map(|end| ruler.share(end).clamp(0.0, 1.0));
+        let corner = |end, side| frame.at(if strip.upright { (end, side) } else { (side, end) });
+        let ((left, bottom), (right, top)) = (corner(from, 0.0), corner(to, 1.0));
         Rect { left, top, right, bottom }
     }
 

@@ -1,36 +1,19 @@
-//! A scan at a glance: its map, and its curves from the text of a csv with the columns
-//! `panel,curve,x,y`.
+//! The report of a measured surface: its map, and its curves.
+
+use asperity_topography::{Glance, Topography};
 
 use crate::canvas::{Type, picture};
 use crate::error::PlotError;
-use crate::figure::{Axis, Figure, Mark, Panel, Scale};
+use crate::figure::{Axis, Figure, Mark, Panel};
 use crate::layout::Layout;
 use crate::map::{Map, Placed, check};
-use crate::panel::Plot;
-use crate::series::{Table, check_all_drawn};
+use crate::panel::plots;
 use crate::size::{LABEL, WIDTH};
 use crate::style::{BLACK, Curve};
 use crate::text::{CAPITAL, number};
 
-/// The picture of a scan. Lengths are in m.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ScanPicture {
-    /// A line above.
-    pub title: String,
-    /// Paragraphs below; each is wrapped.
-    pub caption: Vec<String>,
-    /// Heights, row by row; NaN for missing points.
-    pub heights: Vec<f64>,
-    /// Heights in a row.
-    pub columns: usize,
-    /// Length of the rows and of the columns.
-    pub size: [f64; 2],
-    /// Wavelengths marked in the radial spectrum.
-    pub marks: Vec<f64>,
-    /// The name of the law in the radial spectrum, where the csv has one.
-    pub law: String,
-}
-
+/// The most points of the map on a side, in a picture of its own and on a page.
+const MAP: [usize; 2] = [800, 400];
 /// Place of the map beside the left edge of its panel, and room for its bar of colours.
 const OUT: f64 = 44.0;
 const BAR: f64 = 92.0;
@@ -39,13 +22,22 @@ const SPREAD: f64 = 4.0;
 /// Units of lengths.
 const UNITS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
 
-/// Draws a scan; returns the text of an svg.
+/// Draws a levelled and filtered surface with its report: its map, the density of its heights,
+/// spectra, slope and curvature against scale; returns the text of an svg. With a title, it has a
+/// [caption](Topography::caption) as well; without one, the page around it has.
 ///
 /// # Errors
 /// Those of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
-pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
-    let table = Table::read(csv)?;
-    let there = || scan.heights.iter().copied().filter(|z| !z.is_nan());
+pub fn draw_surface(
+    surface: &Topography,
+    glance: &Glance,
+    title: Option<&str>,
+) -> Result<String, PlotError> {
+    let csv = surface.curves_csv(glance);
+    let (heights, columns) = surface.coarse(MAP[usize::from(title.is_none())]);
+    let [dx, dy] = surface.pixel_size();
+    let size = [surface.columns() as f64 * dx, surface.rows() as f64 * dy];
+    let there = || heights.iter().copied().filter(|z| !z.is_nan());
     let n = there().count().max(1) as f64;
     let mean = there().sum::<f64>() / n;
     let wide = SPREAD * (there().map(|z| (z - mean).powi(2)).sum::<f64>() / n).sqrt();
@@ -54,32 +46,32 @@ pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
     // Spikes would leave one colour for all else.
     let (low, high) = (lowest.max(mean - wide), highest.min(mean + wide));
     let (height, of_height) = unit(high - low);
-    let (length, of_length) = unit(scan.size[0].max(scan.size[1]) / 10.0);
+    let (length, of_length) = unit(size[0].max(size[1]) / 10.0);
+    let white = if heights.iter().any(|z| z.is_nan()) { "blank: missing" } else { "" };
     let map = Map {
-        values: scan.heights.iter().map(|z| z / height).collect(),
-        columns: scan.columns,
-        size: scan.size.map(|side| side / length),
+        values: heights.iter().map(|z| z / height).collect(),
+        columns,
+        size: size.map(|side| side / length),
         unit: of_length.into(),
         label: format!("height ({of_height})"),
         top: high / height,
         bottom: Some(low / height),
-        white: match scan.heights.iter().any(|z| z.is_nan()) {
-            true => "blank: missing".into(),
-            false => String::new(),
-        },
+        white: white.into(),
         ..Map::default()
     };
     check(&map)?;
-    let mut figure = figure(scan, csv, height, of_height);
+    let mut figure = figure(glance, &csv, height, of_height);
+    if let Some(title) = title {
+        // Underscores of file names lower no letters.
+        figure.title = title.replace('_', "_\u{200b}");
+        figure.caption = surface.caption(glance);
+    }
     if low > lowest || high < highest {
         let text =
             format!("Colours of the map end at {SPREAD} standard deviations of the heights.");
         figure.caption.push(text);
     }
-    let plots = (0..figure.panels.len())
-        .map(|index| Plot::new(&figure, index, &table))
-        .collect::<Result<Vec<Plot>, _>>()?;
-    check_all_drawn(&figure, &table)?;
+    let plots = plots(&figure, &csv)?;
     let layout = Layout::new(&figure, &plots);
     picture(&figure.title, (WIDTH, layout.height), |canvas| {
         layout.draw(canvas);
@@ -96,91 +88,62 @@ pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
 }
 
 /// The panels of the csv, after one that keeps the place of the map.
-fn figure(scan: &ScanPicture, csv: &str, height: f64, of_height: &str) -> Figure {
+fn figure(glance: &Glance, csv: &str, height: f64, of_height: &str) -> Figure {
     let has = |start: &str| csv.lines().any(|line| line.starts_with(start));
-    let curves = |panel: &str, all: &[(usize, &str, &str)]| -> Vec<Curve> {
-        let there = all.iter().filter(|(_, key, _)| has(&format!("{panel},{key},")));
-        there.map(|(look, key, label)| Curve::new(*look, key, label)).collect()
-    };
-    let lines = [(2, "rows", "along rows"), (3, "columns", "along columns")];
-    let micro = |label: &str| Axis::new("x", label).times(1e6).log();
+    let lines: &[_] = &[(2, "rows", "along rows"), (3, "columns", "along columns")];
+    let law = glance.power_law.as_ref().ok();
+    let name = law.map(|law| format!("power law, H = {:.2}", law.hurst)).unwrap_or_default();
+    let distance = || Axis::new("x", "distance (µm)").times(1e6).log();
     let wave_number = || Axis::new("x", "wave number (rad/µm)").times(1e-6).log();
-    let x = Axis::new("x", &format!("height ({of_height})")).times(1.0 / height);
+    let of_height = format!("height ({of_height})");
     let panels = [
         (
-            "histogram",
-            "density of heights",
-            x,
-            Axis::new("y", "density (1/m)").log(),
-            vec![(0, "heights", "heights"), (1, "gaussian", "Gaussian of the same Sq")],
+            ("histogram", "density of heights"),
+            Axis::new("x", &of_height).times(1.0 / height),
+            "density (1/m)",
+            &[(0, "heights", "heights"), (1, "gaussian", "Gaussian of the same Sq")][..],
         ),
         (
-            "radial",
-            "radial spectrum",
+            ("radial", "radial spectrum"),
             wave_number(),
-            Axis::new("y", "C (m⁴)").log(),
-            vec![(0, "radial", "radial spectrum"), (4, "law", &*scan.law)],
+            "C (m⁴)",
+            &[(0, "radial", "radial spectrum"), (4, "law", &*name)],
         ),
-        (
-            "axial",
-            "spectra of profiles",
-            wave_number(),
-            Axis::new("y", "C (m³)").log(),
-            lines.to_vec(),
-        ),
-        (
-            "slope",
-            "slope against scale",
-            micro("distance (µm)"),
-            Axis::new("y", "rms slope"),
-            lines.to_vec(),
-        ),
-        (
-            "curvature",
-            "curvature against scale",
-            micro("distance (µm)"),
-            Axis::new("y", "rms curvature (1/m)"),
-            lines.to_vec(),
-        ),
+        (("axial", "spectra of profiles"), wave_number(), "C (m³)", lines),
+        (("slope", "slope against scale"), distance(), "rms slope", lines),
+        (("curvature", "curvature against scale"), distance(), "rms curvature (1/m)", lines),
     ];
     let mut place =
         Panel::new(Axis::new("x", "").range(0.0, 1.0), Axis::new("y", "").range(0.0, 1.0));
     place.only = Some(("panel".into(), String::new()));
-    // Underscores of file names lower no letters.
-    let title = scan.title.replace('_', "_\u{200b}");
-    let mut figure = Figure::new(&title, &[], vec![place]);
-    figure.caption.clone_from(&scan.caption);
+    let mut figure = Figure::new("", &[], vec![place]);
     figure.columns = 2;
-    for (key, title, x, mut y, all) in panels {
+    for ((key, title), x, y, all) in panels {
         if !has(&format!("{key},")) {
             continue;
         }
-        if matches!(key, "slope" | "curvature") {
-            y.scale = Scale::Log;
-        }
-        let mut panel = Panel::new(x, y);
+        let mut panel = Panel::new(x, Axis::new("y", y).log());
         panel.title = title.into();
         panel.only = Some(("panel".into(), key.into()));
-        panel.curves = curves(key, &all);
-        if matches!(key, "slope" | "curvature" | "histogram") {
-            panel.curves.iter_mut().for_each(|curve| curve.every_point = key != "histogram");
+        for (look, curve, label) in all {
+            if has(&format!("{key},{curve},")) {
+                let mut curve = Curve::new(*look, curve, label);
+                curve.every_point = matches!(key, "slope" | "curvature");
+                panel.curves.push(curve);
+            }
         }
-        if key == "radial" {
-            let mark = |length: &f64| {
-                let (of, name) = unit(*length);
-                let text = format!("{} {name}", three(length / of));
-                Mark::new(std::f64::consts::TAU / length, &text)
+        if let ("radial", Some(law)) = (key, law) {
+            let mark = |length: f64| {
+                let (of, name) = unit(length);
+                // Three digits.
+                let text = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
+                Mark::new(std::f64::consts::TAU / length, &format!("{text} {name}"))
             };
-            panel.verticals = scan.marks.iter().map(mark).collect();
+            panel.verticals = law.roll_off.into_iter().chain(law.cut_off).map(mark).collect();
         }
         figure.panels.push(panel);
     }
     figure
-}
-
-/// A number with three digits.
-fn three(value: f64) -> String {
-    number(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// The unit in which a length is at least 1.
@@ -190,58 +153,67 @@ fn unit(length: f64) -> (f64, &'static str) {
 
 #[cfg(test)]
 mod tests {
+    use asperity_topography::Level;
+
     use super::*;
 
-    const CSV: &str = "panel,curve,x,y\nhistogram,heights,-1e-7,1e6\nhistogram,heights,1e-7,2e6\n\
-        histogram,gaussian,-1e-7,1e6\nhistogram,gaussian,1e-7,1e5\nradial,radial,1e5,1e-20\n\
-        radial,radial,4e6,1e-26\nradial,law,1e5,1e-20\nradial,law,4e6,1e-26\naxial,rows,1e5,1e-15\n\
-        axial,rows,4e6,1e-19\nslope,rows,1e-6,0.1\nslope,rows,2e-6,0.05\ncurvature,rows,1e-6,1e5\n\
-        curvature,rows,2e-6,1e4\n";
+    /// Waves on 48 x 32 points, one of them missing, and one high spike.
+    fn surface() -> Topography {
+        let height = |k: usize| match k {
+            99 => f64::NAN,
+            777 => 5e-6,
+            k => 1e-7 * ((0.7 * (k % 48) as f64).sin() + (0.4 * (k / 48) as f64).cos()),
+        };
+        Topography::new((0..48 * 32).map(height).collect(), 48, [1e-6; 2]).unwrap()
+    }
 
-    fn scan() -> ScanPicture {
-        ScanPicture {
-            title: "a_1 scan".into(),
-            caption: vec!["Sq 0.1 µm".into()],
-            heights: vec![-1e-7, 0.0, 1e-7, f64::NAN, 2e-7, 0.0],
-            columns: 3,
-            size: [60e-6, 40e-6],
-            marks: vec![12.34e-6],
-            law: "power law, H = 0.80".into(),
-        }
+    fn drawn(surface: &Topography, title: Option<&str>) -> Result<String, PlotError> {
+        let glance = Glance::new(surface, Level::None, [None; 2], surface).unwrap();
+        draw_surface(surface, &glance, title)
     }
 
     #[test]
     fn map_panels_marks_and_legend_are_drawn() {
-        let svg = draw_scan(&scan(), CSV).unwrap();
+        let svg = drawn(&surface(), Some("a_1 scan")).unwrap();
         for word in [
             "a_\u{200b}1 scan",
             "(a) map",
-            ">20 µm<",
+            ">10 µm<",
             "height (nm)",
             "blank: missing",
             "rad/µm",
-            "power law, H = 0.80",
-            ">12.3 µm<",
             "along rows",
             "rms curvature",
-            "Sq 0.1 µm",
+            "48 x 32 points",
+            "end at 4 standard deviations",
         ] {
             assert!(svg.contains(word), "{word}");
         }
         assert!(svg.contains("<image ") && !svg.contains("NaN") && !svg.contains("inf"));
-        assert!(svg == draw_scan(&scan(), CSV).unwrap());
+        assert!(svg == drawn(&surface(), Some("a_1 scan")).unwrap());
+        assert!(!drawn(&surface(), None).unwrap().contains("48 x 32 points"));
     }
 
     #[test]
-    fn panels_without_rows_are_left_out_and_flat_maps_refused() {
-        let few: String =
-            CSV.lines().filter(|l| !l.starts_with("radial")).map(|l| format!("{l}\n")).collect();
-        assert!(!draw_scan(&scan(), &few).unwrap().contains("radial"));
-        let spike: Vec<f64> =
-            (0..300).map(|k| if k == 7 { 5e-6 } else { 1e-8 * f64::from(k % 5) }).collect();
-        let spiked = ScanPicture { heights: spike, columns: 30, ..scan() };
-        assert!(draw_scan(&spiked, CSV).unwrap().contains("end at 4 standard deviations"));
-        let flat = ScanPicture { heights: vec![0.0; 6], ..scan() };
-        assert!(draw_scan(&flat, CSV).is_err());
+    fn the_radial_spectrum_has_its_law_and_its_marks() {
+        let surface = surface();
+        let mut glance = Glance::new(&surface, Level::None, [None; 2], &surface).unwrap();
+        let wave_number: Vec<f64> = (0..32).map(|k| 1e5 * 2f64.powf(f64::from(k) / 4.0)).collect();
+        let mut spectra = glance.spectra.clone().unwrap();
+        let mut radial = spectra.radial.clone().unwrap();
+        radial.density = wave_number.iter().map(|q| (q / 4e5).max(1.0).powf(-3.6)).collect();
+        radial.wave_number = wave_number;
+        glance.power_law = asperity_topography::PowerLaw::fit(&radial);
+        spectra.radial = Some(radial);
+        glance.spectra = Some(spectra);
+        let svg = draw_surface(&surface, &glance, None).unwrap();
+        assert!(svg.contains("power law, H = 0.80") && svg.contains(">15.7 µm<"));
+    }
+
+    #[test]
+    fn panels_without_rows_are_left_out() {
+        let profile = Topography::new(surface().heights()[..48].to_vec(), 48, [1e-6; 2]).unwrap();
+        let svg = drawn(&profile, None).unwrap();
+        assert!(!svg.contains("radial") && svg.contains("along rows"));
     }
 }

@@ -122,12 +122,8 @@ pub(crate) fn areas<'a>(
     for between in &panel.between {
         let lower = whole(pieces(panel, table, &between.lower)?, &between.lower, None)?;
         let upper = whole(pieces(panel, table, &between.upper)?, &between.upper, Some(&lower))?;
-        areas.push(Area {
-            lower,
-            upper,
-            colour: Curve::new(between.look, "", "").colour(),
-            label: "",
-        });
+        let colour = Curve::new(between.look, "", "").colour();
+        areas.push(Area { lower, upper, colour, label: "" });
     }
     let mut below: Option<Vec<Point>> = None;
     for Series { curve, pieces, .. } in all.iter_mut().filter(|_| panel.stacked) {

@@ -2,7 +2,7 @@
 //! shape alone, so each number has its own of all three.
 
 /// The look of one curve of the csv, and its name in the legend.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Curve {
     /// The name in the curve column of the csv.
@@ -30,10 +30,7 @@ impl Curve {
     /// A line with a few markers.
     #[must_use]
     pub fn new(look: usize, key: &str, label: &str) -> Self {
-        let (key, label) = (key.into(), label.into());
-        let (every_point, marked) = (false, None);
-        let (join_gaps, faint, invalid) = (false, false, false);
-        Self { key, label, look, line: true, every_point, marked, join_gaps, faint, invalid }
+        Self { key: key.into(), label: label.into(), look, line: true, ..Self::default() }
     }
 
     /// A line in the background; such curves share a label, and one key of the legend.

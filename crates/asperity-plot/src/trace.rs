@@ -1,14 +1,11 @@
 //! A curve in pixels: fewer points, samples, and places for markers.
 
 use crate::canvas::{MARKER, Rect};
+use crate::clip::between;
 use crate::series::Point;
 
 fn distance(a: Point, b: Point) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
-}
-
-fn between(a: Point, b: Point, share: f64) -> Point {
-    (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
 }
 
 /// The polyline without the points that change it invisibly (Douglas and Peucker).

@@ -259,7 +259,7 @@ impl Topography {
         let level = self.form(py, level, 0)?;
         let svg = py.detach(|| {
             let found = glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
-            draw_surface(&found.0, &found.1, title).map_err(value_error)
+            draw_surface(&found.0, &found.1, Some(title)).map_err(value_error)
         })?;
         py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
     }

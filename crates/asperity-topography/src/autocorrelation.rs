@@ -35,9 +35,8 @@ impl Topography {
         }
         let lags = Lags::of(self)?;
         let [dx, dy] = self.pixel_size();
-        let inside = lags.inside();
         let (mut shortest, mut longest, mut touches_edge) = (f64::INFINITY, 0.0_f64, false);
-        for &(v, u) in &inside.points {
+        for (v, u) in lags.inside() {
             let here = lags.at(v, u)?;
             for (along, down) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
                 let Some(next) = lags.at(v + down, u + along) else {
@@ -66,11 +65,6 @@ struct Lags {
     shape: [usize; 2],
     /// The largest lag along a column and along a row.
     most: [isize; 2],
-}
-
-/// The lags about 0 at which the autocorrelation has not decayed.
-struct Inside {
-    points: Vec<(isize, isize)>,
 }
 
 impl Lags {
@@ -125,14 +119,14 @@ impl Lags {
         Some(self.values[place(v, self.shape[0]) * self.shape[1] + place(u, self.shape[1])])
     }
 
-    fn inside(&self) -> Inside {
+    /// The lags about 0 at which the autocorrelation has not decayed.
+    fn inside(&self) -> Vec<(isize, isize)> {
         let width = (2 * self.most[1] + 1) as usize;
         let mut seen = vec![false; (2 * self.most[0] + 1) as usize * width];
         let index =
             |v: isize, u: isize| (v + self.most[0]) as usize * width + (u + self.most[1]) as usize;
-        let (mut points, mut next) = (vec![], 0);
+        let (mut points, mut next) = (vec![(0, 0)], 0);
         seen[index(0, 0)] = true;
-        points.push((0, 0));
         while let Some(&(v, u)) = points.get(next) {
             next += 1;
             for (v, u) in [(v, u + 1), (v, u - 1), (v + 1, u), (v - 1, u)] {
@@ -142,7 +136,7 @@ impl Lags {
                 }
             }
         }
-        Inside { points }
+        points
     }
 }
 

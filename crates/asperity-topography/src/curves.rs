@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use crate::{Glance, PowerSpectrum, Topography};
+use crate::{Glance, Parameters, PowerSpectrum, Topography};
 
 /// Bins of the histogram.
 const BINS: usize = 60;
@@ -27,12 +27,9 @@ impl Topography {
             // A String takes all.
             let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y}");
         };
-        let mean = self.mean();
-        let sq = self.central_moment(mean, 2).sqrt();
+        let (mean, Parameters { sq, sv, sz, .. }) = (self.mean(), glance.parameters);
         let measured = || self.heights().iter().filter(|z| !z.is_nan()).map(|z| z - mean);
-        let low = measured().fold(f64::INFINITY, f64::min);
-        let high = measured().fold(f64::NEG_INFINITY, f64::max);
-        let width = (high - low) / BINS as f64;
+        let (low, width) = (-sv, sz / BINS as f64);
         let mut counts = [0_usize; BINS];
         measured().for_each(|z| counts[(((z - low) / width) as usize).min(BINS - 1)] += 1);
         let one = 1.0 / (self.measured() as f64 * width);
@@ -60,7 +57,7 @@ impl Topography {
                 spectrum("axial", "columns", columns);
             }
         }
-        if let Some(law) = &glance.power_law {
+        if let Ok(law) = &glance.power_law {
             law.range.iter().for_each(|q| add("radial", "law", *q, Some(law.density(*q))));
         }
         let [dx, dy] = self.pixel_size();
@@ -83,9 +80,7 @@ impl Topography {
     /// Sentences below the picture.
     #[must_use]
     pub fn caption(&self, glance: &Glance) -> Vec<String> {
-        let mean = self.mean();
-        let moment = |power| self.central_moment(mean, power);
-        let sq = moment(2).sqrt();
+        let Parameters { sq, ssk, sku, .. } = glance.parameters;
         let [dx, dy] = self.pixel_size();
         let mut first = format!(
             "{} x {} points, {} x {} apart; {}; {:.2} % missing. Sq = {}, Ssk = {:.2}, Sku = {:.2}.",
@@ -96,23 +91,27 @@ impl Topography {
             glance.filter,
             100.0 * self.missing_share(),
             length(sq),
-            moment(3) / (sq * sq * sq),
-            moment(4) / (sq * sq * sq * sq),
+            ssk,
+            sku,
         );
-        if let (Some(ratio), Some(direction)) = (glance.slope_ratio, glance.lay_direction) {
+        if let Some((ratio, direction)) =
+            glance.texture.and_then(|lay| lay.ratio().map(|ratio| (ratio, lay.direction)))
+        {
             first += &format!(
                 " Rms slope across the lay over that along it: {ratio:.2}; lay at {direction:.0}° from the rows."
             );
         }
         let mut all = vec![first];
-        if glance.power_law.is_some() && (glance.roll_off.is_some() || glance.cut_off.is_some()) {
-            all.push(
+        match &glance.power_law {
+            Ok(law) if law.roll_off.or(law.cut_off).is_some() => all.push(
                 "Dashed in the radial spectrum: the wavelengths between which the power law holds."
                     .into(),
-            );
+            ),
+            Err(reason) if !self.is_profile() => {
+                all.push(format!("No power law is drawn: {reason}."));
+            }
+            _ => {}
         }
-        let missing = glance.hurst_missing.as_ref().filter(|_| !self.is_profile());
-        all.extend(missing.map(|reason| format!("No power law is drawn: {reason}.")));
         all
     }
 

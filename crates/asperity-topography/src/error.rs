@@ -1,5 +1,6 @@
 //! Errors of scans: place, value found, value required.
 
+use std::fmt::Display;
 use std::io;
 use std::path::PathBuf;
 
@@ -57,24 +58,6 @@ pub enum TopographyError {
         /// The name of the format.
         format: &'static str,
     },
-    /// A channel that the file does not have.
-    #[error("channel is {found:?}: {names} was required")]
-    Channel {
-        /// The name given.
-        found: String,
-        /// The names in the file.
-        names: String,
-    },
-    /// An invalid line of a text file.
-    #[error("line {line}: {found:?} was found, {required} was required")]
-    Line {
-        /// The line number, from 1.
-        line: usize,
-        /// The value found.
-        found: String,
-        /// The value required.
-        required: String,
-    },
     /// A row of a text file is longer or shorter than the first.
     #[error("line {line} has {found} numbers: {required} were required, as in the first row")]
     RowLength {
@@ -85,13 +68,11 @@ pub enum TopographyError {
         /// The number of values in the first row.
         required: usize,
     },
-    /// An invalid field of a binary or XML file.
-    #[error("{format} {field}: {found} was found, {required} was required")]
-    Field {
-        /// Name of the format.
-        format: &'static str,
-        /// Name of the field.
-        field: &'static str,
+    /// An invalid part of a file: a line of text, a field, a position.
+    #[error("{place}: {found} was found, {required} was required")]
+    Content {
+        /// The line, the format and its field, or the coordinate.
+        place: String,
         /// The value found.
         found: String,
         /// The value required.
@@ -102,16 +83,6 @@ pub enum TopographyError {
         "the file does not state the unit of the heights: give unit (\"nm\", \"um\", \"mm\" or \"m\")"
     )]
     UnitMissing,
-    /// A cut-off outside the wavelengths of the scan.
-    #[error("{field} is {value:?}: {required} was required")]
-    Cutoff {
-        /// Name of the option.
-        field: &'static str,
-        /// The value given \[m\].
-        value: f64,
-        /// The lengths accepted and, if one fits, the unit of the value given.
-        required: String,
-    },
     /// A pixel smaller than an atom: probably a length in metres given with another unit.
     #[error(
         "pixel_size is {value:e} {unit}, which is {metres:e} m and smaller than an atom; {value:e} looks like m, but pixel_size is in the unit of the heights"
@@ -176,8 +147,8 @@ pub enum TopographyError {
         field: &'static str,
         /// The value given.
         value: f64,
-        /// The values accepted.
-        required: &'static str,
+        /// The values accepted and, if one fits, the unit of the value given.
+        required: String,
     },
     /// The number of heights is not a multiple of the number of columns.
     #[error(
@@ -237,17 +208,7 @@ pub enum TopographyError {
         "outliers of a filtered surface cannot be replaced, because a filter spreads them: despike before filter and smooth"
     )]
     Filtered,
-    /// Points that do not lie on a regular grid.
-    #[error("{field}: {found} was found, {required} was required")]
-    Grid {
-        /// The coordinate.
-        field: &'static str,
-        /// The value found.
-        found: String,
-        /// The value required.
-        required: String,
-    },
-    /// An unknown name.
+    /// An unknown name: of an option or of a channel of the file.
     #[error("{field} is {found:?}: {names} was required")]
     UnknownName {
         /// The option or field.
@@ -290,6 +251,52 @@ impl TopographyError {
         matches!(self, Self::ForeignFormat { .. } | Self::Picture { .. } | Self::UnknownFormat)
     }
 }
+
+/// A value out of its range.
+pub(crate) fn out_of_range(field: &'static str, value: f64, required: &str) -> TopographyError {
+    TopographyError::OutOfRange { field, value, required: required.into() }
+}
+
+/// Refuses sizes above a limit of this crate.
+pub(crate) fn at_most(what: &'static str, size: u64, limit: u64) -> Result<(), TopographyError> {
+    if size > limit { Err(TopographyError::TooLarge { what, size, limit }) } else { Ok(()) }
+}
+
+/// A part of a file that is not what was required.
+pub(crate) fn refuse(
+    place: impl Display,
+    found: impl Display,
+    required: impl Display,
+) -> TopographyError {
+    let found = excerpt(&found.to_string());
+    TopographyError::Content { place: place.to_string(), found, required: required.to_string() }
+}
+
+/// A line of a text file that is not what was required, numbered from 1.
+pub(crate) fn refuse_line(line: usize, found: &str, required: &str) -> TopographyError {
+    let (place, found) = (format!("line {line}"), format!("{:?}", excerpt(found)));
+    TopographyError::Content { place, found, required: required.to_owned() }
+}
+
+/// The names of an enum in text: those of serde.
+macro_rules! named {
+    ($type:ty, $field:literal) => {
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                serde::Serialize::serialize(self, f)
+            }
+        }
+
+        impl std::str::FromStr for $type {
+            type Err = TopographyError;
+
+            fn from_str(name: &str) -> Result<Self, TopographyError> {
+                $crate::error::parse_name($field, name)
+            }
+        }
+    };
+}
+pub(crate) use named;
 
 /// The value of a name; serde has the lists of names.
 pub(crate) fn parse_name<T: DeserializeOwned>(

@@ -18,25 +18,23 @@ impl Topography {
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
     /// [`TopographyError::NotFilled`] if the residual does not fall to 1e-10.
-    pub fn fill(self) -> Result<Self, TopographyError> {
-        let (share, limit) = (self.missing_share(), Self::MOST_FILLED);
-        if share > limit {
-            return Err(TopographyError::TooManyToFill { share, limit });
-        }
+    pub fn fill(mut self) -> Result<Self, TopographyError> {
         let places: Vec<usize> =
-            (0..self.heights().len()).filter(|at| self.heights()[*at].is_nan()).collect();
-        let heights = self.harmonic(&places)?;
-        Ok(self.with_filled(places.into_iter().zip(heights)))
+            (0..self.heights.len()).filter(|at| self.heights[*at].is_nan()).collect();
+        self.replace(&places, self.heights.len())?;
+        self.filled += std::mem::take(&mut self.missing);
+        Ok(self)
     }
 
-    /// The surface with harmonic heights at these points, which are outliers.
-    pub(crate) fn replaced(self, places: &[usize]) -> Result<Self, TopographyError> {
-        let (share, limit) = (places.len() as f64 / self.measured() as f64, Self::MOST_FILLED);
+    /// Harmonic heights at these points, at most a small share of `all`.
+    pub(crate) fn replace(&mut self, places: &[usize], all: usize) -> Result<(), TopographyError> {
+        let (share, limit) = (places.len() as f64 / all as f64, Self::MOST_FILLED);
         if share > limit {
             return Err(TopographyError::TooManyToFill { share, limit });
         }
         let heights = self.harmonic(places)?;
-        Ok(self.with_despiked(places.iter().copied().zip(heights)))
+        places.iter().zip(heights).for_each(|(at, height)| self.heights[*at] = height);
+        Ok(())
     }
 
     /// Harmonic heights \[m\] at these points, ascending; other points without a height count as
@@ -69,20 +67,11 @@ struct Point {
 
 impl Point {
     fn new(surface: &Topography, places: &[usize], at: usize) -> Self {
-        let (columns, rows) = (surface.columns(), surface.rows());
-        let (x, y) = (at % columns, at / columns);
         let [wx, wy] = surface.pixel_size().map(|step| (step / surface.pixel_size()[0]).powi(-2));
-        // The index before or behind one of n, if there is one.
-        let step = |k: usize, n: usize, on: bool| match (on, surface.is_periodic()) {
-            (true, _) if k + 1 < n => Some(k + 1),
-            (false, _) if k > 0 => Some(k - 1),
-            (on, true) if n > 1 => Some(if on { 0 } else { n - 1 }),
-            _ => None,
-        };
-        let along = [false, true].map(|on| Some((y * columns + step(x, columns, on)?, wx)));
-        let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
+        let steps = [(0, -1, wx), (0, 1, wx), (-1, 0, wy), (1, 0, wy)];
+        let beside = |(down, along, weight)| Some((surface.beside(at, down, along)?, weight));
         let mut point = Self { weight: 0.0, measured: 0.0, missing: [None; 4] };
-        for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
+        for (k, (beside, weight)) in steps.into_iter().filter_map(beside).enumerate() {
             let height = surface.heights()[beside];
             match places.binary_search(&beside) {
                 Ok(number) => point.missing[k] = Some((number, weight)),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_fft::{Complex64, Fft};
 
+use crate::error::out_of_range;
 use crate::{LengthUnit, Topography, TopographyError};
 
 /// Distance from the centre \[cut-offs\] beyond which the weight is below 1e-16 of its maximum.
@@ -20,15 +21,10 @@ impl Topography {
     /// the remaining weights are scaled to the sum 1.
     ///
     /// # Errors
-    /// [`TopographyError::Cutoff`] when the cut-off is below two pixels or above the size of
+    /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
     /// the surface.
-    pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean("filter", cutoff)?;
-        self = self.with_outliers_found();
-        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
-            *height -= mean;
-        }
-        Ok(self)
+    pub fn filter(self, cutoff: f64) -> Result<Self, TopographyError> {
+        self.with_mean("filter", cutoff, |height, mean| height - mean)
     }
 
     /// The Gaussian mean surface, which [`Topography::filter`] removes. Waves much shorter than
@@ -36,14 +32,20 @@ impl Topography {
     ///
     /// # Errors
     /// As [`Topography::filter`].
-    pub fn smooth(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean("smooth", cutoff)?;
+    pub fn smooth(self, cutoff: f64) -> Result<Self, TopographyError> {
+        self.with_mean("smooth", cutoff, |height, mean| if height.is_nan() { height } else { mean })
+    }
+
+    /// The surface with other heights, from its own and the Gaussian mean.
+    fn with_mean(
+        mut self,
+        field: &'static str,
+        cutoff: f64,
+        height: fn(f64, f64) -> f64,
+    ) -> Result<Self, TopographyError> {
+        let mean = self.gaussian_mean(field, cutoff)?;
         self = self.with_outliers_found();
-        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
-            if !height.is_nan() {
-                *height = mean;
-            }
-        }
+        self.heights.iter_mut().zip(mean).for_each(|(z, mean)| *z = height(*z, mean));
         Ok(self)
     }
 
@@ -110,7 +112,7 @@ fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> 
     let required = format!(
         "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
     );
-    TopographyError::Cutoff { field, value, required }
+    out_of_range(field, value, &required)
 }
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.

@@ -1,72 +1,68 @@
-//! What decides how far a scan is to be trusted, and its parameters by ISO 25178-2.
+//! The report of a scan: what decides how far it is to be trusted, parameters by ISO 25178-2,
+//! moments and asperities.
 
-use serde::Serialize;
+use std::borrow::Cow;
 
-use crate::{Level, PowerLaw, Spectra, Topography, TopographyError};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A scan at a glance, in SI units. `None` where a number does not exist: areal ones of a profile,
-/// spectra with many missing points.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+use crate::{
+    AtDistance, Level, Outliers, Parameters, PowerLaw, Spectra, Statistics, Texture, Topography,
+    TopographyError,
+};
+
+/// A number of the report of a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reported {
+    /// The name: `sq`.
+    pub name: &'static str,
+    /// The number in its unit; `None` where it does not exist: areal ones of a profile, spectra
+    /// with many missing points.
+    pub value: Option<f64>,
+    /// The SI unit, or `deg`; empty for none.
+    pub unit: &'static str,
+    /// Its meaning, or the reason why there is none.
+    pub meaning: Cow<'static, str>,
+}
+
+/// Name, value, unit and meaning.
+type Number = (&'static str, Option<f64>, &'static str, &'static str);
+
+fn reported((name, value, unit, meaning): Number) -> Reported {
+    Reported { name, value, unit, meaning: meaning.into() }
+}
+
+/// A scan at a glance, in SI units.
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Glance {
     /// Form and filters applied before all other numbers.
     pub filter: String,
-    /// Slope along rows of the plane removed.
-    pub tilt_x: f64,
-    /// Slope along columns of the plane removed.
-    pub tilt_y: f64,
-    /// Range of heights of the form removed, tilt included \[m\].
-    pub form_height: f64,
-    /// Rms slope across the lay over that along it.
-    pub slope_ratio: Option<f64>,
-    /// Direction of the lay \[degrees\] from rows towards columns.
-    pub lay_direction: Option<f64>,
-    /// Rms slope along the lay.
-    pub slope_along_lay: Option<f64>,
-    /// Rms slope across the lay.
-    pub slope_across_lay: Option<f64>,
-    /// The wavelength above which half of Sq² lies \[m\].
-    pub long_wavelength: Option<f64>,
-    /// How many of these wavelengths fit on the shorter side: 10 or more are wanted.
-    pub long_waves: Option<f64>,
-    /// m₂ over that of every second point.
-    pub m2_over_half: Option<f64>,
-    /// m₄ over that of every second point: 16 for noise, 1 where the pixel is small enough.
-    pub m4_over_half: Option<f64>,
-    /// Sa \[m\].
-    pub sa: f64,
-    /// Sz \[m\].
-    pub sz: f64,
-    /// Sp \[m\].
-    pub sp: f64,
-    /// Sv \[m\].
-    pub sv: f64,
-    /// Sdq.
-    pub sdq: f64,
-    /// Sdr, a ratio.
-    pub sdr: Option<f64>,
-    /// Sal \[m\].
-    pub sal: Option<f64>,
-    /// Str.
-    pub str: Option<f64>,
-    /// Spd \[1/m²\].
-    pub spd: Option<f64>,
-    /// Spc \[1/m\].
-    pub spc: Option<f64>,
-    /// Hurst exponent of the power law fitted to the radial spectrum.
-    pub hurst: Option<f64>,
-    /// The reason why there is none.
-    pub hurst_missing: Option<String>,
-    /// Its roll-off wavelength \[m\].
-    pub roll_off: Option<f64>,
-    /// The wavelength below which the spectrum leaves it \[m\].
-    pub cut_off: Option<f64>,
+    /// What decides how far the scan is to be trusted, from `tilt_x` to `m4_over_half`; what ISO
+    /// 25178-2 defines, and the power law, from `sa` to `cut_off`.
+    pub numbers: [Reported; 24],
+    /// Height and hybrid parameters.
+    pub parameters: Parameters,
+    /// Direction of the lay.
+    pub texture: Option<Texture>,
     /// The spectra.
-    #[serde(skip)]
     pub spectra: Option<Spectra>,
-    /// The power law.
-    #[serde(skip)]
-    pub power_law: Option<PowerLaw>,
+    /// The power law fitted to the radial spectrum, or the reason why there is none.
+    pub power_law: Result<PowerLaw, String>,
+}
+
+/// An object of all numbers, with `hurst_missing`, the reason where there is no power law.
+impl Serialize for Glance {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("filter", &self.filter)?;
+        for number in &self.numbers {
+            map.serialize_entry(number.name, &number.value)?;
+            if number.name == "hurst" {
+                map.serialize_entry("hurst_missing", &self.power_law.as_ref().err())?;
+            }
+        }
+        map.end()
+    }
 }
 
 impl Glance {
@@ -86,62 +82,117 @@ impl Glance {
         let texture = surface.texture();
         let spectra = surface.spectra();
         let power_law = match &spectra {
-            Ok(Spectra { radial: Some(radial), .. }) => {
-                PowerLaw::fit(radial).map_err(|reason| reason.to_string())
-            }
+            Ok(Spectra { radial: Some(radial), .. }) => PowerLaw::fit(radial),
             Ok(_) => Err("a profile has no radial spectrum".into()),
             Err(reason) => Err(reason.to_string()),
         };
-        let (power_law, hurst_missing) = match power_law {
-            Ok(law) => (Some(law), None),
-            Err(reason) => (None, Some(reason)),
-        };
-        let spectra = spectra.ok();
+        let (spectra, law) = (spectra.ok(), power_law.as_ref().ok());
         let [dx, dy] = surface.pixel_size();
         let [width, height] = [surface.columns() as f64 * dx, surface.rows() as f64 * dy];
         let side = if surface.is_profile() { width } else { width.min(height) };
-        let long_wavelength = spectra.as_ref().map(|spectra| spectra.median_wavelength);
+        let long = spectra.as_ref().map(|spectra| spectra.median_wavelength);
         let [one, two] = [1, 2].map(|step| surface.at_distance(step));
-        let ratio = |one: [Option<f64>; 2], two: [Option<f64>; 2]| {
-            let square = |each: [Option<f64>; 2]| {
-                each.into_iter().flatten().map(|rms| rms * rms).sum::<f64>()
-            };
-            Some(square(one) / square(two)).filter(|ratio| ratio.is_finite())
+        let ratio = |of: fn(&AtDistance) -> [Option<f64>; 2]| {
+            let square = |at| of(at).into_iter().flatten().map(|rms: f64| rms * rms).sum::<f64>();
+            Some(square(&one) / square(&two)).filter(|ratio| ratio.is_finite())
         };
-        let slopes = [one, two].map(|at| [at.slope_rows, at.slope_columns]);
-        let curvatures = [one, two].map(|at| [at.curvature_rows, at.curvature_columns]);
+        let m2_over_half = ratio(|at| [at.slope_rows, at.slope_columns]);
+        let m4_over_half = ratio(|at| [at.curvature_rows, at.curvature_columns]);
         let decay = surface.decay();
         let peaks = surface.peaks().ok();
-        Ok(Self {
-            filter: named(level, cutoffs),
-            tilt_x,
-            tilt_y,
-            form_height,
-            slope_ratio: texture.and_then(|texture| texture.ratio()),
-            lay_direction: texture.map(|texture| texture.direction),
-            slope_along_lay: texture.map(|texture| texture.slope_along),
-            slope_across_lay: texture.map(|texture| texture.slope_across),
-            long_wavelength,
-            long_waves: long_wavelength.map(|length| side / length),
-            m2_over_half: ratio(slopes[0], slopes[1]),
-            m4_over_half: ratio(curvatures[0], curvatures[1]),
-            sa: parameters.sa,
-            sz: parameters.sz,
-            sp: parameters.sp,
-            sv: parameters.sv,
-            sdq: parameters.sdq,
-            sdr: parameters.sdr,
-            sal: decay.map(|decay| decay.sal),
-            str: decay.and_then(|decay| decay.str),
-            spd: peaks.map(|peaks| peaks.spd),
-            spc: peaks.and_then(|peaks| peaks.spc),
-            hurst: power_law.map(|law| law.hurst),
-            hurst_missing,
-            roll_off: power_law.and_then(|law| law.roll_off),
-            cut_off: power_law.and_then(|law| law.cut_off),
-            spectra,
-            power_law,
-        })
+        let of_lay = |of: fn(Texture) -> f64| texture.map(of);
+        let (slope_ratio, lay) = (texture.and_then(|lay| lay.ratio()), of_lay(|lay| lay.direction));
+        let waves = long.map(|length| side / length);
+        let Parameters { sa, sz, sp, sv, sdq, sdr, .. } = parameters;
+        let (sal, str) = (decay.map(|decay| decay.sal), decay.and_then(|decay| decay.str));
+        let (spd, spc) = (peaks.map(|peaks| peaks.spd), peaks.and_then(|peaks| peaks.spc));
+        let (hurst, ends) = (law.map(|law| law.hurst), law.map(|law| [law.roll_off, law.cut_off]));
+        let [roll_off, cut_off] = ends.unwrap_or_default();
+        let numbers: [Number; 24] = [
+            ("tilt_x", Some(tilt_x), "", "slope along rows of the plane removed"),
+            ("tilt_y", Some(tilt_y), "", "slope along columns of the plane removed"),
+            ("form_height", Some(form_height), "m", "height of the form removed, with its tilt"),
+            ("slope_ratio", slope_ratio, "", "rms slope across the lay over that along it"),
+            ("lay_direction", lay, "deg", "lay, from rows (x) towards columns (y)"),
+            (ALONG, of_lay(|lay| lay.slope_along), "", "rms slope along the lay"),
+            (ACROSS, of_lay(|lay| lay.slope_across), "", "rms slope across the lay"),
+            ("long_wavelength", long, "m", "half of Sq^2 is in longer waves"),
+            ("long_waves", waves, "", "of them on the shorter side: 10 or more are wanted"),
+            ("m2_over_half", m2_over_half, "", "m2 over that of every second point"),
+            ("m4_over_half", m4_over_half, "", "likewise m4: 1 if resolved, 16 for noise"),
+            ("sa", Some(sa), "m", "mean distance from the mean"),
+            ("sz", Some(sz), "m", "from the lowest to the highest point"),
+            ("sp", Some(sp), "m", "highest point above the mean"),
+            ("sv", Some(sv), "m", "lowest point below the mean"),
+            ("sdq", Some(sdq), "", "rms gradient"),
+            ("sdr", sdr, "", "developed area over the nominal one, less 1"),
+            ("sal", sal, "m", "shortest length of decay of the autocorrelation to 0.2"),
+            ("str", str, "", "shortest over longest: 1 for an isotropic surface"),
+            ("spd", spd, "1/m2", "density of peaks; hills below 5 % of sz pruned"),
+            ("spc", spc, "1/m", "mean curvature of these peaks"),
+            ("hurst", hurst, "", "Hurst exponent fitted to the radial spectrum"),
+            ("roll_off", roll_off, "m", "wavelength above which the spectrum is flat"),
+            ("cut_off", cut_off, "m", "wavelength below which it leaves the power law"),
+        ];
+        let mut numbers = numbers.map(reported);
+        if let Err(reason) = &power_law {
+            numbers[TRUST + 10].meaning = reason.clone().into();
+        }
+        let filter = named(level, cutoffs);
+        Ok(Self { filter, numbers, parameters, texture, spectra, power_law })
+    }
+}
+
+/// Numbers that decide trust.
+const TRUST: usize = 11;
+/// Slopes that stand in data, but not in a table, which has their ratio.
+const ALONG: &str = "slope_along_lay";
+const ACROSS: &str = "slope_across_lay";
+
+/// What decides trust, parameters of ISO 25178-2, moments and asperities, in this order; of two
+/// surfaces in contact the statistics alone.
+#[must_use]
+pub fn report(statistics: &Statistics, glance: Option<&Glance>) -> Vec<Reported> {
+    let [sq, ssk, sku, moments @ .., missing, _, count, largest, share] = statistics.numbers();
+    let mut all = vec![missing, count, largest, share];
+    let Some(Glance { filter, numbers, .. }) = glance else {
+        all.extend([ssk, sku, sq].into_iter().chain(moments));
+        return all;
+    };
+    let (trust, parameters) = numbers.split_at(TRUST);
+    let shown = |number: &&Reported| ![ALONG, ACROSS].contains(&number.name);
+    all.extend(trust.iter().filter(shown).cloned());
+    let filter = Reported { meaning: filter.clone().into(), ..reported(("filter", None, "", "")) };
+    all.extend([ssk, sku, filter, sq]);
+    all.extend(parameters.iter().cloned().chain(moments));
+    all
+}
+
+impl Statistics {
+    /// The numbers, in the order of the fields.
+    #[must_use]
+    pub fn numbers(&self) -> [Reported; 17] {
+        let Outliers { count, largest, m4_share, .. } = self.outliers;
+        let all: [Number; 17] = [
+            ("sq", Some(self.sq), "m", "standard deviation of the heights"),
+            ("ssk", Some(self.ssk), "", "skewness of the heights"),
+            ("sku", Some(self.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
+            ("m0", Some(self.m0), "m2", "profile moment <z^2>"),
+            ("m2", Some(self.m2), "", "profile moment <z'^2>"),
+            ("m4", Some(self.m4), "1/m2", "profile moment <z''^2>"),
+            ("alpha", Some(self.alpha), "", "bandwidth m0 m4/m2^2"),
+            ("asperity_density", self.asperity_density, "1/m2", "eta"),
+            ("asperity_radius", self.asperity_radius, "m", "R"),
+            ("asperity_height_std", self.asperity_height_std, "m", "sigma_z"),
+            ("beta", self.beta, "", "eta R sq"),
+            ("beta_z", self.beta_z, "", "eta R sigma_z"),
+            ("missing_share", Some(self.missing_share), "", "share of missing points"),
+            ("despiked", Some(self.despiked as f64), "", "replaced outliers"),
+            ("outliers", Some(count as f64), "", "points far outside their neighbours"),
+            ("outlier_largest", Some(largest), "m", "the furthest, above (+) or below (-)"),
+            ("outlier_m4_share", Some(m4_share), "", "share of m4 due to outliers"),
+        ];
+        all.map(reported)
     }
 }
 
@@ -207,19 +258,23 @@ mod tests {
         let level = raw.clone().level(Level::Plane).unwrap();
         let found = Glance::new(&raw, Level::Plane, [None, Some(8e-5)], &level).unwrap();
         // Whole waves of cosines have a small plane of their own.
-        assert!((found.tilt_x / 2e-3 - 1.0).abs() < 2e-2, "{found:?}");
-        assert!((found.tilt_y / -0.5e-3 - 1.0).abs() < 1e-2, "{found:?}");
-        assert!((found.form_height / (159.0 * 2e-9 + 127e-9) - 1.0).abs() < 2e-2);
+        let number = |name: &str| {
+            found.numbers.iter().find(|number| number.name == name).and_then(|number| number.value)
+        };
+        let of = |name: &str| number(name).unwrap();
+        assert!((of("tilt_x") / 2e-3 - 1.0).abs() < 2e-2, "{found:?}");
+        assert!((of("tilt_y") / -0.5e-3 - 1.0).abs() < 1e-2, "{found:?}");
+        assert!((of("form_height") / (159.0 * 2e-9 + 127e-9) - 1.0).abs() < 2e-2);
         assert_eq!(found.filter, "plane removed; no S-filter; Gaussian L-filter of 8e-5 m");
         let ratio = (10.0 * 32e-6 / 10e-6) * 0.99;
-        assert!((found.slope_ratio.unwrap() / ratio - 1.0).abs() < 0.05, "{found:?}");
-        assert!((found.lay_direction.unwrap().abs() - 90.0).abs() < 0.5, "{found:?}");
-        assert!((found.long_wavelength.unwrap() / 10e-6 - 1.0).abs() < 0.05, "{found:?}");
-        assert!((found.long_waves.unwrap() / 16.0 - 1.0).abs() < 0.05, "{found:?}");
+        assert!((of("slope_ratio") / ratio - 1.0).abs() < 0.05, "{found:?}");
+        assert!((of("lay_direction").abs() - 90.0).abs() < 0.5, "{found:?}");
+        assert!((of("long_wavelength") / 10e-6 - 1.0).abs() < 0.05, "{found:?}");
+        assert!((of("long_waves") / 16.0 - 1.0).abs() < 0.05, "{found:?}");
         // Differences over two pixels see less of a wave of ten: cos²(π/10), and its square.
         let gain = (TAU / 20.0).cos().powi(-2);
-        assert!((found.m2_over_half.unwrap() / gain - 1.0).abs() < 0.02, "{found:?}");
-        assert!((found.m4_over_half.unwrap() / gain.powi(2) - 1.0).abs() < 0.02, "{found:?}");
+        assert!((of("m2_over_half") / gain - 1.0).abs() < 0.02, "{found:?}");
+        assert!((of("m4_over_half") / gain.powi(2) - 1.0).abs() < 0.02, "{found:?}");
         let json = serde_json::to_value(&found).unwrap();
         assert!(json["filter"].is_string() && json["sal"].is_number() && json["spectra"].is_null());
     }
@@ -228,9 +283,10 @@ mod tests {
     fn profiles_have_what_profiles_have() {
         let profile = Topography::new(scan().heights()[..160].to_vec(), 160, [1e-6; 2]).unwrap();
         let found = Glance::new(&profile, Level::None, [None; 2], &profile).unwrap();
-        assert!(found.slope_ratio.is_none() && found.spd.is_none() && found.str.is_none());
-        assert!(found.long_waves.is_some() && found.sal.is_some() && found.hurst.is_none());
-        assert_eq!(found.hurst_missing.as_deref(), Some("a profile has no radial spectrum"));
+        let has = |name: &str| found.numbers.iter().any(|n| n.name == name && n.value.is_some());
+        assert!(["long_waves", "sal"].map(has).iter().all(|has| *has));
+        assert!(!["slope_ratio", "spd", "str", "hurst"].map(has).contains(&true));
+        assert_eq!(found.power_law.unwrap_err(), "a profile has no radial spectrum");
         assert_eq!(found.filter, "no form removed; no S-filter; no L-filter");
     }
 }

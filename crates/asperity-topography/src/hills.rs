@@ -39,12 +39,11 @@ impl Topography {
         if ends.0 >= ends.1 {
             return Err(TopographyError::Flat { points: self.measured() });
         }
-        let grid = Grid { surface: self };
-        let peak_of = grid.peaks();
-        let hills = grid.joined(&peak_of, PRUNED * (ends.1 - ends.0));
+        let peak_of = self.peak_of_points();
+        let hills = self.joined(&peak_of, PRUNED * (ends.1 - ends.0));
         let [dx, dy] = self.pixel_size();
         let spd = hills.len() as f64 / (self.measured() as f64 * dx * dy);
-        let curvatures: Vec<f64> = hills.iter().filter_map(|at| grid.curvature(*at)).collect();
+        let curvatures: Vec<f64> = hills.iter().filter_map(|at| self.mean_curvature(*at)).collect();
         let mean = curvatures.iter().sum::<f64>() / curvatures.len() as f64;
         Ok(Peaks { spd, spc: (!curvatures.is_empty()).then_some(mean) })
     }
@@ -53,37 +52,34 @@ impl Topography {
 /// Neighbours of a point before it and after it in reading order.
 const BEFORE: [(isize, isize); 4] = [(-1, -1), (-1, 0), (-1, 1), (0, -1)];
 
-struct Grid<'a> {
-    surface: &'a Topography,
-}
-
-impl Grid<'_> {
-    fn height(&self, at: usize) -> f64 {
-        self.surface.heights()[at]
-    }
-
+impl Topography {
     /// The point at a distance, around the edges of a periodic surface.
-    fn neighbour(&self, at: usize, down: isize, along: isize) -> Option<usize> {
-        let (rows, columns) = (self.surface.rows(), self.surface.columns());
-        let move_by = |from: usize, by: isize, n: usize| match self.surface.is_periodic() {
+    pub(crate) fn beside(&self, at: usize, down: isize, along: isize) -> Option<usize> {
+        let (rows, columns) = (self.rows(), self.columns());
+        let move_by = |from: usize, by: isize, n: usize| match self.is_periodic() {
             true => Some((from as isize + by).rem_euclid(n as isize) as usize),
             false => from.checked_add_signed(by).filter(|to| *to < n),
         };
         let row = move_by(at / columns, down, rows)?;
         let to = row * columns + move_by(at % columns, along, columns)?;
-        (!self.height(to).is_nan() && to != at).then_some(to)
+        (to != at).then_some(to)
+    }
+
+    /// Likewise, if it has a height.
+    fn neighbour(&self, at: usize, down: isize, along: isize) -> Option<usize> {
+        self.beside(at, down, along).filter(|to| !self.heights()[*to].is_nan())
     }
 
     /// Whether one point is above another; of equal ones, the later is.
     fn above(&self, one: usize, other: usize) -> bool {
-        (self.height(one), one) > (self.height(other), other)
+        (self.heights()[one], one) > (self.heights()[other], other)
     }
 
     /// The peak of the hill of every point.
-    fn peaks(&self) -> Vec<u32> {
-        let n = self.surface.heights().len();
+    fn peak_of_points(&self) -> Vec<u32> {
+        let n = self.heights().len();
         let mut up: Vec<u32> = (0..n as u32).collect();
-        for at in (0..n).filter(|at| !self.height(*at).is_nan()) {
+        for at in (0..n).filter(|at| !self.heights()[*at].is_nan()) {
             for (down, along) in BEFORE {
                 let Some(other) = self.neighbour(at, down, along) else { continue };
                 for (one, other) in [(at, other), (other, at)] {
@@ -104,19 +100,19 @@ impl Grid<'_> {
         let n = peak_of.len();
         let mut saddles: Vec<(f64, u32, u32)> = vec![];
         let mut at_edge = vec![];
-        let columns = self.surface.columns();
-        for at in (0..n).filter(|at| !self.height(*at).is_nan()) {
+        let columns = self.columns();
+        for at in (0..n).filter(|at| !self.heights()[*at].is_nan()) {
             for (down, along) in BEFORE {
                 let Some(other) = self.neighbour(at, down, along) else { continue };
                 if peak_of[other] != peak_of[at] {
-                    let saddle = self.height(at).min(self.height(other));
+                    let saddle = self.heights()[at].min(self.heights()[other]);
                     saddles.push((saddle, at as u32, other as u32));
                 }
             }
             let (row, column) = (at / columns, at % columns);
-            let last = [self.surface.rows() - 1, columns - 1];
+            let last = [self.rows() - 1, columns - 1];
             let edge = row == 0 || column == 0 || row == last[0] || column == last[1];
-            if edge && !self.surface.is_periodic() {
+            if edge && !self.is_periodic() {
                 at_edge.push(peak_of[at]);
             }
         }
@@ -135,14 +131,16 @@ impl Grid<'_> {
                 false => (b, a, one),
             };
             islands[low as usize] = high;
-            if self.height(low as usize) - saddle < least {
+            if self.heights()[low as usize] - saddle < least {
                 let [from, to] = [low, beyond].map(|at| root(&mut hills, at));
                 hills[from as usize] = to;
             }
         }
         // The peak of a hill is the highest of those that have joined.
         let mut highest = vec![NONE; n];
-        for peak in (0..n).filter(|at| peak_of[*at] as usize == *at && !self.height(*at).is_nan()) {
+        for peak in
+            (0..n).filter(|at| peak_of[*at] as usize == *at && !self.heights()[*at].is_nan())
+        {
             let hill = root(&mut hills, peak as u32) as usize;
             if highest[hill] == NONE || self.above(peak, highest[hill] as usize) {
                 highest[hill] = peak as u32;
@@ -156,12 +154,12 @@ impl Grid<'_> {
     }
 
     /// Mean curvature \[1/m\], positive on a peak.
-    fn curvature(&self, at: usize) -> Option<f64> {
-        let [dx, dy] = self.surface.pixel_size();
+    fn mean_curvature(&self, at: usize) -> Option<f64> {
+        let [dx, dy] = self.pixel_size();
         let bend = |down: isize, along: isize, step: f64| {
             let [one, two] = [-1, 1].map(|k| self.neighbour(at, k * down, k * along));
-            let sum = self.height(one?) + self.height(two?);
-            Some((sum - 2.0 * self.height(at)) / (step * step))
+            let sum = self.heights()[one?] + self.heights()[two?];
+            Some((sum - 2.0 * self.heights()[at]) / (step * step))
         };
         Some(-0.5 * (bend(0, 1, dx)? + bend(1, 0, dy)?))
     }

@@ -1,12 +1,9 @@
 //! Levelling: removes the mean, the least-squares plane or quadric.
 
-use std::fmt;
-use std::str::FromStr;
-
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::{Deserialize, Serialize};
 
-use crate::error::parse_name;
+use crate::error::named;
 use crate::{Topography, TopographyError};
 
 /// The form removed before statistics.
@@ -23,19 +20,7 @@ pub enum Level {
     Quadratic,
 }
 
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
-
-impl FromStr for Level {
-    type Err = TopographyError;
-
-    fn from_str(name: &str) -> Result<Self, TopographyError> {
-        parse_name("level", name)
-    }
-}
+named!(Level, "level");
 
 impl Level {
     /// The default: the plane, which is the tilt in the instrument; for a periodic surface the
@@ -90,7 +75,7 @@ impl Topography {
         let mut levelled = self.without(&form);
         if levelled.largest() <= ROUNDING * largest {
             // The rounding of an exact plane would have summits.
-            let there = levelled.heights_mut().iter_mut().filter(|height| !height.is_nan());
+            let there = levelled.heights.iter_mut().filter(|height| !height.is_nan());
             there.for_each(|height| *height = 0.0);
         }
         Ok(levelled)
@@ -127,7 +112,7 @@ impl Topography {
     /// The surface without a form.
     pub(crate) fn without(mut self, form: &Form) -> Self {
         let columns = self.columns();
-        for (y, row) in self.heights_mut().chunks_mut(columns).enumerate() {
+        for (y, row) in self.heights.chunks_mut(columns).enumerate() {
             let form = form.along_row(y);
             for (x, height) in row.iter_mut().enumerate() {
                 *height -= form(x);

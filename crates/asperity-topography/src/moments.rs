@@ -23,17 +23,6 @@ pub struct Moments {
     pub along_rows: [f64; 2],
     /// ⟨z_y²⟩ and ⟨z_yy²⟩ \[1/m²\] along columns; a profile has none.
     pub along_columns: Option<[f64; 2]>,
-    /// Areal moments; a profile has none.
-    pub areal: Option<ArealMoments>,
-}
-
-/// Moments of the gradient and the Laplacian: 2 m₂ and (8/3) m₄ where a surface is isotropic.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ArealMoments {
-    /// ⟨z_x²⟩ + ⟨z_y²⟩.
-    pub m2: f64,
-    /// ⟨(z_xx + z_yy)²⟩ \[1/m²\].
-    pub m4: f64,
 }
 
 impl Moments {
@@ -41,22 +30,17 @@ impl Moments {
     #[must_use]
     pub fn isotropic(profile: ProfileMoments) -> Self {
         let direction = [profile.m2, profile.m4];
-        let areal = ArealMoments { m2: 2.0 * profile.m2, m4: 8.0 / 3.0 * profile.m4 };
-        let (along_rows, along_columns) = (direction, Some(direction));
-        Self { profile, along_rows, along_columns, areal: Some(areal) }
+        Self { profile, along_rows: direction, along_columns: Some(direction) }
     }
 
     /// The moments of the gap between two independent surfaces: the sums.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
-        let areal =
-            |a: ArealMoments, b: ArealMoments| ArealMoments { m2: a.m2 + b.m2, m4: a.m4 + b.m4 };
         Self {
             profile: self.profile.plus(&other.profile),
             along_rows: add(self.along_rows, other.along_rows),
             along_columns: self.along_columns.zip(other.along_columns).map(|(a, b)| add(a, b)),
-            areal: self.areal.zip(other.areal).map(|(a, b)| areal(a, b)),
         }
     }
 }
@@ -71,7 +55,6 @@ impl Topography {
         let (columns, rows) = (self.columns(), self.rows());
         let mut along_rows = Direction::default();
         let mut along_columns = Direction::default();
-        let mut laplacian = Mean::default();
         let row = |index: usize| &self.heights()[(index % rows) * columns..][..columns];
         for y in 0..rows {
             let middle = row(y);
@@ -80,38 +63,20 @@ impl Topography {
                 along_columns.slope.add_slopes(middle, row(y + 1), dy);
             }
             if rows > 2 && (y + 2 < rows || self.is_periodic()) {
-                let (next, far) = (row(y + 1), row(y + 2));
-                along_columns.curvature.add_curvatures(middle, next, far, dy);
-                laplacian.add_laplacians([middle, next, far], [dx, dy], self.is_periodic());
+                along_columns.curvature.add_curvatures(middle, row(y + 1), row(y + 2), dy);
             }
         }
         let mean = self.mean();
         let m0 = self.central_moment(mean, 2);
         let along_rows = along_rows.means("measured neighbours along rows")?;
-        if self.is_profile() {
-            let [m2, m4] = along_rows;
-            let profile = ProfileMoments { m0, m2, m4 };
-            return Ok(Moments { profile, along_rows, along_columns: None, areal: None });
-        }
-        let along_columns = along_columns.means("measured neighbours along columns")?;
-        let m2 = 0.5 * (along_rows[0] + along_columns[0]);
-        let m4 = 0.5 * (along_rows[1] + along_columns[1]);
-        let areal = laplacian.mean().map(|m4| ArealMoments { m2: 2.0 * m2, m4 });
+        let along_columns = match self.is_profile() {
+            true => None,
+            false => Some(along_columns.means("measured neighbours along columns")?),
+        };
+        let both = along_columns.unwrap_or(along_rows);
+        let [m2, m4] = [0, 1].map(|k| 0.5 * (along_rows[k] + both[k]));
         let profile = ProfileMoments { m0, m2, m4 };
-        Ok(Moments { profile, along_rows, along_columns: Some(along_columns), areal })
-    }
-
-    /// ⟨z_xx²⟩ \[1/m²\] along rows, of points `step` apart.
-    pub(crate) fn curvature_at_step(&self, step: usize) -> Option<f64> {
-        let mut curvature = Mean::default();
-        for row in self.heights().chunks(self.columns()) {
-            if row.len() > 2 * step {
-                let last = row.len() - step;
-                let (middle, width) = (&row[step..last], step as f64 * self.pixel_size()[0]);
-                curvature.add_curvatures(&row[..last - step], middle, &row[2 * step..], width);
-            }
-        }
-        curvature.mean()
+        Ok(Moments { profile, along_rows, along_columns })
     }
 
     /// ⟨(z - mean)^power⟩ \[m^power\].
@@ -150,20 +115,6 @@ impl Mean {
     fn add_curvatures(&mut self, a: &[f64], b: &[f64], c: &[f64], step: f64) {
         let triples = a.iter().zip(b).zip(c);
         self.add_squares(triples.map(|((a, b), c)| (a - 2.0 * b + c) / (step * step)));
-    }
-
-    fn add_laplacians(&mut self, rows: [&[f64]; 3], step: [f64; 2], periodic: bool) {
-        let [up, middle, down] = rows;
-        let [xx, yy] = step.map(|step| 1.0 / (step * step));
-        let at = |left: usize, x: usize, right: usize| {
-            let z = 2.0 * middle[x];
-            (middle[left] - z + middle[right]) * xx + (up[x] - z + down[x]) * yy
-        };
-        let n = middle.len();
-        self.add_squares((1..n.saturating_sub(1)).map(|x| at(x - 1, x, x + 1)));
-        if periodic && n > 2 {
-            self.add_squares([at(n - 1, 0, 1), at(n - 2, n - 1, 0)].into_iter());
-        }
     }
 
     fn mean(&self) -> Option<f64> {
@@ -236,8 +187,6 @@ mod tests {
         assert!(close(columns[0], y[0]) && close(columns[1], y[1]));
         assert!(close(moments.profile.m2, 0.5 * (x[0] + y[0])));
         assert!(close(moments.profile.m4, 0.5 * (x[1] + y[1])));
-        let areal = moments.areal.unwrap();
-        assert!(close(areal.m2, x[0] + y[0]) && close(areal.m4, x[1] + y[1]));
     }
 
     #[test]
@@ -246,15 +195,7 @@ mod tests {
         let moments = Topography::new(heights, 6, [1.0; 2]).unwrap().moments().unwrap();
         assert!((moments.profile.m2 - (1.0 + 4.0 + 9.0) / 3.0).abs() < 1e-15);
         assert!((moments.profile.m4 - 1.0).abs() < 1e-15);
-        assert!(moments.along_columns.is_none() && moments.areal.is_none());
-    }
-
-    #[test]
-    fn curvature_at_half_the_resolution_uses_every_second_point() {
-        let parabola = (0..9).map(|x| f64::from(x * x)).collect();
-        let profile = Topography::new(parabola, 9, [1.0; 2]).unwrap();
-        assert!((profile.curvature_at_step(2).unwrap() - 4.0).abs() < 1e-12);
-        assert!(profile.curvature_at_step(5).is_none());
+        assert!(moments.along_columns.is_none());
     }
 
     #[test]

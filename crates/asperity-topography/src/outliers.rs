@@ -76,10 +76,7 @@ impl Topography {
     /// before, because a filter spreads them.
     #[must_use]
     pub fn outliers(&self) -> Outliers {
-        let found = match self.found_outliers() {
-            Some(found) => found.clone(),
-            None => self.find_outliers(),
-        };
+        let found = self.outliers.as_deref().cloned().unwrap_or_else(|| self.find_outliers());
         if found.count == 0 {
             return found;
         }
@@ -100,12 +97,14 @@ impl Topography {
     /// # Errors
     /// Those of [`fill`](Self::fill), for the outliers alone;
     /// [`TopographyError::Filtered`] for a filtered surface, in which outliers are spread.
-    pub fn despiked(self) -> Result<Self, TopographyError> {
-        if self.found_outliers().is_some() {
+    pub fn despiked(mut self) -> Result<Self, TopographyError> {
+        if self.outliers.is_some() {
             return Err(TopographyError::Filtered);
         }
         let points = self.find_outliers().points;
-        self.replaced(&points)
+        self.replace(&points, self.measured())?;
+        self.despiked += points.len();
+        Ok(self)
     }
 
     /// Their number, places and largest; without shares.

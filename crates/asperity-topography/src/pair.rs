@@ -1,11 +1,10 @@
 //! The gap of two aligned scans, point by point.
 
-use std::str::FromStr;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::parse_name;
+use crate::error::named;
 use crate::{Topography, TopographyError};
 
 /// Pixel sizes of aligned scans agree to this share: text files round them.
@@ -22,13 +21,7 @@ pub enum Alignment {
     Mirrored,
 }
 
-impl FromStr for Alignment {
-    type Err = TopographyError;
-
-    fn from_str(name: &str) -> Result<Self, TopographyError> {
-        parse_name("aligned", name)
-    }
-}
+named!(Alignment, "aligned");
 
 impl Topography {
     /// The rough surface whose gap to a flat is the gap between this surface and `other`: the sum
@@ -56,7 +49,7 @@ impl Topography {
             })
         });
         let both = Self::new(heights.collect(), columns, one)?;
-        let outliers = match (self.found_outliers(), other.found_outliers()) {
+        let outliers = match (&self.outliers, &other.outliers) {
             (None, None) => None,
             // A filter has spread them.
             _ => {
@@ -66,7 +59,14 @@ impl Topography {
                 Some(Arc::new(self.outliers().plus(&other.outliers(), weight)))
             }
         };
-        Ok(both.with_history_of(self, other, outliers))
+        Ok(Self {
+            periodic: self.periodic && other.periodic,
+            filled: (self.filled + other.filled).min(both.measured()),
+            despiked: self.despiked + other.despiked,
+            outliers,
+            notes: [&self.notes[..], &other.notes].concat(),
+            ..both
+        })
     }
 }
 

@@ -32,46 +32,14 @@ pub struct PowerLaw {
     ln_density: f64,
 }
 
-/// The reason why no power law is fitted to a spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NoPowerLaw {
-    /// The spectrum is too short.
-    #[error(
-        "the radial spectrum has {points} points over {octaves:.1} octaves: at least {POINTS} over {OCTAVES} octaves were required"
-    )]
-    Short {
-        /// Its points.
-        points: usize,
-        /// The octaves they span.
-        octaves: f64,
-    },
-    /// No part of the spectrum has the slope of a self-affine surface.
-    #[error(
-        "no two octaves of the radial spectrum have a Hurst exponent from 0 to 1 (of the whole: {hurst:.2})"
-    )]
-    Slope {
-        /// The exponent of the line through the whole spectrum.
-        hurst: f64,
-    },
-    /// The spectrum has peaks or steps.
-    #[error(
-        "the radial spectrum scatters by {scatter:.2} in ln C about its best power law: at most {LOOSE} was required"
-    )]
-    Scatter {
-        /// The rms residual of ln C.
-        scatter: f64,
-    },
-}
-
 impl PowerLaw {
     /// The law fitted by least squares to ln C over ln q: flat, then of slope -2 - 2H, then of
     /// another slope, with breaks where the residuals are least and only where they are worth it.
     ///
     /// # Errors
-    /// [`NoPowerLaw`] below two octaves or eight points, and where no such law is near: H outside
+    /// The reason: below two octaves or eight points, and where no such law is near: H outside
     /// 0 to 1, or a scatter of ln C about it above 0.35.
-    pub fn fit(spectrum: &PowerSpectrum) -> Result<Self, NoPowerLaw> {
+    pub fn fit(spectrum: &PowerSpectrum) -> Result<Self, String> {
         let x: Vec<f64> = spectrum.wave_number.iter().map(|q| q.ln()).collect();
         let y: Vec<f64> = spectrum.density.iter().map(|c| c.ln()).collect();
         let n = x.len();
@@ -79,7 +47,9 @@ impl PowerLaw {
         let last = n.saturating_sub(1);
         let all = if n > 0 { octaves(0, last) } else { 0.0 };
         if n < POINTS || all < OCTAVES {
-            return Err(NoPowerLaw::Short { points: n, octaves: all });
+            return Err(format!(
+                "the radial spectrum has {n} points over {all:.1} octaves: at least {POINTS} over {OCTAVES} octaves were required"
+            ));
         }
         let try_fit = |from: usize, to: usize| -> Option<Fit> {
             (octaves(from, to) >= OCTAVES).then(|| Fit::new(&x, &y, from, to)).flatten()
@@ -103,11 +73,17 @@ impl PowerLaw {
                 found = Some(fit);
             }
         }
-        let whole = || Fit::new(&x, &y, 0, last).map_or(f64::NAN, |fit| fit.hurst());
-        let found = found.ok_or_else(|| NoPowerLaw::Slope { hurst: whole() })?;
+        let Some(found) = found else {
+            let hurst = Fit::new(&x, &y, 0, last).map_or(f64::NAN, |fit| fit.hurst());
+            return Err(format!(
+                "no two octaves of the radial spectrum have a Hurst exponent from 0 to 1 (of the whole: {hurst:.2})"
+            ));
+        };
         let Fit { from, to, level, scatter, .. } = found;
         if scatter.is_nan() || scatter >= LOOSE {
-            return Err(NoPowerLaw::Scatter { scatter });
+            return Err(format!(
+                "the radial spectrum scatters by {scatter:.2} in ln C about its best power law: at most {LOOSE} was required"
+            ));
         }
         let q = &spectrum.wave_number;
         let wavelength = |k: usize| std::f64::consts::TAU / q[k];
@@ -197,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_noise_floor_is_a_cut_off_and_few_points_or_other_laws_are_none() {
-        let reason = |spectrum| PowerLaw::fit(&spectrum).unwrap_err().to_string();
+        let reason = |spectrum| PowerLaw::fit(&spectrum).unwrap_err();
         let steep = reason(spectrum(|q| q.powf(-6.0)));
         assert!(steep.ends_with("from 0 to 1 (of the whole: 2.00)"), "{steep}");
         let comb = |q: f64| if (4.0 * q.log2()).round() % 2.0 > 0.5 { 1e3 } else { 1.0 };

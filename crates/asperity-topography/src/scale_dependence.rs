@@ -37,28 +37,20 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         let (rows, columns) = (self.rows(), self.columns());
         let (z, wrap) = (self.heights(), self.is_periodic());
-        let along = |k: usize| {
-            let (row, x) = (k - k % columns, k % columns);
-            let place = |ahead: usize| match x + ahead {
-                x if x < columns => Some(row + x),
-                x if wrap => Some(row + x % columns),
-                _ => None,
+        // The heights at a point, and once and twice the distance after it in a line of n points.
+        let ahead = |k: usize, stride: usize, n: usize| {
+            let x = k / stride % n;
+            let at = |steps: usize| {
+                let to = if wrap { (x + steps) % n } else { x + steps };
+                (to < n).then(|| z[k - x * stride + to * stride])
             };
-            (z[k], place(step).map(|at| z[at]), place(2 * step).map(|at| z[at]))
+            (z[k], at(step), at(2 * step))
         };
-        let down = |k: usize| {
-            let (x, y) = (k % columns, k / columns);
-            let place = |ahead: usize| match y + ahead {
-                y if y < rows => Some(y * columns + x),
-                y if wrap => Some(y % rows * columns + x),
-                _ => None,
-            };
-            (z[k], place(step).map(|at| z[at]), place(2 * step).map(|at| z[at]))
-        };
-        let [slope_rows, curvature_rows] = means(z.len(), step as f64 * dx, along);
+        let [slope_rows, curvature_rows] =
+            means(z.len(), step as f64 * dx, |k| ahead(k, 1, columns));
         let [slope_columns, curvature_columns] = match self.is_profile() {
             true => [None; 2],
-            false => means(z.len(), step as f64 * dy, down),
+            false => means(z.len(), step as f64 * dy, |k| ahead(k, columns, rows)),
         };
         AtDistance { step, slope_rows, slope_columns, curvature_rows, curvature_columns }
     }

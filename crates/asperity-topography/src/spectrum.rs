@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex64;
 
+use crate::error::at_most;
 use crate::{Topography, TopographyError, fourier};
 
 /// Bins in an octave of wave numbers.
@@ -57,10 +58,7 @@ impl Topography {
     pub fn spectra(&self) -> Result<Spectra, TopographyError> {
         let (rows, columns) = (self.rows(), self.columns());
         let size = self.heights().len() as u64;
-        if size > MOST as u64 {
-            let what = "the number of points of a spectrum";
-            return Err(TopographyError::TooLarge { what, size, limit: MOST as u64 });
-        }
+        at_most("the number of points of a spectrum", size, MOST as u64)?;
         let least = if rows > 1 { rows.min(columns) } else { columns };
         if least < 4 {
             let what = "points along a side";

@@ -1,9 +1,24 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
 use asperity_core::{Finding, ProfileMoments, Surface};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::{Estimator, Moments, Outliers, Topography, TopographyError, warning};
+use crate::error::named;
+use crate::{Moments, Outliers, Topography, TopographyError, warning};
+
+/// How asperities are found in a measured surface.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Estimator {
+    /// From the spectral moments of profiles, after McCool:
+    /// [`Surface::from_moments`].
+    #[default]
+    Moments,
+    /// From the summits of the surface: [`Topography::summits`](Topography::summits).
+    Summits,
+}
+
+named!(Estimator, "estimator");
 
 /// Statistics of a surface, in SI units.
 /// Serialisation has the numbers from `sq` to `outliers` only; those of asperities are null where
@@ -54,9 +69,6 @@ pub struct Statistics {
     /// The asperities, or the reason why the estimator finds none.
     #[serde(skip)]
     asperities: Result<Surface, String>,
-    /// The asperities by the other estimator, if it finds any.
-    #[serde(skip)]
-    pub other: Option<Surface>,
     /// Findings of these numbers.
     #[serde(skip)]
     pub warnings: Vec<Finding>,
@@ -109,18 +121,19 @@ impl Topography {
             let anisotropic = clean.moments().ok().and_then(|moments| anisotropic(&moments));
             statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
             statistics.warnings.extend(notes);
-            statistics.other = other.ok().map(|(other, _)| other);
             return Ok(statistics);
         }
         statistics.warnings.extend(notes);
         statistics.warnings.extend(self.sampling());
+        // Without a warning for a profile: summits need 8 neighbours.
         match (other, &statistics.asperities) {
             (Ok((other, _)), Ok(primary)) => {
-                let primary = *primary;
-                statistics.compare(primary, other);
+                let disagree = match estimator {
+                    Estimator::Moments => warning::estimators_disagree(primary, &other),
+                    Estimator::Summits => warning::estimators_disagree(&other, primary),
+                };
+                statistics.warnings.extend(disagree);
             }
-            (Ok((other, _)), Err(_)) => statistics.other = Some(other),
-            // No warning for a profile: summits need 8 neighbours.
             (Err(TopographyError::SummitsOfProfile), _) | (_, Err(_)) => {}
             (Err(error), Ok(_)) => statistics.warnings.push(warning::no_second_estimator(&error)),
         }
@@ -131,12 +144,11 @@ impl Topography {
     fn sampling(&self) -> Option<Finding> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
-            let (fine, coarse) = (self.curvature_at_step(1)?, self.curvature_at_step(2)?);
-            return warning::curvature_follows_sampling(fine, coarse);
+            let m4 = |step| Some(self.at_distance(step).curvature_rows?.powi(2));
+            return warning::curvature_follows_sampling([m4(1)?, m4(2)?]);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
-        let (fine, coarse) = (self.summit_density(1)?, self.summit_density(2)?);
-        warning::summits_follow_sampling(fine, coarse)
+        warning::summits_follow_sampling([self.summit_density(1)?, self.summit_density(2)?])
     }
 }
 
@@ -183,25 +195,8 @@ impl Statistics {
             estimator,
             moments,
             asperities,
-            other: None,
             warnings: found.into_iter().flatten().collect(),
         }
-    }
-
-    /// Keeps the asperities by the other estimator, and warns where the two disagree.
-    fn compare(&mut self, primary: Surface, other: Surface) {
-        let parameters = [
-            ("asperity_density", primary.asperity_density, other.asperity_density),
-            ("asperity_radius", primary.asperity_radius, other.asperity_radius),
-            ("asperity_height_std", primary.asperity_height_std, other.asperity_height_std),
-        ];
-        let by_moments = self.estimator == Estimator::Moments;
-        let parameters = parameters.map(|(name, primary, other)| match by_moments {
-            true => (name, primary, other),
-            false => (name, other, primary),
-        });
-        self.warnings.extend(warning::estimators_disagree(&parameters));
-        self.other = Some(other);
     }
 
     /// The asperities as a surface for a scene.
@@ -212,18 +207,6 @@ impl Statistics {
     /// isotropic Gaussian surface has such moments.
     pub fn surface(&self) -> Result<Surface, TopographyError> {
         self.asperities.clone().map_err(TopographyError::NoAsperities)
-    }
-
-    /// Rms slope of profiles: √m₂.
-    #[must_use]
-    pub fn rms_slope(&self) -> f64 {
-        self.m2.sqrt()
-    }
-
-    /// Rms curvature of profiles \[1/m\]: √m₄.
-    #[must_use]
-    pub fn rms_curvature(&self) -> f64 {
-        self.m4.sqrt()
     }
 
     /// The statistics of an isotropic Gaussian surface with these moments of profiles, to
@@ -247,17 +230,13 @@ impl Statistics {
             return Err(TopographyError::SummitsOfTwo);
         }
         let moments = first.moments.plus(&second.moments);
-        let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
+        let surface = Surface::from_moments(&moments.profile);
+        let surface = surface.map_err(|reason| TopographyError::Moments(reason).to_string());
         let m0 = moments.profile.m0;
         let third = |of: &Self| of.ssk * (of.m0 / m0).powf(1.5);
         let fourth = |of: &Self| (of.sku - 3.0) * (of.m0 / m0).powi(2);
         let shape = [third(first) + third(second), 3.0 + fourth(first) + fourth(second)];
-        let mut combined = Self::new(
-            shape,
-            moments,
-            Estimator::Moments,
-            surface.map_err(|reason| reason.to_string()),
-        );
+        let mut combined = Self::new(shape, moments, Estimator::Moments, surface);
         combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
         combined.despiked = first.despiked + second.despiked;
         combined.outliers = first.outliers.plus(&second.outliers, first.m4 / combined.m4);
@@ -265,5 +244,21 @@ impl Statistics {
             combined.warnings = vec![found];
         }
         Ok(combined)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_round_trip() {
+        for estimator in [Estimator::Moments, Estimator::Summits] {
+            assert_eq!(estimator.to_string().parse::<Estimator>().unwrap(), estimator);
+            let json = serde_json::to_string(&estimator).unwrap();
+            assert_eq!(json, format!("\"{estimator}\""));
+        }
+        let error = "peaks".parse::<Estimator>().unwrap_err().to_string();
+        assert_eq!(error, "estimator is \"peaks\": moments or summits was required");
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::Finding;
 
+use crate::error::{at_most, out_of_range};
 use crate::{LengthUnit, Outliers, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
@@ -22,17 +23,17 @@ const SMALLEST_PIXEL: f64 = 1e-15;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Topography {
     /// \[m\], row by row; NaN where the point is missing.
-    heights: Vec<f64>,
-    columns: usize,
-    pixel_size: [f64; 2],
-    periodic: bool,
-    missing: usize,
-    filled: usize,
-    despiked: usize,
-    /// Those found before a filter.
-    outliers: Option<Arc<Outliers>>,
+    pub(crate) heights: Vec<f64>,
+    pub(crate) columns: usize,
+    pub(crate) pixel_size: [f64; 2],
+    pub(crate) periodic: bool,
+    pub(crate) missing: usize,
+    pub(crate) filled: usize,
+    pub(crate) despiked: usize,
+    /// Those found before a filter, which spreads them.
+    pub(crate) outliers: Option<Arc<Outliers>>,
     /// Choices made in reading.
-    notes: Vec<Finding>,
+    pub(crate) notes: Vec<Finding>,
 }
 
 impl Topography {
@@ -53,14 +54,10 @@ impl Topography {
         if heights.is_empty() || columns == 0 || !heights.len().is_multiple_of(columns) {
             return Err(TopographyError::Shape { heights: heights.len(), columns });
         }
-        if heights.len() > MAX_POINTS {
-            let (size, limit) = (heights.len() as u64, MAX_POINTS as u64);
-            return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
-        }
+        at_most("the number of points", heights.len() as u64, MAX_POINTS as u64)?;
         for value in pixel_size {
             if !(SMALLEST_PIXEL..=LARGEST).contains(&value) {
-                let required = "a length of 1e-15 to 1e9 m";
-                return Err(TopographyError::OutOfRange { field: "pixel_size", value, required });
+                return Err(out_of_range("pixel_size", value, "a length of 1e-15 to 1e9 m"));
             }
         }
         if let Some(index) = heights.iter().position(|height| height.abs() > LARGEST) {
@@ -109,11 +106,6 @@ impl Topography {
     pub fn with_periodic(mut self, periodic: bool) -> Self {
         self.periodic = periodic;
         self
-    }
-
-    /// With the choices made in reading.
-    pub(crate) fn with_notes(self, notes: Vec<Finding>) -> Self {
-        Self { notes, ..self }
     }
 
     /// Choices made in reading: which channel of a file, a profile at equal distances.
@@ -170,26 +162,10 @@ impl Topography {
         self.filled as f64 / self.heights.len() as f64
     }
 
-    /// The surface with heights for all missing points, by index.
-    pub(crate) fn with_filled(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
-        points.for_each(|(at, height)| self.heights[at] = height);
-        self.filled += std::mem::take(&mut self.missing);
-        self
-    }
-
     /// The number of outliers that have been [replaced](Self::despiked).
     #[must_use]
     pub fn despiked_points(&self) -> usize {
         self.despiked
-    }
-
-    /// The surface with other heights for its outliers, by index.
-    pub(crate) fn with_despiked(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
-        for (at, height) in points {
-            self.heights[at] = height;
-            self.despiked += 1;
-        }
-        self
     }
 
     /// The surface without these points.
@@ -199,28 +175,6 @@ impl Topography {
             self.heights[*at] = f64::NAN;
         }
         self
-    }
-
-    /// The outliers found before a filter; `None` for a surface that is not filtered.
-    pub(crate) fn found_outliers(&self) -> Option<&Outliers> {
-        self.outliers.as_deref()
-    }
-
-    /// The sum of two surfaces, with what is known of their heights.
-    pub(crate) fn with_history_of(
-        self,
-        first: &Self,
-        second: &Self,
-        outliers: Option<Arc<Outliers>>,
-    ) -> Self {
-        Self {
-            periodic: first.periodic && second.periodic,
-            filled: (first.filled + second.filled).min(self.measured()),
-            despiked: first.despiked + second.despiked,
-            outliers,
-            notes: [&first.notes[..], &second.notes].concat(),
-            ..self
-        }
     }
 
     /// The surface, about to be filtered, with a record of its outliers.
@@ -235,11 +189,6 @@ impl Topography {
     #[must_use]
     pub fn measured(&self) -> usize {
         self.heights.len() - self.missing
-    }
-
-    /// The heights, mutable; callers keep NaN as NaN.
-    pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
-        &mut self.heights
     }
 
     /// Mean of the heights without missing points \[m\], summed row by row.

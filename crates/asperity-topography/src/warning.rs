@@ -30,7 +30,12 @@ pub(crate) fn roughness_parameter(beta: f64) -> Option<Finding> {
 }
 
 /// A warning if parameters by the spectral moments and by the summits disagree.
-pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Finding> {
+pub(crate) fn estimators_disagree(moments: &Surface, summits: &Surface) -> Option<Finding> {
+    let parameters = [
+        ("asperity_density", moments.asperity_density, summits.asperity_density),
+        ("asperity_radius", moments.asperity_radius, summits.asperity_radius),
+        ("asperity_height_std", moments.asperity_height_std, summits.asperity_height_std),
+    ];
     let apart: Vec<_> = parameters.iter().filter(|(_, m, s)| ratio(*m, *s) > APART).collect();
     let largest = apart.iter().map(|(_, m, s)| ratio(*m, *s)).max_by(f64::total_cmp)?;
     let each = apart.iter().map(|(name, moments, summits)| {
@@ -55,28 +60,31 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
 
 /// Range of rms slopes of scans, from polished to blasted surfaces.
 const SLOPE: [f64; 2] = [5e-4, 1.0];
-const FOLLOWS: &str = "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact";
 
 /// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
 /// and of every second one.
-pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Finding> {
-    let found = Finding::warning("summits-follow-sampling", "summit_density", fine)
-        .usual([0.0, SUMMITS * coarse])
-        .unit("1/m2")
-        .fact(format!("summit density is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
-        .advice(FOLLOWS);
-    (fine > SUMMITS * coarse).then_some(found)
+pub(crate) fn summits_follow_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
+    let found = Finding::warning("summits-follow-sampling", "summit_density", fine);
+    follows_sampling(found, "summit density", [fine, coarse], SUMMITS)
 }
 
 /// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
 /// second one.
-pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Finding> {
-    let found = Finding::warning("curvature-follows-sampling", "m4", fine)
-        .usual([0.0, CURVATURE * coarse])
+pub(crate) fn curvature_follows_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
+    let found = Finding::warning("curvature-follows-sampling", "m4", fine);
+    follows_sampling(found, "m4", [fine, coarse], CURVATURE)
+}
+
+fn follows_sampling(found: Finding, of: &str, values: [f64; 2], most: f64) -> Option<Finding> {
+    let [fine, coarse] = values;
+    let found = found
+        .usual([0.0, most * coarse])
         .unit("1/m2")
-        .fact(format!("m4 is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
-        .advice(FOLLOWS);
-    (fine > CURVATURE * coarse).then_some(found)
+        .fact(format!("{of} is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
+        .advice(
+            "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact",
+        );
+    (fine > most * coarse).then_some(found)
 }
 
 /// A warning that missing points were filled.

@@ -1,7 +1,7 @@
 //! Files that the page hands over: their size, and whether a scene can use them.
 
 use asperity_topography::TopographyError::{
-    Channel, PixelSizeMissing, TooManyMissing, UnitMissing,
+    PixelSizeMissing, TooManyMissing, UnitMissing, UnknownName,
 };
 use asperity_topography::{Estimator, ReadOptions, Topography, TopographyError};
 
@@ -42,7 +42,9 @@ pub(crate) fn usable(name: &str, bytes: &[u8], kept: Option<&str>) -> Result<(),
     let max_missing = kept.map_or(MOST_MISSING, most);
     let options = ReadOptions { max_missing, ..ReadOptions::default() };
     match asperity_topography::read_bytes(name, bytes, &options).and_then(measurable) {
-        Ok(()) | Err(UnitMissing | PixelSizeMissing | Channel { .. }) => Ok(()),
+        Ok(()) | Err(UnitMissing | PixelSizeMissing | UnknownName { field: "channel", .. }) => {
+            Ok(())
+        }
         Err(error @ TooManyMissing { .. }) if kept.is_some() => Err(Refusal::at(
             "surface.file",
             format!(

@@ -2,16 +2,13 @@
 
 use asperity::shortest_digits;
 use asperity_inputs::SceneFile;
-use asperity_plot::{ScanPicture, draw_scan};
-use asperity_topography::{AtDistance, Glance, Level, Statistics, Topography};
+use asperity_plot::draw_surface;
+use asperity_topography::{AtDistance, Glance, Level, Reported, Statistics, Topography};
 use serde::Serialize;
 
 use crate::message::NumberShown;
 use crate::refusal::Refusal;
 use crate::shown::shown;
-
-/// Most points of a drawn scan on a side.
-const DRAWN: usize = 400;
 
 /// What the page shows of a scan.
 #[derive(Debug, Serialize)]
@@ -36,19 +33,9 @@ pub(crate) fn report(file: &SceneFile) -> Result<ScanReport, Refusal> {
     };
     let level = Level::usual(scan.is_periodic());
     let glance = Glance::new(scan, level, [None; 2], scan)?;
-    let (heights, columns) = scan.coarse(DRAWN);
-    let [dx, dy] = scan.pixel_size();
-    let picture = ScanPicture {
-        heights,
-        columns,
-        size: [scan.columns() as f64 * dx, scan.rows() as f64 * dy],
-        marks: glance.roll_off.into_iter().chain(glance.cut_off).collect(),
-        law: glance.hurst.map(|hurst| format!("power law, H = {hurst:.2}")).unwrap_or_default(),
-        ..Default::default()
-    };
     let rows = scan.scale_dependence();
     Ok(ScanReport {
-        svg: draw_scan(&picture, &scan.curves_csv(&glance))?,
+        svg: draw_surface(scan, &glance, None)?,
         caption: scan.caption(&glance),
         numbers: numbers(&measured.statistics),
         scales: Scales {
@@ -77,29 +64,15 @@ fn row(scan: &Topography, at: &AtDistance) -> [String; 5] {
 }
 
 fn numbers(of: &Statistics) -> Vec<NumberShown> {
-    let list = [
-        ("Sq", Some(of.sq), "m", "standard deviation of the heights"),
-        ("Ssk", Some(of.ssk), "", "skewness of the heights"),
-        ("Sku", Some(of.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
-        ("m0", Some(of.m0), "m2", "mean of z² of profiles"),
-        ("m2", Some(of.m2), "", "mean of z′² of profiles"),
-        ("m4", Some(of.m4), "1/m2", "mean of z″² of profiles"),
-        ("bandwidth α", Some(of.alpha), "", "m0 m4/m2²"),
-        ("asperity density η", of.asperity_density, "1/m2", "by the estimator of the scene"),
-        ("asperity radius R", of.asperity_radius, "m", "by the estimator of the scene"),
-        ("asperity height std σ_z", of.asperity_height_std, "m", "by the estimator of the scene"),
-        ("missing or filled", Some(of.missing_share), "", "share of the points"),
-        ("replaced outliers", Some(of.despiked as f64), "", "number of points"),
-    ];
-    let number = |(name, value, unit, meaning): (&str, Option<f64>, &str, &str)| {
-        value.map(|value| NumberShown {
-            name: name.into(),
+    let number = |of: Reported| {
+        of.value.map(|value| NumberShown {
+            name: of.name.into(),
             digits: shortest_digits(value),
-            shown: shown(value, unit),
-            meaning: meaning.into(),
+            shown: shown(value, of.unit),
+            meaning: of.meaning.into(),
         })
     };
-    list.into_iter().filter_map(number).collect()
+    of.numbers().into_iter().filter_map(number).collect()
 }
 
 #[cfg(test)]
@@ -118,7 +91,7 @@ mod tests {
         assert!(found.svg.starts_with("<svg") && found.caption[0].contains("64 x 64 points"));
         assert_eq!(
             (found.numbers[0].name.as_str(), found.numbers[0].shown.as_str()),
-            ("Sq", "500 nm")
+            ("sq", "500 nm")
         );
         assert_eq!(found.scales.rows[0][0], "1 µm");
         let plain = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));

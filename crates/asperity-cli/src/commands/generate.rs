@@ -70,11 +70,18 @@ pub struct Generate {
 impl Generate {
     pub fn run(self) -> Result<()> {
         let surface = self.surface()?;
-        warn_of_slope((2.0 * surface.moments().m2).sqrt());
+        let gradient = (2.0 * surface.moments().m2).sqrt();
+        if gradient > 1.0 {
+            let text = format!(
+                "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
+                rounded(gradient)
+            );
+            print_message("warning", &text);
+        }
         let [columns, rows] = self.size;
         let map = surface.map([rows, columns])?;
         let shape = map.shape();
-        if is_x3p(&self.output) {
+        if has_end(&self.output, "x3p") {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;
             let bytes = surface.x3p()?;
             return output::write(Some(&self.output), |out| out.write_all(&bytes));
@@ -103,26 +110,13 @@ impl Generate {
     }
 }
 
-/// Warns of slopes for which no contact model is made.
-fn warn_of_slope(gradient: f64) {
-    if gradient > 1.0 {
-        let text = format!(
-            "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
-            rounded(gradient)
-        );
-        print_message("warning", &text);
-    }
-}
-
 fn size(text: &str) -> Result<[usize; 2], String> {
     let most = asperity_topography::MAX_POINTS;
+    let sides = text.split_once('x').and_then(|(nx, ny)| Some([whole(nx).ok()?, whole(ny).ok()?]));
+    let fits = |[nx, ny]: &[u64; 2]| (1..=most as u64).contains(&nx.saturating_mul(*ny));
+    let sides = sides.filter(fits).map(|sides| sides.map(|n| n as usize));
     let required = || format!("NXxNY was required, for example 512x512, of at most {most} points");
-    let (columns, rows) = text.split_once('x').ok_or_else(required)?;
-    let [columns, rows] = [columns, rows].map(|n| usize::try_from(whole(n).ok()?).ok());
-    let both = columns.zip(rows).filter(|(nx, ny)| {
-        *nx > 0 && *ny > 0 && nx.checked_mul(*ny).is_some_and(|points| points <= most)
-    });
-    both.map(|(nx, ny)| [nx, ny]).ok_or_else(required)
+    sides.ok_or_else(required)
 }
 
 fn pixel(text: &str) -> Result<[f64; 2], String> {
@@ -133,14 +127,13 @@ fn pixel(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
-fn is_x3p(name: &Path) -> bool {
-    name.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p"))
+fn has_end(name: &Path, end: &str) -> bool {
+    name.extension().is_some_and(|found| found.eq_ignore_ascii_case(end))
 }
 
 fn scan_file(name: &str) -> Result<PathBuf, &'static str> {
     let path = PathBuf::from(name);
-    let is_npy = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy"));
-    match is_npy || is_x3p(&path) {
+    match has_end(&path, "npy") || has_end(&path, "x3p") {
         true => Ok(path),
         false => Err("surfaces are written as npy or x3p; choose a name that ends in .npy or .x3p"),
     }

@@ -12,7 +12,6 @@ mod export;
 mod fit;
 mod fit_lists;
 mod generate;
-mod glance;
 mod history;
 mod init;
 mod list;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
 use asperity_inputs::SceneFile;
-use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_plot::{Axis, Curve, Figure};
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
@@ -13,7 +13,7 @@ use crate::input::args::{model_id, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::output::table::{Cell, Table};
-use crate::output::{self, print_message};
+use crate::output::{self, plot, print_message};
 use crate::scene::LoadedScene;
 
 /// Statistics of a surface against the short-wavelength cut-off.
@@ -148,27 +148,15 @@ fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Cell>> {
 
 /// A panel for each column, against the cut-off.
 fn picture(table: &Table) -> Result<String> {
-    let labels = COLUMNS.map(|(name, label)| (name.to_string(), label));
     let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
-    let mut panels = vec![];
-    for (name, label) in labels.into_iter().chain(answers) {
-        let Some(k) = table.head.iter().position(|head| *head == name) else { continue };
-        let number = |row: &Vec<Cell>| if let Cell::Number(x) = row[k] { x } else { None };
-        let values: Vec<f64> = table.rows.iter().filter_map(number).collect();
-        let mut y = Axis::new(&name, label);
-        y.scale = Scale::fitting(&values);
-        let x = Axis::new(CUTOFF, "short-wavelength cut-off (µm)").times(1e6).log();
-        let mut panel = Panel::new(x, y);
-        let mut curve = Curve::new(0, "surface", "");
-        curve.every_point = true;
-        panel.curves = vec![curve];
-        panels.push(panel);
-    }
+    let answers = answers.iter().map(|(name, label)| (name.as_str(), *label));
+    let columns: Vec<_> = COLUMNS.into_iter().chain(answers).collect();
     let mut named = table.clone();
     named.head.insert(0, "curve".into());
     named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));
-    let mut csv = vec![];
-    named.csv(&mut csv)?;
+    let x = Axis::new(CUTOFF, "short-wavelength cut-off (µm)").times(1e6).log();
+    let mut curve = Curve::new(0, "surface", "");
+    curve.every_point = true;
     let caption = "Values that change with the cut-off describe the measurement, not the surface.";
-    Ok(draw(&Figure::new("", &[caption], panels), &String::from_utf8(csv)?)?)
+    plot::drawn(&named, &Figure::new("", &[caption], plot::panels(&named, &x, &columns, &[curve])?))
 }

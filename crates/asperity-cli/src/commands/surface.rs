@@ -8,20 +8,20 @@ use asperity::{Findings, Severity};
 use asperity_inputs::with_decimal_point;
 use asperity_plot::draw_surface;
 use asperity_topography::{
-    Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography,
-    TopographyError,
+    Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Reported, Statistics,
+    Topography, TopographyError, report,
 };
 use clap::Args;
 use clap::error::ErrorKind;
+use serde::Serialize;
 use toml::Value;
 
-use crate::commands::glance;
 use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
 use crate::input::lists::have_units;
 use crate::input::numbers::{length, share_or_0};
-use crate::output::table::{Format, Table};
-use crate::output::{self, print_message, progress, report};
+use crate::output::table::{Cell, Format, Table};
+use crate::output::{self, print_message, progress};
 
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
@@ -116,6 +116,15 @@ fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
     }
 }
 
+/// All numbers of a scan; of two scans their statistics alone.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    statistics: &'a Statistics,
+    #[serde(flatten)]
+    glance: Option<Glance>,
+}
+
 impl Surface {
     pub fn run(self) -> Result<()> {
         self.check();
@@ -131,8 +140,8 @@ impl Surface {
             drop(working);
             return self.output.write(&table);
         }
-        let (mut each, mut found, mut density) = (vec![], Findings::default(), None);
-        let mut glance = None;
+        let (mut each, mut found) = (vec![], Findings::default());
+        let (mut density, mut glance) = (None, None);
         let scans = self.scans()?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
@@ -153,21 +162,22 @@ impl Surface {
                 let cutoffs = [self.smooth, self.filter];
                 let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
                 if let Some(plot) = self.scales.plot() {
-                    let title = self.names(" and ", |path| path.file_name().unwrap_or_default());
-                    output::write_text(Some(plot), &draw_surface(surface, &found, &title)?)?;
+                    let title = self.names(|path| path.file_name().unwrap_or_default());
+                    let svg = draw_surface(surface, &found, Some(&title))?;
+                    output::write_text(Some(plot), &svg)?;
                 }
                 glance = Some(found);
             }
         }
         if let [first, second] = &each[..] {
-            let both = Statistics::combined(first, second)
-                .context(self.names(" and ", Path::as_os_str))?;
+            let both = Statistics::combined(first, second);
+            let both = both.with_context(|| self.names(Path::as_os_str))?;
             let of_both = both.warnings.iter().cloned();
             found.extend(of_both.map(|found| found.from_origin("both together")));
             each.push(both);
         }
         drop(working);
-        report(&found);
+        output::report(&found);
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);
@@ -180,64 +190,65 @@ impl Surface {
             print_message("note", &format!("{}: {text}", path.display()));
         }
         if self.output.format == Format::Json {
-            let report = glance::Report { statistics, glance };
-            return self.output.write_text(&(serde_json::to_string_pretty(&report)? + "\n"));
+            let all = Report { statistics, glance };
+            return self.output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
         }
-        self.output.write(&glance::table(statistics, glance.as_ref()))
+        let mut table = Table::new(&["name", "value", "unit", "meaning"]);
+        let row = |Reported { name, value, unit, meaning }| {
+            vec![name.into(), Cell::Number(value), unit.into(), meaning.as_ref().into()]
+        };
+        table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
+        self.output.write(&table)
     }
 
     /// Refuses options that exclude each other.
     fn check(&self) {
-        let refuse =
-            |text: &str| crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
-        if let (Some(plot), Some(output)) = (self.scales.plot(), &self.output.output)
-            && output::is_same(plot, output)
-        {
-            refuse("--plot and --output name the same file; choose two names");
-        }
-        if self.scene.is_some() && self.scene == self.heights {
-            refuse("--scene and --heights name the same file; choose two names");
-        }
-        let two = self.files.len() > 1;
-        if self.aligned.is_some() && !two {
-            refuse("--aligned takes two FILEs");
-        }
-        if self.heights.is_some() && two && self.aligned.is_none() {
-            refuse(
-                "--heights takes one FILE or --aligned: the height densities of two surfaces do not add",
-            );
-        }
-        if self.scales.is_requested() && two {
-            refuse("--scales takes one FILE");
-        }
-        if self.scales.plot().is_some() && two && self.aligned.is_none() {
-            refuse("--plot takes one FILE or --aligned");
-        }
-        if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
-            && smooth >= filter
-        {
-            refuse(&format!(
-                "--smooth {smooth} removes all that --filter {filter} keeps; choose --smooth below --filter"
-            ));
+        let (plot, two) = (self.scales.plot(), self.files.len() > 1);
+        let separate = two && self.aligned.is_none();
+        let outputs = plot.zip(self.output.output.as_deref());
+        let one_output = outputs.is_some_and(|(plot, output)| output::is_same(plot, output));
+        let one_file = self.scene.is_some() && self.scene == self.heights;
+        let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
+        let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
+            let advice = "choose --smooth below --filter";
+            format!("--smooth {smooth} removes all that --filter {filter} keeps; {advice}")
+        });
+        let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
+        let conflicts = [
+            (one_output, "--plot and --output name the same file; choose two names"),
+            (one_file, "--scene and --heights name the same file; choose two names"),
+            (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
+            (self.heights.is_some() && separate, of_heights),
+            (self.scales.is_requested() && two, "--scales takes one FILE"),
+            (plot.is_some() && separate, "--plot takes one FILE or --aligned"),
+            (cutoffs.is_some(), &nothing_left),
+        ];
+        if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {
+            crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
         }
     }
 
-    fn names(&self, between: &str, part: impl Fn(&Path) -> &OsStr) -> String {
+    fn names(&self, part: impl Fn(&Path) -> &OsStr) -> String {
         let names = self.files.iter().map(|path| part(path).to_string_lossy().into_owned());
-        names.collect::<Vec<_>>().join(between)
+        names.collect::<Vec<_>>().join(" and ")
     }
 
     /// The scans, or the sum of two that are aligned: names, as read, and prepared.
     fn scans(&self) -> Result<Vec<(String, Topography, Topography)>> {
         let scan = |path: &PathBuf| {
-            let (raw, surface) = self.prepared(path)?;
-            Ok((path.display().to_string(), raw, surface))
+            let (raw, mut surface) = self.levelled(path)?;
+            let name = path.display().to_string();
+            if let Some(cutoff) = self.smooth {
+                surface = surface.smooth(cutoff).with_context(|| name.clone())?;
+            }
+            surface = self.filtered(surface).with_context(|| name.clone())?;
+            Ok((name, raw, surface))
         };
         let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
         let (Some(alignment), [one, two]) = (self.aligned, &scans[..]) else { return Ok(scans) };
-        let name = self.names(" and ", Path::as_os_str);
-        let raw = one.1.facing(&two.1, alignment).context(name.clone())?;
-        let surface = one.2.facing(&two.2, alignment).context(name.clone())?;
+        let name = self.names(Path::as_os_str);
+        let raw = one.1.facing(&two.1, alignment).with_context(|| name.clone())?;
+        let surface = one.2.facing(&two.2, alignment).with_context(|| name.clone())?;
         Ok(vec![(name, raw, surface)])
     }
 
@@ -245,25 +256,14 @@ impl Surface {
     fn at_scales(&self) -> Result<Table> {
         let path = self.files.first().context("a file was required")?;
         let (_, surface) = self.levelled(path)?;
-        let finish = |smooth: Topography| Ok(self.filtered(smooth)?);
-        self.scales.table(&surface, self.estimator, finish)
+        self.scales.table(&surface, self.estimator, |smooth| Ok(self.filtered(smooth)?))
     }
 
-    /// The scan as read and despiked; and levelled, filled and filtered.
-    fn prepared(&self, path: &Path) -> Result<(Topography, Topography)> {
-        let (raw, mut surface) = self.levelled(path)?;
-        let of = || path.display().to_string();
-        if let Some(cutoff) = self.smooth {
-            surface = surface.smooth(cutoff).with_context(of)?;
-        }
-        Ok((raw, self.filtered(surface).with_context(of)?))
-    }
-
+    /// The scan as read and despiked; and levelled and filled.
     fn levelled(&self, path: &Path) -> Result<(Topography, Topography)> {
         output::keep(path);
         let Self { unit, pixel_size, max_missing, .. } = *self;
-        let channel = self.channel.clone();
-        let options = ReadOptions { unit, pixel_size, max_missing, channel };
+        let options = ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() };
         let read = asperity_topography::read(path, &options).map_err(with_option)?;
         let read = read.with_periodic(self.periodic);
         let of = || path.display().to_string();

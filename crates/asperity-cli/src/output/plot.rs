@@ -58,14 +58,19 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     let k = place(table, &x.column)?;
     let at = |row: &Vec<Cell>| row[k].number().unwrap_or(f64::NAN);
     sorted.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
-    let mut csv = vec![];
-    sorted.csv(&mut csv)?;
     let mut figure = Figure::new("", &[], panels);
     if !hidden.is_empty() {
         let which = once(&hidden).join(", ");
         figure.caption.push(format!("Values of 0 and below are not on logarithmic axes: {which}."));
     }
-    Ok(draw(&figure, &String::from_utf8(csv)?)?)
+    drawn(&sorted, &figure)
+}
+
+/// A figure of the rows of a table.
+pub fn drawn(table: &Table, figure: &Figure) -> Result<String> {
+    let mut csv = vec![];
+    table.csv(&mut csv)?;
+    Ok(draw(figure, &String::from_utf8(csv)?)?)
 }
 
 /// The picture of some columns against one, with a panel for each that the table has and a curve
@@ -77,8 +82,7 @@ pub fn against(
     columns: &[(&str, &str)],
     curves: &[Curve],
 ) -> Result<String> {
-    let scale = |column: &str| Ok(Scale::fitting(&numbers(table, column)?));
-    panels_against(table, x, columns, curves, &scale)
+    drawn(table, &Figure::new("", &[], panels(table, x, columns, curves)?))
 }
 
 /// [`against`] for columns of one quantity: if one spans decades, all have a logarithmic axis.
@@ -88,33 +92,32 @@ pub fn against_alike(
     columns: &[(&str, &str)],
     curves: &[Curve],
 ) -> Result<String> {
-    let known = columns.iter().filter_map(|(column, _)| numbers(table, column).ok());
-    let is_log = known.map(|values| Scale::fitting(&values)).any(|scale| scale == Scale::Log);
-    let scale = if is_log { Scale::Log } else { Scale::Linear };
-    panels_against(table, x, columns, curves, &|_| Ok(scale))
+    let mut panels = panels(table, x, columns, curves)?;
+    if panels.iter().any(|panel| panel.y.scale == Scale::Log) {
+        panels.iter_mut().for_each(|panel| panel.y.scale = Scale::Log);
+    }
+    drawn(table, &Figure::new("", &[], panels))
 }
 
-fn panels_against(
+/// The panels of [`against`].
+pub fn panels(
     table: &Table,
     x: &Axis,
     columns: &[(&str, &str)],
     curves: &[Curve],
-    scale: &dyn Fn(&str) -> Result<Scale>,
-) -> Result<String> {
+) -> Result<Vec<Panel>> {
     let mut panels = vec![];
     for (column, label) in columns.iter().filter(|(c, _)| table.head.iter().any(|h| h == c)) {
         let mut y = Axis::new(column, label);
         if x.scale == Scale::Log {
-            y.scale = scale(column)?;
+            y.scale = Scale::fitting(&numbers(table, column)?);
         }
         let mut panel = Panel::new(x.clone(), y);
         panel.curve_column.clone_from(&table.head[0]);
         panel.curves = curves.to_vec();
         panels.push(panel);
     }
-    let mut csv = vec![];
-    table.csv(&mut csv)?;
-    Ok(draw(&Figure::new("", &[], panels), &String::from_utf8(csv)?)?)
+    Ok(panels)
 }
 
 /// The place of a column.

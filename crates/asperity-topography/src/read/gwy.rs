@@ -6,10 +6,9 @@ use std::collections::BTreeMap;
 
 use asperity_core::Finding;
 
-use super::refusal::gwy as refuse;
-use super::scan::{PixelSize, Scan, points, select};
-use super::units;
-use crate::error::excerpt;
+use super::scan::{PixelSize, Scan, points, positive, select};
+use crate::error::{excerpt, refuse};
+use crate::unit;
 use crate::{LengthUnit, TopographyError};
 
 const MAGIC: &[u8] = b"GWYP";
@@ -17,60 +16,47 @@ const MAGIC: &[u8] = b"GWYP";
 pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, TopographyError> {
     let rest = bytes
         .strip_prefix(MAGIC)
-        .ok_or_else(|| refuse("file", "something else", "a file that begins with GWYP"))?;
+        .ok_or_else(|| refuse("gwy file", "something else", "a file that begins with GWYP"))?;
     let Some((b"GwyContainer", items)) = Bytes(rest).object() else {
-        return Err(refuse("container", "no whole object", "an object GwyContainer"));
+        return Err(refuse("gwy container", "no whole object", "an object GwyContainer"));
     };
-    let mut channels = BTreeMap::<u32, Channel<'_>>::new();
+    // Of each channel the data, the mask and the title.
+    let mut channels = BTreeMap::<u32, [Option<&[u8]>; 3]>::new();
     each(items, |name, item| {
-        let Some((number, key)) = name.strip_prefix('/').and_then(|name| name.split_once('/'))
-        else {
+        let key = name.strip_prefix('/').and_then(|name| name.split_once('/'));
+        let Some((Ok(number), key)) = key.map(|(number, key)| (number.parse(), key)) else {
             return;
         };
-        let Ok(number) = number.parse() else { return };
-        match (key, item) {
-            ("data", Item::Object(b"GwyDataField", data)) => {
-                channels.entry(number).or_default().data = Some(data);
-            }
-            ("mask", Item::Object(b"GwyDataField", data)) => {
-                channels.entry(number).or_default().mask = Some(data);
-            }
-            ("data/title", Item::Text(title)) => {
-                channels.entry(number).or_default().title = Some(title);
-            }
-            _ => {}
-        }
+        let (at, bytes) = match (key, item) {
+            ("data", Item::Object(b"GwyDataField", data)) => (0, data),
+            ("mask", Item::Object(b"GwyDataField", mask)) => (1, mask),
+            ("data/title", Item::Text(title)) => (2, title),
+            _ => return,
+        };
+        channels.entry(number).or_default()[at] = Some(bytes);
     })?;
     let (mut names, mut fields, mut others) = (vec![], vec![], vec![]);
-    for (number, Channel { data, mask, title }) in channels {
+    for (number, [data, mask, title]) in channels {
         let Some(field) = data.map(Field::read).transpose()? else { continue };
         let name = title.map_or_else(
             || format!("channel {number}"),
             |title| String::from_utf8_lossy(title).trim().to_owned(),
         );
-        match units::unit(&field.unit_z) {
+        match unit::unit(&field.units[1]) {
             Some(unit) => {
                 names.push(name);
                 fields.push((field, mask, unit));
             }
-            None => others.push(format!("{name} [{}]", field.unit_z)),
+            None => others.push(format!("{name} [{}]", field.units[1])),
         }
     }
     if fields.is_empty() {
         let found = format!("no heights among {}", others.join(", "));
-        return Err(refuse("si_unit_z", found, "a channel with a unit of length"));
+        return Err(refuse("gwy si_unit_z", found, "a channel with a unit of length"));
     }
     let (at, note) = select(&names, channel)?;
     let (field, mask, unit) = fields.swap_remove(at);
     field.scan(mask.map(Field::read).transpose()?, unit, note)
-}
-
-/// The objects of a channel.
-#[derive(Default)]
-struct Channel<'a> {
-    data: Option<&'a [u8]>,
-    mask: Option<&'a [u8]>,
-    title: Option<&'a [u8]>,
 }
 
 /// A `GwyDataField`, not yet decoded.
@@ -78,8 +64,8 @@ struct Channel<'a> {
 struct Field<'a> {
     resolution: [i32; 2],
     size: [f64; 2],
-    unit_xy: String,
-    unit_z: String,
+    /// Of lengths and of heights.
+    units: [String; 2],
     data: &'a [u8],
 }
 
@@ -97,7 +83,7 @@ impl<'a> Field<'a> {
             ("data", Item::Reals(data)) => field.data = data,
             _ => {}
         })?;
-        for (items, name) in units.into_iter().zip([&mut field.unit_xy, &mut field.unit_z]) {
+        for (items, name) in units.into_iter().zip(&mut field.units) {
             each(items, |key, item| {
                 if let ("unitstr", Item::Text(text)) = (key, item) {
                     *name = excerpt(&String::from_utf8_lossy(text));
@@ -116,19 +102,18 @@ impl<'a> Field<'a> {
         let [columns, rows] = self.resolution;
         let count = |n: i32, field| {
             let positive = u64::try_from(n).ok().filter(|n| *n > 0);
-            positive.ok_or_else(|| refuse(field, n.to_string(), "at least 1"))
+            positive.ok_or_else(|| refuse(field, n, "at least 1"))
         };
-        let n = points(count(columns, "xres")?, count(rows, "yres")?)?;
+        let n = points(count(columns, "gwy xres")?, count(rows, "gwy yres")?)?;
         let mut heights = self.numbers(n)?;
-        let scale = units::unit(&self.unit_xy).map(LengthUnit::metres).ok_or_else(|| {
-            refuse("si_unit_xy", format!("{:?}", self.unit_xy), "a unit of length")
-        })?;
-        for (size, field) in self.size.into_iter().zip(["xreal", "yreal"]) {
-            if !(size.is_finite() && size > 0.0) {
-                return Err(refuse(field, size.to_string(), "a finite length above 0"));
-            }
-        }
-        let pixel_size = [self.size[0] / f64::from(columns), self.size[1] / f64::from(rows)];
+        let scale = unit::unit(&self.units[0]).map(LengthUnit::metres);
+        let wrong = || refuse("gwy si_unit_xy", format!("{:?}", self.units[0]), "a unit of length");
+        let scale = scale.ok_or_else(wrong)?;
+        let [width, height] = self.size;
+        let pixel_size = [
+            positive("gwy xreal", width)? / f64::from(columns) * scale,
+            positive("gwy yreal", height)? / f64::from(rows) * scale,
+        ];
         let mut notes: Vec<_> = note.into_iter().collect();
         if let Some(mask) = mask {
             let mut masked = 0;
@@ -139,14 +124,11 @@ impl<'a> Field<'a> {
             }
             let share = masked as f64 / n as f64;
             let text = format!("the mask of the file marks {:.3} % of the points", 100.0 * share);
-            notes.push(
-                Finding::note("mask", "masked_share", share)
-                    .fact(text)
-                    .advice("these points are read as missing; remove the mask to keep them"),
-            );
+            let advice = "these points are read as missing; remove the mask to keep them";
+            notes.push(Finding::note("mask", "masked_share", share).fact(text).advice(advice));
         }
-        let pixel_size = PixelSize::Metres(pixel_size.map(|size| size * scale));
-        Ok(Scan { heights, columns: columns as usize, unit: Some(unit), pixel_size, notes })
+        let (columns, pixel_size) = (columns as usize, PixelSize::Metres(pixel_size));
+        Ok(Scan { heights, columns, unit: Some(unit), pixel_size, notes })
     }
 
     fn numbers(&self, n: usize) -> Result<Vec<f64>, TopographyError> {
@@ -154,7 +136,7 @@ impl<'a> Field<'a> {
         if numbers.len() != n || !rest.is_empty() {
             let [columns, rows] = self.resolution;
             let required = format!("{n}, for {columns} x {rows} points");
-            return Err(refuse("data", format!("{} numbers", numbers.len()), &required));
+            return Err(refuse("gwy data", format!("{} numbers", numbers.len()), required));
         }
         Ok(numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())
     }
@@ -177,7 +159,7 @@ fn each<'a>(items: &'a [u8], mut with: impl FnMut(&str, Item<'a>)) -> Result<(),
     while !items.0.is_empty() {
         let named = items.text().and_then(|name| Some((name, items.item()?)));
         let (name, item) =
-            named.ok_or_else(|| refuse("container", "a broken item", "whole items"))?;
+            named.ok_or_else(|| refuse("gwy container", "a broken item", "whole items"))?;
         with(&String::from_utf8_lossy(name), item);
     }
     Ok(())

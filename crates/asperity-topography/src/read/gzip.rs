@@ -1,12 +1,13 @@
 //! Files packed by gzip.
 
+use std::fmt::Display;
 use std::io::Read;
 
 use flate2::read::MultiGzDecoder;
 
 use super::MAX_FILE_BYTES;
 use crate::TopographyError;
-use crate::error::excerpt;
+use crate::error::refuse;
 
 const MAGIC: &[u8] = b"\x1f\x8b\x08";
 /// The largest ratio of unpacked to packed size: heights pack to a tenth of their size, a bomb to
@@ -22,23 +23,18 @@ pub(super) fn is_packed(bytes: &[u8]) -> bool {
 /// The unpacked file.
 pub(super) fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     let limit = packed.len().saturating_mul(MAX_RATIO).max(SMALL).min(MAX_FILE_BYTES as usize);
-    let refuse = |found: &str, required: String| TopographyError::Field {
-        format: "gzip",
-        field: "content",
-        found: excerpt(found),
-        required,
-    };
+    let refuse = |found: &dyn Display, required: &str| refuse("gzip content", found, required);
     let mut bytes = Vec::new();
     MultiGzDecoder::new(packed)
         .take(limit as u64 + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| refuse(&error.to_string(), "a whole gzip file".to_owned()))?;
+        .map_err(|error| refuse(&error, "a whole gzip file"))?;
     if bytes.len() > limit {
         let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
-        return Err(refuse("more", required));
+        return Err(refuse(&"more", &required));
     }
     if is_packed(&bytes) {
-        return Err(refuse("another gzip file", "a scan; unpack the file once".to_owned()));
+        return Err(refuse(&"another gzip file", "a scan; unpack the file once"));
     }
     Ok(bytes)
 }

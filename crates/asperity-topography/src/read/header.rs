@@ -2,36 +2,12 @@
 
 use super::scan::PixelSize;
 use super::table::{Delimiter, Table};
-use super::units::{length, quantity, unit, unit_in};
-use crate::error::excerpt;
+use crate::error::{refuse, refuse_line};
+use crate::unit::{length, quantity, unit, unit_in};
 use crate::{LengthUnit, TopographyError};
 
 const WIDTH: &[&str] = &["width", "breite", "largeur"];
 const HEIGHT: &[&str] = &["height", "h\u{f6}he", "hoehe", "hauteur"];
-const UNIT: &[&str] = &[
-    "value units",
-    "value unit",
-    "data unit",
-    "data units",
-    "exported image units",
-    "height units",
-    "height unit",
-    "z units",
-    "z unit",
-    "z-unit",
-    "units",
-    "unit",
-    "einheit",
-    "einheiten",
-    "werteinheit",
-    "werteinheiten",
-    "einheit der werte",
-    "unit\u{e9}",
-    "unit\u{e9}s",
-    "unit\u{e9}s de valeur",
-    "unit\u{e9}s des valeurs",
-    "unit\u{e9} des valeurs",
-];
 const PIXEL: &[&str] = &[
     "pixel size",
     "pixel_size",
@@ -69,11 +45,7 @@ impl Header {
             let bare = text.trim_start_matches(['#', '%', '\\', '/', '*', '"', ' ']);
             let Some((key, value)) = bare.split_once([':', '=']) else { continue };
             let value = value.trim().trim_end_matches('"');
-            let wrong = |required: &str| TopographyError::Line {
-                line: *line,
-                found: excerpt(bare),
-                required: required.to_owned(),
-            };
+            let wrong = |required: &str| refuse_line(*line, bare, required);
             let positive = || length(value).ok_or_else(|| wrong("a length, for example 10 um,"));
             let key = key.trim().to_lowercase();
             let is = |names: &[&str]| names.contains(&key.as_str());
@@ -81,7 +53,7 @@ impl Header {
                 header.size[0] = Some(positive()?);
             } else if is(HEIGHT) {
                 header.size[1] = Some(positive()?);
-            } else if is(UNIT) {
+            } else if is_unit_of_heights(&key) {
                 match unit(value) {
                     Some(unit) => header.unit = header.unit.or(Some(unit)),
                     None => {
@@ -141,13 +113,30 @@ impl Header {
                 Ok(PixelSize::Metres([size[0] * x.metres(), size[1] * y.metres()]))
             }
             [None, None] => Ok(PixelSize::InUnit(size)),
-            _ => Err(TopographyError::Grid {
-                field: "header",
-                found: "a unit over one of the columns x and y".to_owned(),
-                required: "units over both or over neither".to_owned(),
-            }),
+            _ => {
+                let found = "a unit over one of the columns x and y";
+                Err(refuse("header", found, "units over both or over neither"))
+            }
         }
     }
+}
+
+/// Whether a key names the unit of the heights, and not, for example, that of the lengths:
+/// `unit`, `z-unit`, `exported image units`, `Einheit der Werte`, `unité de valeur`.
+fn is_unit_of_heights(key: &str) -> bool {
+    let unit = |word: &str| {
+        let word = word.strip_suffix('s').unwrap_or(word);
+        matches!(
+            word,
+            "unit" | "unit\u{e9}" | "einheit" | "einheiten" | "werteinheit" | "werteinheiten"
+        )
+    };
+    let of_heights = |word: &str| {
+        let english = matches!(word, "value" | "data" | "exported" | "image" | "height" | "z");
+        english || matches!(word, "der" | "werte" | "de" | "des" | "valeur" | "valeurs")
+    };
+    let words = || key.split([' ', '-']);
+    words().any(unit) && words().all(|word| unit(word) || of_heights(word))
 }
 
 /// Whether a key names a factor of the heights, and not, for example, a magnification factor.
@@ -161,7 +150,7 @@ fn is_factor(key: &str) -> bool {
 
 /// The names over the columns, if the line has as many.
 fn names(text: &str, table: &Table) -> Option<Vec<String>> {
-    let delimiters = [table.delimiter, Delimiter::Comma];
+    let delimiters = [table.delimiter, Delimiter(b',')];
     let split = |delimiter: &Delimiter| {
         let names: Vec<_> = delimiter
             .fields(text.as_bytes())
@@ -179,7 +168,7 @@ fn names(text: &str, table: &Table) -> Option<Vec<String>> {
         (parts.len() == table.columns).then_some(parts)
     };
     // A unit over each column, whatever separates the numbers.
-    let units = || split(&Delimiter::Space).filter(|names| names.iter().all(|name| is_unit(name)));
+    let units = || split(&Delimiter(b' ')).filter(|names| names.iter().all(|name| is_unit(name)));
     delimiters.iter().find_map(split).or_else(bracketed).or_else(units)
 }
 

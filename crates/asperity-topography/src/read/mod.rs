@@ -1,25 +1,18 @@
 //! Readers of scans, from files and bytes.
 
-mod foreign;
 mod format;
 mod gwy;
 mod gzip;
 mod header;
 mod npy;
-mod options;
 mod points;
 mod profile;
-mod refusal;
 mod sample;
 mod scan;
 mod sdf;
-mod sdf_ascii;
-mod sdf_header;
 mod sur;
-mod sur_data;
 mod table;
 mod text;
-mod units;
 mod x3p;
 mod x3p_xml;
 
@@ -28,9 +21,10 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use options::ReadOptions;
+pub use scan::ReadOptions;
 
 use self::format::Format;
+use crate::error::at_most;
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -106,10 +100,10 @@ fn scan(
     };
     match channel {
         None => scan,
-        Some(channel) => Err(TopographyError::Channel {
-            found: crate::error::excerpt(channel),
-            names: "a file with several channels (.gwy or .sur)".to_owned(),
-        }),
+        Some(channel) => Err(scan::unknown_channel(
+            channel,
+            "a file with several channels (.gwy or .sur)".into(),
+        )),
     }
 }
 
@@ -123,9 +117,6 @@ fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
         file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
     }
     let size = size.max(bytes.len() as u64);
-    if size > MAX_FILE_BYTES {
-        let what = "the number of bytes of the file";
-        return Err(TopographyError::TooLarge { what, size, limit: MAX_FILE_BYTES });
-    }
+    at_most("the number of bytes of the file", size, MAX_FILE_BYTES)?;
     Ok(bytes)
 }

@@ -2,6 +2,7 @@
 
 use super::scan;
 use crate::TopographyError;
+use crate::error::refuse;
 
 /// Tolerance of a position, relative to the grid distance: files print positions with few digits.
 const SLACK: f64 = 0.1;
@@ -15,11 +16,9 @@ pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), Topo
     let given = values.len() / 3;
     // A grid far larger than the number of points is an error and would take much memory.
     if n / 1000 > given {
-        return Err(TopographyError::Grid {
-            field: "x and y",
-            found: format!("{given} points on a grid of {} x {}", across.n, along.n),
-            required: "points at a thousandth of the grid points or more".to_owned(),
-        });
+        let found = format!("{given} points on a grid of {} x {}", across.n, along.n);
+        let required = "points at a thousandth of the grid points or more";
+        return Err(refuse("x and y", found, required));
     }
     let mut heights = vec![f64::NAN; n];
     let mut taken = vec![false; n];
@@ -27,11 +26,8 @@ pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), Topo
     for point in values.chunks_exact(3) {
         let index = across.index(point[0])? + columns * along.index(point[1])?;
         if taken[index] {
-            return Err(TopographyError::Grid {
-                field: "x and y",
-                found: format!("a second point at {:?}, {:?}", point[0], point[1]),
-                required: "one point per grid point".to_owned(),
-            });
+            let found = format!("a second point at {:?}, {:?}", point[0], point[1]);
+            return Err(refuse("x and y", found, "one point per grid point"));
         }
         taken[index] = true;
         heights[index] = point[2];
@@ -50,26 +46,18 @@ struct Axis {
 impl Axis {
     fn new(values: &[f64], offset: usize, field: &'static str) -> Result<Self, TopographyError> {
         let mut places: Vec<f64> = values.iter().skip(offset).step_by(3).copied().collect();
-        let wrong = |found: String| TopographyError::Grid {
-            field,
-            found,
-            required: "at least two positions of a regular grid".to_owned(),
-        };
+        let wrong = |found: &str| refuse(field, found, "at least two positions of a regular grid");
         if places.iter().any(|place| place.is_nan()) {
-            return Err(wrong("a point without a position".to_owned()));
+            return Err(wrong("a point without a position"));
         }
         places.sort_unstable_by(f64::total_cmp);
         places.dedup();
         let (first, last) = match places[..] {
             [first, .., last] if (last - first).is_finite() => (first, last),
-            _ => return Err(wrong(format!("{} positions", places.len()))),
+            _ => return Err(wrong(&format!("{} positions", places.len()))),
         };
-        let whole = Self {
-            field,
-            first,
-            step: (last - first) / (places.len() - 1) as f64,
-            n: places.len() as u64,
-        };
+        let n = places.len() as u64;
+        let whole = Self { field, first, step: (last - first) / (n - 1) as f64, n };
         let in_order =
             |(i, place): (usize, &f64)| whole.index(*place).is_ok_and(|index| index == i);
         if places.iter().enumerate().all(in_order) {
@@ -82,9 +70,8 @@ impl Axis {
         let intervals = ((last - first) / usual).round();
         // Compared as floats: the quotient may overflow an integer.
         if !(intervals >= 1.0 && intervals < crate::MAX_POINTS as f64) {
-            return Err(wrong(format!(
-                "positions from {first:?} to {last:?}, mostly {usual:?} apart"
-            )));
+            let found = format!("positions from {first:?} to {last:?}, mostly {usual:?} apart");
+            return Err(wrong(&found));
         }
         let axis = Self { field, first, step: (last - first) / intervals, n: intervals as u64 + 1 };
         places.iter().try_for_each(|place| axis.index(*place).map(|_| ()))?;
@@ -98,11 +85,8 @@ impl Axis {
         if (at - nearest).abs() <= SLACK && nearest >= 0.0 && nearest < self.n as f64 {
             return Ok(nearest as usize);
         }
-        Err(TopographyError::Grid {
-            field: self.field,
-            found: format!("a point at {place:?}, {at:?} steps of {:e} from the first", self.step),
-            required: "points of a regular grid".to_owned(),
-        })
+        let found = format!("a point at {place:?}, {at:?} steps of {:e} from the first", self.step);
+        Err(refuse(self.field, found, "points of a regular grid"))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use asperity_core::Finding;
 
+use super::scan::Scan;
+use crate::error::refuse;
 use crate::{LengthUnit, Topography, TopographyError};
 
 /// Tolerance of a position, relative to the distance of points: files print positions with few
@@ -18,7 +20,7 @@ impl Topography {
     /// ones, with a warning among the [`notes`](Self::notes).
     ///
     /// # Errors
-    /// [`TopographyError::Grid`] when the positions have no order or are fewer than two, and
+    /// [`TopographyError::Content`] when the positions have no order or are fewer than two, and
     /// otherwise as [`new`](Self::new).
     pub fn from_profile(
         places: Vec<f64>,
@@ -28,32 +30,19 @@ impl Topography {
         if places.len() != heights.len() {
             return Err(TopographyError::Shape { heights: heights.len(), columns: places.len() });
         }
-        let Profile { heights, step, note } = profile(places, heights)?;
-        let columns = heights.len();
-        let profile = Self::in_unit(heights, columns, [step; 2], unit)?;
-        Ok(profile.with_notes(note.into_iter().collect()))
+        let (Scan { heights, columns, notes, .. }, step) = profile(places, heights)?;
+        Ok(Self { notes, ..Self::in_unit(heights, columns, [step; 2], unit)? })
     }
 }
 
-/// Heights at equal distances, in ascending order of the positions.
-pub(super) struct Profile {
-    pub(super) heights: Vec<f64>,
-    pub(super) step: f64,
-    /// Whether and how the heights were interpolated.
-    pub(super) note: Option<Finding>,
-}
-
-/// A profile from ascending or descending positions. Heights at unequal distances are interpolated
-/// linearly at as many equal ones.
+/// A profile from ascending or descending positions, in ascending order, and its step. Heights at
+/// unequal distances are interpolated linearly at as many equal ones, with a note.
 pub(super) fn profile(
     mut places: Vec<f64>,
     mut heights: Vec<f64>,
-) -> Result<Profile, TopographyError> {
-    let wrong = |found: String| TopographyError::Grid {
-        field: "x",
-        found,
-        required: "at least two positions in ascending or descending order".to_owned(),
-    };
+) -> Result<(Scan, f64), TopographyError> {
+    let required = "at least two positions in ascending or descending order";
+    let wrong = |found: String| refuse("x", found, required);
     let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
         return Err(wrong("no position".to_owned()));
     };
@@ -66,19 +55,22 @@ pub(super) fn profile(
     if !(step > 0.0 && step.is_finite()) {
         return Err(wrong(format!("{} positions from {first:?} to {last:?}", places.len())));
     }
+    let found = |heights: Vec<f64>, notes| {
+        (Scan { columns: heights.len(), heights, notes, ..Scan::default() }, step)
+    };
     let off = |(i, place): (usize, &f64)| (place - (first + step * i as f64)).abs();
     // NaN is the largest of all.
     let farthest = places.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN);
     if farthest <= SLACK * step {
-        return Ok(Profile { heights, step, note: None });
+        return Ok(found(heights, vec![]));
     }
     let pairs = || places.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
     if let Some((i, _)) = pairs().find(|(_, distance)| distance.is_nan() || *distance <= 0.0) {
-        let found = format!("{:?} as position {} after {:?}", places[i + 1], i + 2, places[i]);
-        return Err(wrong(found));
+        let (place, before) = (places[i + 1], places[i]);
+        return Err(wrong(format!("{place:?} as position {} after {before:?}", i + 2)));
     }
     if places.len() >= MANY && last_digit(&places, COARSE * step) >= farthest {
-        return Ok(Profile { heights, step, note: None });
+        return Ok(found(heights, vec![]));
     }
     let distances = || pairs().map(|(_, distance)| distance);
     let note = Finding::warning("resampled", "points", places.len() as f64)
@@ -91,7 +83,7 @@ pub(super) fn profile(
         ))
         .advice("slopes and curvatures follow the interpolation; measure at equal distances");
     let heights = interpolated(&places, &heights, step);
-    Ok(Profile { heights, step, note: Some(note) })
+    Ok(found(heights, vec![note]))
 }
 
 /// The unit of the last digit of the positions, or 0 if it is below a millionth of `largest`.
@@ -107,26 +99,20 @@ fn last_digit(places: &[f64], largest: f64) -> f64 {
 
 /// The heights at the first place and every step after it.
 fn interpolated(places: &[f64], heights: &[f64], step: f64) -> Vec<f64> {
-    let mut points = places.iter().zip(heights).peekable();
-    let Some(mut left) = points.next() else { return vec![] };
-    let start = *left.0;
     let at = |i: usize| {
-        let place = start + step * i as f64;
-        while let Some(right) = points.peek() {
-            if *right.0 >= place {
-                let share = (place - left.0) / (right.0 - left.0);
-                // The ends are met exactly, whatever is missing on the other side.
-                return match share {
-                    0.0 => *left.1,
-                    1.0 => *right.1,
-                    _ => left.1 + share * (right.1 - left.1),
-                };
+        let place = places[0] + step * i as f64;
+        let right = places.partition_point(|before| *before < place);
+        match (right.checked_sub(1), places.get(right)) {
+            (None, _) => heights[0],
+            // The last position, up to rounding.
+            (Some(left), None) => heights[left],
+            // A position is met exactly, whatever is missing before it.
+            (Some(_), Some(there)) if *there <= place => heights[right],
+            (Some(left), Some(there)) => {
+                let share = (place - places[left]) / (there - places[left]);
+                heights[left] + share * (heights[right] - heights[left])
             }
-            left = *right;
-            points.next();
         }
-        // The last position, up to rounding.
-        *left.1
     };
     (0..places.len()).map(at).collect()
 }
@@ -141,28 +127,29 @@ mod tests {
 
     #[test]
     fn equal_distances_are_kept() {
-        let found = profile(vec![3.0, 2.0, 1.01, 0.0], vec![1.0, 2.0, 3.0, 4.0]).unwrap();
-        assert!((found.step - 1.0).abs() < 1e-12 && found.note.is_none());
+        let (found, step) = profile(vec![3.0, 2.0, 1.01, 0.0], vec![1.0, 2.0, 3.0, 4.0]).unwrap();
+        assert!((step - 1.0).abs() < 1e-12 && found.notes.is_empty());
         // x ascends.
         assert_eq!(found.heights, [4.0, 3.0, 2.0, 1.0]);
         // Positions of 0.156 printed to 0.1.
         let printed: Vec<f64> = (0..99).map(|i| (f64::from(i) * 1.5625).round() / 10.0).collect();
-        let found = profile(printed.clone(), printed.clone()).unwrap();
-        assert!(found.note.is_none() && found.heights == printed);
+        let (found, _) = profile(printed.clone(), printed.clone()).unwrap();
+        assert!(found.notes.is_empty() && found.heights == printed);
     }
 
     #[test]
     fn unequal_distances_are_interpolated() {
         let places = vec![0.0, 1.0, 1.5, 4.0, 5.0];
         let heights = places.iter().map(|place| 7.0 - 2.0 * place).collect();
-        let found = profile(places, heights).unwrap();
+        let (found, _) = profile(places, heights).unwrap();
         for (i, height) in found.heights.iter().enumerate() {
             assert!((height - (7.0 - 2.5 * i as f64)).abs() < 1e-12, "{i} {height}");
         }
-        let text = found.note.unwrap().to_string();
+        let text = found.notes[0].to_string();
         assert!(text.contains("5.0000e-1 to 2.5000e0 apart") && text.contains("4 equal"), "{text}");
         // A missing height leaves a gap as wide as its neighbours.
-        let found = profile(vec![0.0, 1.0, 1.5, 4.0, 5.0], vec![1., 2., f64::NAN, 3., 4.]).unwrap();
+        let (found, _) =
+            profile(vec![0.0, 1.0, 1.5, 4.0, 5.0], vec![1., 2., f64::NAN, 3., 4.]).unwrap();
         let missing: Vec<_> = found.heights.iter().map(|height| height.is_nan()).collect();
         assert_eq!(missing, [false, true, true, true, false]);
     }

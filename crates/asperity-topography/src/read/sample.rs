@@ -1,62 +1,64 @@
 //! Number types of binary files.
 
-/// A number type of binary files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    I64,
-    U64,
-    F32,
-    F64,
-}
-
 /// The number type and byte order of the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Sample {
-    pub(super) kind: Kind,
-    pub(super) big_endian: bool,
+    /// `i`, `u` or `f`: signed, unsigned or floating.
+    kind: u8,
+    /// Bytes per number.
+    pub(super) size: usize,
+    big_endian: bool,
 }
 
 impl Sample {
-    /// Bytes per number.
-    pub(super) fn size(self) -> usize {
-        match self.kind {
-            Kind::I8 | Kind::U8 => 1,
-            Kind::I16 | Kind::U16 => 2,
-            Kind::I32 | Kind::U32 | Kind::F32 => 4,
-            Kind::I64 | Kind::U64 | Kind::F64 => 8,
+    /// The type of a name such as `f8`, with the low byte first.
+    pub(super) const fn new(name: [u8; 2]) -> Self {
+        Self { kind: name[0], size: (name[1] - b'0') as usize, big_endian: false }
+    }
+
+    /// The type of a name of NumPy, such as `<f8`.
+    pub(super) fn numpy(name: &str) -> Option<Self> {
+        let (order, name) = name.as_bytes().split_first()?;
+        let big_endian = *order == b'>';
+        match name {
+            [kind @ (b'i' | b'u'), size @ (b'1' | b'2' | b'4' | b'8')]
+            | [kind @ b'f', size @ (b'4' | b'8')]
+                if big_endian || matches!(order, b'<' | b'|') =>
+            {
+                Some(Self { big_endian, ..Self::new([*kind, *size]) })
+            }
+            _ => None,
         }
     }
 
     /// Appends the numbers in `bytes`, without an incomplete last one.
     pub(super) fn decode(self, bytes: &[u8], into: &mut Vec<f64>) {
-        macro_rules! numbers {
-            ($of:ty) => {
-                into.extend(bytes.as_chunks().0.iter().map(|number| {
-                    (if self.big_endian {
-                        <$of>::from_be_bytes(*number)
-                    } else {
-                        <$of>::from_le_bytes(*number)
-                    }) as f64
-                }))
+        let number = |bytes: &[u8]| {
+            let push = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
+            let bits = match self.big_endian {
+                true => bytes.iter().fold(0, push),
+                false => bytes.iter().rev().fold(0, push),
             };
-        }
-        match self.kind {
-            Kind::I8 => numbers!(i8),
-            Kind::U8 => numbers!(u8),
-            Kind::I16 => numbers!(i16),
-            Kind::U16 => numbers!(u16),
-            Kind::I32 => numbers!(i32),
-            Kind::U32 => numbers!(u32),
-            Kind::I64 => numbers!(i64),
-            Kind::U64 => numbers!(u64),
-            Kind::F32 => numbers!(f32),
-            Kind::F64 => numbers!(f64),
+            // Shifts carry the sign of short numbers.
+            let unused = 64 - 8 * self.size;
+            match (self.kind, self.size) {
+                (b'f', 4) => f64::from(f32::from_bits(bits as u32)),
+                (b'f', _) => f64::from_bits(bits),
+                (b'i', _) => ((bits << unused) as i64 >> unused) as f64,
+                _ => bits as f64,
+            }
+        };
+        into.extend(bytes.chunks_exact(self.size).map(number));
+    }
+
+    /// The least and the largest number, of floating ones with the few digits that files print.
+    pub(super) fn range(self) -> [f64; 2] {
+        let largest = 2f64.powi(8 * self.size as i32);
+        match (self.kind, self.size) {
+            (b'f', 4) => [-3.4e38, 3.4e38],
+            (b'f', _) => [-1.7e308, 1.7e308],
+            (b'i', _) => [-0.5 * largest, 0.5 * largest - 1.0],
+            _ => [-1.0, largest - 1.0],
         }
     }
 }
@@ -67,11 +69,18 @@ mod tests {
 
     #[test]
     fn both_byte_orders_are_decoded() {
-        let mut numbers = Vec::new();
-        Sample { kind: Kind::I16, big_endian: true }.decode(&[1, 2, 255, 254, 7], &mut numbers);
-        Sample { kind: Kind::I16, big_endian: false }.decode(&[1, 2], &mut numbers);
-        Sample { kind: Kind::F32, big_endian: true }.decode(&1.5f32.to_be_bytes(), &mut numbers);
-        Sample { kind: Kind::U8, big_endian: true }.decode(&[200], &mut numbers);
-        assert_eq!(numbers, [258.0, -2.0, 513.0, 1.5, 200.0]);
+        let of = |name, bytes: &[u8]| {
+            let mut numbers = Vec::new();
+            Sample::numpy(name).unwrap().decode(bytes, &mut numbers);
+            numbers
+        };
+        assert_eq!(of(">i2", &[1, 2, 255, 254, 7]), [258.0, -2.0]);
+        assert_eq!(of("<i2", &[1, 2]), [513.0]);
+        assert_eq!(of(">f4", &1.5f32.to_be_bytes()), [1.5]);
+        assert_eq!(of("|u1", &[200]), [200.0]);
+        assert_eq!(of("<i8", &(-3i64).to_le_bytes()), [-3.0]);
+        assert_eq!(of("<u8", &u64::MAX.to_le_bytes()), [u64::MAX as f64]);
+        assert_eq!(Sample::new(*b"i2").range(), [-32_768.0, 32_767.0]);
+        assert_eq!(Sample::new(*b"u4").range()[1], f64::from(u32::MAX));
     }
 }

@@ -1,12 +1,55 @@
-//! The content of a file, completed by the options.
+//! Options for reading scans, and the content of a file, completed by them.
+
+use std::fmt::Display;
 
 use asperity_core::Finding;
 
-use crate::error::excerpt;
-use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
+use crate::error::{at_most, excerpt, out_of_range, refuse};
+use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;
+
+/// The highest ratio of deflate: 258 bytes in two bits.
+pub(super) const DEFLATE_RATIO: usize = 1032;
+
+/// Properties that a file may not state, and the accepted share of missing points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadOptions {
+    /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must
+    /// agree.
+    pub unit: Option<LengthUnit>,
+    /// Distance of neighbouring points along a row and along a column; without a unit of its own in
+    /// `unit` (by default in the unit stated in the file). A distance stated in the file must
+    /// agree to one part in a thousand.
+    pub pixel_size: Option<[Distance; 2]>,
+    /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
+    pub max_missing: f64,
+    /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
+    /// heights, from 1. By default the first one with heights.
+    pub channel: Option<String>,
+}
+
+impl ReadOptions {
+    /// Checks the range of every option, before a file is read.
+    pub(crate) fn check(&self) -> Result<(), TopographyError> {
+        for size in self.pixel_size.into_iter().flatten().map(Distance::value) {
+            if !(f64::MIN_POSITIVE..=f64::MAX).contains(&size) {
+                return Err(out_of_range("pixel_size", size, "a finite length above 0"));
+            }
+        }
+        if !(0.0..=1.0).contains(&self.max_missing) {
+            return Err(out_of_range("max_missing", self.max_missing, "a share from 0 to 1"));
+        }
+        Ok(())
+    }
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self { unit: None, pixel_size: None, max_missing: 0.1, channel: None }
+    }
+}
 
 /// The distance between points, as stated in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,7 +92,7 @@ impl Scan {
         for height in &mut heights {
             *height *= unit;
         }
-        let topography = Topography::new(heights, columns, pixel_size)?.with_notes(notes);
+        let topography = Topography { notes, ..Topography::new(heights, columns, pixel_size)? };
         let share = topography.missing_share();
         let limit = options.max_missing;
         if share > limit {
@@ -61,11 +104,7 @@ impl Scan {
     fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
         match (options.unit, self.unit) {
             (Some(given), Some(in_file)) if given != in_file => {
-                Err(TopographyError::Contradiction {
-                    option: "unit",
-                    given: given.to_string(),
-                    in_file: in_file.to_string(),
-                })
+                Err(contradiction("unit", given, in_file))
             }
             (given, in_file) => given.or(in_file).ok_or(TopographyError::UnitMissing),
         }
@@ -88,11 +127,8 @@ impl Scan {
             let axes = if self.heights.len() == self.columns { 1 } else { 2 };
             for (given, in_file) in given.into_iter().zip(in_file).take(axes) {
                 if (given - in_file).abs() > 1e-3 * in_file {
-                    return Err(TopographyError::Contradiction {
-                        option: "pixel_size",
-                        given: format!("{given:e} m"),
-                        in_file: format!("{in_file:e} m"),
-                    });
+                    let [given, in_file] = [given, in_file].map(|size| format!("{size:e} m"));
+                    return Err(contradiction("pixel_size", given, in_file));
                 }
             }
         }
@@ -100,13 +136,27 @@ impl Scan {
     }
 }
 
+/// An option that disagrees with the file.
+fn contradiction<T: Display>(option: &'static str, given: T, in_file: T) -> TopographyError {
+    let (given, in_file) = (given.to_string(), in_file.to_string());
+    TopographyError::Contradiction { option, given, in_file }
+}
+
 /// The product of two counts declared in a file, if it is within the limit of points.
 pub(super) fn points(columns: u64, rows: u64) -> Result<usize, TopographyError> {
-    let (size, limit) = (columns.saturating_mul(rows), MAX_POINTS as u64);
-    if size > limit {
-        return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
-    }
+    let size = columns.saturating_mul(rows);
+    at_most("the number of points", size, MAX_POINTS as u64)?;
     Ok(size as usize)
+}
+
+/// A field of a file that is a length or a factor.
+pub(super) fn positive<T: Into<f64> + Display + Copy>(
+    field: impl Display,
+    found: T,
+) -> Result<f64, TopographyError> {
+    let value = found.into();
+    let wrong = || refuse(field, found, "a finite number above 0");
+    (value.is_finite() && value > 0.0).then_some(value).ok_or_else(wrong)
 }
 
 /// Reverses every row.
@@ -118,6 +168,11 @@ pub(super) fn mirror_columns(heights: &mut [f64], columns: usize) {
 pub(super) fn mirror_rows(heights: &mut [f64], columns: usize) {
     heights.reverse();
     mirror_columns(heights, columns);
+}
+
+/// The error for a channel that the file does not have.
+pub(super) fn unknown_channel(channel: &str, names: String) -> TopographyError {
+    TopographyError::UnknownName { field: "channel", found: excerpt(channel), names }
 }
 
 /// The index of a channel, and a note on the choice where the file has several.
@@ -141,14 +196,13 @@ pub(super) fn select(
     let same = |name: &String| name.to_lowercase() == channel.trim().to_lowercase();
     let numbered = || channel.trim().parse::<usize>().ok()?.checked_sub(1);
     let at = names.iter().position(same).or_else(numbered).filter(|at| *at < names.len());
-    let wrong = || TopographyError::Channel { found: excerpt(channel), names: list() };
+    let wrong = || unknown_channel(channel, list());
     Ok((at.ok_or_else(wrong)?, None))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Distance;
 
     fn scan(unit: Option<LengthUnit>, pixel_size: PixelSize) -> Scan {
         Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size, notes: vec![] }

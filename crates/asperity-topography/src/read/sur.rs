@@ -4,14 +4,18 @@
 //! The layout follows the readers of Gwyddion, surfalize and RosettaSciIO, not the specification.
 
 use std::borrow::Cow;
+use std::io::Read;
 
 use asperity_core::Finding;
+use flate2::read::ZlibDecoder;
 
-use super::refusal::sur as refuse;
-use super::sample::{Kind, Sample};
-use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points, select};
+use super::sample::Sample;
+use super::scan::{
+    DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points, positive, select,
+};
 use super::table::decode;
-use super::{sur_data, units};
+use crate::error::refuse;
+use crate::unit::unit;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
@@ -21,21 +25,23 @@ const HEADER: usize = 512;
 const WITH_HEIGHTS: [u16; 9] = [1, 2, 4, 5, 7, 8, 11, 13, 16];
 
 pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, TopographyError> {
-    let first = Object::read(bytes)?;
+    let (first, mut rest) = Object::read(bytes)?;
     let (kind, declared) = (first.header.u16(18), first.count());
     if !WITH_HEIGHTS.contains(&kind) {
         let required =
             "a profile (1) or a surface (2), or several of them (4, 5, 7, 8, 11, 13, 16)";
-        return Err(refuse("object type", kind, required));
+        return Err(refuse("sur object type", kind, required));
     }
     let mut objects = vec![first];
     while objects.len() < declared {
-        let Some(rest) = objects.last().map(|last| last.rest).filter(|rest| !rest.is_empty())
-        else {
+        if rest.is_empty() {
             let found = format!("{} of {declared}", objects.len());
-            return Err(refuse("number of objects", found, "all objects that the header declares"));
-        };
-        objects.push(Object::read(rest)?);
+            let required = "all objects that the header declares";
+            return Err(refuse("sur number of objects", found, required));
+        }
+        let (next, after) = Object::read(rest)?;
+        objects.push(next);
+        rest = after;
     }
     // Pictures beside a surface are no heights.
     let unit = |object: &Object<'_>| object.header.unit(212, "unit of heights");
@@ -54,52 +60,50 @@ pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, Topograp
     objects.swap_remove(at).scan(note)
 }
 
-/// An object of a file and what follows it.
+/// An object of a file.
 struct Object<'a> {
     header: Header<'a>,
-    columns: u64,
-    rows: u64,
+    columns: usize,
+    /// Points, columns times rows.
+    points: usize,
     sample: Sample,
     packed: bool,
     data: &'a [u8],
-    rest: &'a [u8],
 }
 
 impl<'a> Object<'a> {
-    fn read(bytes: &'a [u8]) -> Result<Self, TopographyError> {
+    /// The object at the beginning, and the bytes after it.
+    fn read(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), TopographyError> {
         let packed = bytes.starts_with(COMPRESSED);
         if !packed && !bytes.starts_with(MAGIC) {
             let required = "DIGITAL SURF or DSCOMPRESSED at the beginning";
-            return Err(refuse("file", "something else", required));
+            return Err(refuse("sur file", "something else", required));
         }
         let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
-            return Err(refuse("header", format!("{} bytes", bytes.len()), "512 bytes"));
+            return Err(refuse("sur header", format!("{} bytes", bytes.len()), "512 bytes"));
         };
         let header = Header(header);
         if header.u16(12) != 0 {
-            return Err(refuse("format", header.u16(12), "0: numbers with the low byte first"));
+            return Err(refuse("sur format", header.u16(12), "0: numbers with the low byte first"));
         }
-        let kind = match header.u16(98) {
-            16 => Kind::I16,
-            32 => Kind::I32,
-            other => return Err(refuse("bits of a point", other, "16 or 32")),
+        let sample = match header.u16(98) {
+            16 => Sample::new(*b"i2"),
+            32 => Sample::new(*b"i4"),
+            other => return Err(refuse("sur bits of a point", other, "16 or 32")),
         };
-        let sample = Sample { kind, big_endian: false };
         let columns = header.count(108, "number of columns")?;
         let rows = header.count(112, "number of rows")?;
-        let unpacked = points(columns, rows)? * sample.size();
-        let size = if packed { header.i32(324) as u32 as usize } else { unpacked };
+        let points = points(columns, rows)?;
+        let size = if packed { header.i32(324) as u32 as usize } else { points * sample.size };
         let before = usize::from(header.u16(334)) + usize::from(header.u16(336));
         let data = rest.get(before..).and_then(|rest| rest.split_at_checked(size));
         let Some((data, after)) = data else {
             let required = format!("{columns} x {rows} points, {size} bytes after the comments");
-            return Err(refuse(
-                "data",
-                format!("{} bytes after the header", rest.len()),
-                &required,
-            ));
+            let found = format!("{} bytes after the header", rest.len());
+            return Err(refuse("sur data", found, required));
         };
-        Ok(Self { header, columns, rows, sample, packed, data, rest: after })
+        let columns = columns as usize;
+        Ok((Self { header, columns, points, sample, packed, data }, after))
     }
 
     /// Objects in the file: of each the channels.
@@ -113,22 +117,21 @@ impl<'a> Object<'a> {
     }
 
     fn scan(&self, note: Option<Finding>) -> Result<Scan, TopographyError> {
-        let Self { header, columns, rows, sample, .. } = self;
-        let n = points(*columns, *rows)?;
+        let Self { header, columns, points, sample, .. } = self;
         let step = header.f32(128, "height of one step")?;
         let unit = header.unit(212, "unit of heights")?;
         let dx = header.f32(120, "distance of columns")?;
         let pixel = dx * header.unit(180, "unit of columns")?.metres();
-        let pixel_size = match (*rows, header.f32(124, "distance of rows")) {
+        let pixel_size = match (points / columns, header.f32(124, "distance of rows")) {
             // A profile has no distance of rows.
             (1, _) => [pixel; 2],
             (_, dy) => [pixel, dy? * header.unit(196, "unit of rows")?.metres()],
         };
         let data = match self.packed {
-            true => Cow::from(sur_data::unpack(self.data, n * sample.size())?),
+            true => Cow::from(unpack(self.data, points * sample.size)?),
             false => Cow::from(self.data),
         };
-        let mut heights = Vec::with_capacity(n);
+        let mut heights = Vec::with_capacity(*points);
         sample.decode(&data, &mut heights);
         drop(data);
         // Missing points are stored two steps below the lowest height.
@@ -140,10 +143,9 @@ impl<'a> Object<'a> {
             let is_missing = missing.is_some_and(|missing| (*height - missing).abs() < 0.5);
             *height = if is_missing { f64::NAN } else { *height * step };
         }
-        let columns = *columns as usize;
         match inversion {
-            2 => mirror_columns(&mut heights, columns),
-            3 => mirror_rows(&mut heights, columns),
+            2 => mirror_columns(&mut heights, *columns),
+            3 => mirror_rows(&mut heights, *columns),
             _ => {}
         }
         let mut notes: Vec<_> = note.into_iter().collect();
@@ -153,7 +155,7 @@ impl<'a> Object<'a> {
                 .advice("check the sign of the skewness, because programs differ here")
         }));
         let pixel_size = PixelSize::Metres(pixel_size);
-        Ok(Scan { heights, columns, unit: Some(unit), pixel_size, notes })
+        Ok(Scan { heights, columns: *columns, unit: Some(unit), pixel_size, notes })
     }
 }
 
@@ -178,16 +180,11 @@ impl Header<'_> {
         u64::try_from(found)
             .ok()
             .filter(|n| *n > 0)
-            .ok_or_else(|| refuse(field, found, "at least 1"))
+            .ok_or_else(|| refuse(format!("sur {field}"), found, "at least 1"))
     }
 
     fn f32(&self, at: usize, field: &'static str) -> Result<f64, TopographyError> {
-        let found = f32::from_le_bytes(self.bytes(at));
-        if found.is_finite() && found > 0.0 {
-            Ok(f64::from(found))
-        } else {
-            Err(refuse(field, found, "a finite number above 0"))
-        }
+        positive(format!("sur {field}"), f32::from_le_bytes(self.bytes(at)))
     }
 
     /// Text of a fixed length, in UTF-8 or Latin 1, filled up with zeros or spaces.
@@ -200,6 +197,46 @@ impl Header<'_> {
         let name = self.text(at, 16);
         // Old files have the MS-DOS code of µ, which is æ in Latin 1.
         let symbol = if name == "\u{e6}m" { "um" } else { &name };
-        units::unit(symbol).ok_or_else(|| refuse(field, format!("{name:?}"), "a unit of length"))
+        unit(symbol)
+            .ok_or_else(|| refuse(format!("sur {field}"), format!("{name:?}"), "a unit of length"))
+    }
+}
+
+/// The unpacked data of exactly `size` bytes.
+fn unpack(data: &[u8], size: usize) -> Result<Vec<u8>, TopographyError> {
+    let refuse = |found: &str, required: String| refuse("sur compressed data", found, required);
+    if size / DEFLATE_RATIO > data.len() {
+        let required = format!("enough for {size} unpacked bytes");
+        return Err(refuse(&format!("{} bytes", data.len()), required));
+    }
+    let short = || refuse("a short table", "the sizes of all streams".into());
+    let number = |bytes: &[u8; 4]| u32::from_le_bytes(*bytes) as usize;
+    let (count, table) = data.split_first_chunk().ok_or_else(short)?;
+    let table_size = number(count).checked_mul(8).ok_or_else(short)?;
+    let (table, mut streams) = table.split_at_checked(table_size).ok_or_else(short)?;
+    let sizes = table.as_chunks().0.as_chunks().0;
+    let wrong_size =
+        |found: String| refuse(&found, format!("{size} bytes for the points of the header"));
+    let mut unpacked = Vec::with_capacity(size);
+    for [plain, packed] in sizes {
+        let (plain, packed) = (number(plain), number(packed));
+        let wrong = |found: String| refuse(&found, format!("{plain} bytes unpacked from {packed}"));
+        let stream = streams.split_at_checked(packed);
+        let (stream, rest) = stream.ok_or_else(|| wrong(format!("{} bytes", streams.len())))?;
+        if plain > size - unpacked.len() {
+            return Err(wrong_size(format!("streams of {plain} bytes")));
+        }
+        let before = unpacked.len();
+        // One byte more tells whether the stream ends there, and checks its checksum.
+        let mut decoder = ZlibDecoder::new(stream).take(plain as u64 + 1);
+        decoder.read_to_end(&mut unpacked).map_err(|error| wrong(error.to_string()))?;
+        if unpacked.len() - before != plain {
+            return Err(wrong(format!("{} bytes", unpacked.len() - before)));
+        }
+        streams = rest;
+    }
+    match unpacked.len() == size {
+        true => Ok(unpacked),
+        false => Err(wrong_size(format!("{} bytes", unpacked.len()))),
     }
 }

@@ -1,6 +1,6 @@
 //! Parser of text to a table of numbers: a header, then rows of equal length.
 
-use crate::error::excerpt;
+use crate::error::{at_most, refuse_line};
 use crate::{MAX_POINTS, TopographyError};
 
 /// A table of numbers; NaN for missing values.
@@ -10,53 +10,46 @@ pub(super) struct Table {
     pub(super) values: Vec<f64>,
     pub(super) columns: usize,
     pub(super) delimiter: Delimiter,
+    /// Whether a delimiter ends each row.
+    closed: bool,
+    /// The decimal separator, once a row has shown it.
+    decimal: Option<u8>,
 }
 
-/// The separator of the fields of a line.
+/// The separator of the fields of a line; a space stands for any number of blanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Delimiter {
-    Semicolon,
-    Tab,
-    Comma,
-    Space,
-}
+pub(super) struct Delimiter(pub(super) u8);
 
 impl Delimiter {
     /// The delimiter of the first row. Commas within numbers between spaces are decimal commas, as
     /// beside semicolons or tabs.
     fn detect(line: &[u8]) -> Self {
-        let has = |byte| line.contains(&byte);
         let decimal = |word: &[u8]| word.contains(&b',') && value(word, true).is_some();
-        let mut words = Self::Space.fields(line);
-        match () {
-            () if has(b';') => Self::Semicolon,
-            () if line.trim_ascii().contains(&b'\t') => Self::Tab,
-            () if has(b',') && words.clone().count() > 1 && words.all(decimal) => Self::Space,
-            () if has(b',') => Self::Comma,
-            () => Self::Space,
-        }
+        let mut words = Self(b' ').fields(line);
+        Self(match () {
+            () if line.contains(&b';') => b';',
+            () if line.trim_ascii().contains(&b'\t') => b'\t',
+            () if line.contains(&b',') && words.clone().count() > 1 && words.all(decimal) => b' ',
+            () if line.contains(&b',') => b',',
+            () => b' ',
+        })
     }
 
     fn parts(self, byte: u8) -> bool {
-        match self {
-            Self::Semicolon => byte == b';',
-            Self::Tab => byte == b'\t',
-            Self::Comma => byte == b',',
-            Self::Space => byte.is_ascii_whitespace(),
-        }
+        byte == self.0 || self.0 == b' ' && byte.is_ascii_whitespace()
     }
 
     /// The fields of a line, without the spaces around them.
     pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> + Clone {
         line.split(move |byte| self.parts(*byte))
             .map(<[u8]>::trim_ascii)
-            .filter(move |field| self != Self::Space || !field.is_empty())
+            .filter(move |field| self.0 != b' ' || !field.is_empty())
     }
 
     /// The line without its trailing delimiter, if it has one.
     fn open(self, line: &[u8]) -> Option<&[u8]> {
         let (last, rest) = line.split_last()?;
-        (self != Self::Space && self.parts(*last)).then_some(rest)
+        (self.0 != b' ' && self.parts(*last)).then_some(rest)
     }
 }
 
@@ -66,46 +59,70 @@ impl Table {
     /// field is neither a number nor a mark of a missing point, or when there are too many values.
     pub(super) fn parse(bytes: &[u8]) -> Result<Self, TopographyError> {
         let mut header = Vec::new();
-        let mut rows: Option<Rows> = None;
+        let mut rows: Option<Self> = None;
         for (index, line) in bytes.split(|byte| *byte == b'\n').enumerate() {
             let (number, line) = (index + 1, line.strip_suffix(b"\r").unwrap_or(line));
-            if line.trim_ascii().is_empty() {
+            if line.trim_ascii().is_empty() || rows.is_some() && line.starts_with(b"#") {
                 continue;
             }
+            // A number alone above rows of several counts them.
+            let counted = |rows: &Self| rows.values.len() == 1 && Self::new(line, 0).columns > 1;
+            if rows.as_ref().is_some_and(counted) {
+                rows = None;
+            }
             match &mut rows {
-                Some(_) if line.starts_with(b"#") => {}
-                // A number alone above rows of several counts them.
-                Some(counted) if counted.values.len() == 1 && Rows::new(line, 0).columns > 1 => {
-                    header.push((number, String::new()));
-                    let mut first = Rows::new(line, bytes.len());
-                    first.add(number, line)?;
-                    rows = Some(first);
-                }
                 Some(rows) => rows.add(number, line)?,
                 None if is_row(line) => {
-                    let mut first = Rows::new(line, bytes.len());
-                    first.add(number, line)?;
-                    rows = Some(first);
+                    rows.insert(Self::new(line, bytes.len())).add(number, line)?;
                 }
                 None => header.push((number, decode(line))),
             }
         }
         let Some(rows) = rows else {
             let (line, found) = header.into_iter().next().unwrap_or((1, String::new()));
-            let required = "a row of numbers in this line or below".to_owned();
-            return Err(TopographyError::Line { line, found: excerpt(&found), required });
+            return Err(refuse_line(line, &found, "a row of numbers in this line or below"));
         };
-        let Rows { values, columns, delimiter, .. } = rows;
-        Ok(Self { header, values, columns, delimiter })
+        Ok(Self { header, ..rows })
     }
-}
 
-impl Table {
-    /// Removes the first column, which counts the rows.
-    pub(super) fn drop_index(&mut self, index: bool) {
-        if index && self.columns > 1 {
-            self.drop_column(0);
+    /// No rows, with the delimiter and the number of columns of the first row.
+    fn new(line: &[u8], bytes: usize) -> Self {
+        let delimiter = Delimiter::detect(line);
+        let open = delimiter.open(line);
+        let columns = delimiter.fields(open.unwrap_or(line)).count();
+        // Capacity for rows as long as the first; no row has more fields than bytes.
+        let expected = (bytes / (line.len() + 1) + 1) * columns;
+        let values = Vec::with_capacity(expected.min(MAX_POINTS));
+        let closed = open.is_some();
+        Self { header: vec![], values, columns, delimiter, closed, decimal: None }
+    }
+
+    fn add(&mut self, number: usize, line: &[u8]) -> Result<(), TopographyError> {
+        let start = self.values.len();
+        let open = if self.closed { self.delimiter.open(line) } else { None };
+        let line = open.unwrap_or(line);
+        let comma = self.delimiter.0 != b',';
+        for field in self.delimiter.fields(line) {
+            self.values.push(value(field, comma).ok_or_else(|| {
+                let required = match comma {
+                    true => "a finite number, or nan,",
+                    false => "a finite number with a decimal point, or nan,",
+                };
+                refuse_line(number, &decode(field), required)
+            })?);
         }
+        for mark in [b'.', b','].into_iter().filter(|mark| comma && line.contains(mark)) {
+            if *self.decimal.get_or_insert(mark) != mark {
+                let required = "one decimal separator, a point or a comma, in all rows";
+                return Err(refuse_line(number, &decode(line), required));
+            }
+        }
+        let (found, required) = (self.values.len() - start, self.columns);
+        if found != required {
+            return Err(TopographyError::RowLength { line: number, found, required });
+        }
+        let size = self.values.len() as u64;
+        at_most("the number of values in the text", size, 3 * MAX_POINTS as u64)
     }
 
     /// Removes a third column without values, as after `1.5,2.5,,`.
@@ -116,7 +133,8 @@ impl Table {
         }
     }
 
-    fn drop_column(&mut self, column: usize) {
+    /// Removes a column.
+    pub(super) fn drop_column(&mut self, column: usize) {
         let mut places = (0..self.columns).cycle();
         self.values.retain(|_| places.next() != Some(column));
         self.columns -= 1;
@@ -134,107 +152,13 @@ impl Table {
     }
 }
 
-/// The rows parsed so far.
-struct Rows {
-    values: Vec<f64>,
-    columns: usize,
-    delimiter: Delimiter,
-    /// Whether a delimiter ends each row.
-    closed: bool,
-    /// The decimal separator, once a row has shown it.
-    decimal: Option<u8>,
-}
-
-impl Rows {
-    /// No rows, with the delimiter and the number of columns of the first row.
-    fn new(line: &[u8], bytes: usize) -> Self {
-        let delimiter = Delimiter::detect(line);
-        let open = delimiter.open(line);
-        let closed = open.is_some();
-        let fields = |line| delimiter.fields(line).count();
-        let columns = match without_spaces(line, delimiter) {
-            Some(line) => fields(&line),
-            None => fields(open.unwrap_or(line)),
-        };
-        // Capacity for rows as long as the first; no row has more fields than bytes.
-        let expected = (bytes / (line.len() + 1) + 1) * columns;
-        let values = Vec::with_capacity(expected.min(MAX_POINTS));
-        Self { values, columns, delimiter, closed, decimal: None }
-    }
-
-    fn add(&mut self, number: usize, line: &[u8]) -> Result<(), TopographyError> {
-        let start = self.values.len();
-        let open = if self.closed { self.delimiter.open(line) } else { None };
-        let line = open.unwrap_or(line);
-        let comma = self.delimiter != Delimiter::Comma;
-        let failed = self.delimiter.fields(line).find(|field| {
-            let value = value(field, comma);
-            self.values.extend(value);
-            value.is_none()
-        });
-        if let Some(field) = failed {
-            self.values.truncate(start);
-            let Some(line) = without_spaces(line, self.delimiter) else {
-                let required = match comma {
-                    true => "a finite number, or nan,",
-                    false => "a finite number with a decimal point, or nan,",
-                };
-                let (found, required) = (excerpt(&decode(field)), required.to_owned());
-                return Err(TopographyError::Line { line: number, found, required });
-            };
-            return self.add(number, &line);
-        }
-        let marks = |mark| line.contains(&mark);
-        for mark in [b'.', b','].into_iter().filter(|mark| comma && marks(*mark)) {
-            if *self.decimal.get_or_insert(mark) != mark {
-                return Err(TopographyError::Line {
-                    line: number,
-                    found: excerpt(&decode(line)),
-                    required: "one decimal separator, a point or a comma, in all rows".to_owned(),
-                });
-            }
-        }
-        let found = self.values.len() - start;
-        if found != self.columns {
-            let required = self.columns;
-            return Err(TopographyError::RowLength { line: number, found, required });
-        }
-        let (size, limit) = (self.values.len() as u64, 3 * MAX_POINTS as u64);
-        if size > limit {
-            let what = "the number of values in the text";
-            return Err(TopographyError::TooLarge { what, size, limit });
-        }
-        Ok(())
-    }
-}
-
 /// Whether a line can be the first row: all fields are values, and not all are marks such as `---`,
 /// which may underline a header.
 fn is_row(line: &[u8]) -> bool {
     let delimiter = Delimiter::detect(line);
-    let number = |field: &[u8]| value(field, delimiter != Delimiter::Comma).is_some();
-    let all = |line: &[u8]| {
-        delimiter.fields(line).all(number)
-            && delimiter.fields(line).any(|field| field.iter().any(u8::is_ascii_alphanumeric))
-    };
-    all(line) || without_spaces(line, delimiter).is_some_and(|line| all(&line))
-}
-
-/// The line with `nan` for the words `No Data`, which spaces would separate.
-fn without_spaces(line: &[u8], delimiter: Delimiter) -> Option<Vec<u8>> {
-    const MARK: &[u8] = b"no data";
-    if delimiter != Delimiter::Space {
-        return None;
-    }
-    let mut rest = line;
-    let mut found = Vec::with_capacity(line.len());
-    while let Some(at) = rest.windows(MARK.len()).position(|part| part.eq_ignore_ascii_case(MARK)) {
-        found.extend(&rest[..at]);
-        found.extend(b" nan ");
-        rest = &rest[at + MARK.len()..];
-    }
-    found.extend(rest);
-    (rest.len() < line.len()).then_some(found)
+    let number = |field: &[u8]| value(field, delimiter.0 != b',').is_some();
+    delimiter.fields(line).all(number)
+        && delimiter.fields(line).any(|field| field.iter().any(u8::is_ascii_alphanumeric))
 }
 
 /// A finite number, NaN for a missing point, `None` for any other text. The decimal separator is a
@@ -250,7 +174,7 @@ fn value(field: &[u8], comma: bool) -> Option<f64> {
         Ok(number) => Some(number),
         Err(_) => {
             let marks = field.iter().all(|byte| matches!(byte, b'*' | b'-'));
-            let names = ["bad", "null", "none", "na", "n/a", "no data", "nodata", "1.#qnan"];
+            let names = ["bad", "null", "none", "na", "n/a", "nodata", "1.#qnan"];
             let missing = marks || names.iter().any(|name| text.eq_ignore_ascii_case(name));
             missing.then_some(f64::NAN)
         }
@@ -278,15 +202,6 @@ mod tests {
         let both = message(b"1,5;2\n3.5;4\n");
         assert!(both.starts_with("line 2: \"3.5;4\" was found, one decimal sep"), "{both}");
         assert!(message(b"1;2\n3;1,5,5\n").starts_with("line 2: \"1,5,5\" was found"));
-    }
-
-    #[test]
-    fn no_data_is_one_mark() {
-        let (columns, found) = values("0 0 No Data\n1 0 2.5\n2 0 no data\n");
-        assert_eq!((columns, found.len()), (3, 9));
-        assert!(found[2].is_nan() && found[5].total_cmp(&2.5).is_eq() && found[8].is_nan());
-        assert_eq!(values("1;No Data;2\n1;2;3\n").0, 3);
-        assert!(message(b"0 0 1\n1 0 No Datum\n").starts_with("line 2: \"No\""));
     }
 
     #[test]

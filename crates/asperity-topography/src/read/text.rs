@@ -4,26 +4,30 @@ use std::borrow::Cow;
 
 use super::header::Header;
 use super::points::grid;
-use super::profile;
+use super::profile::profile;
 use super::scan::{PixelSize, Scan, points};
 use super::table::Table;
 use crate::TopographyError;
+use crate::error::refuse_line;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let bytes = decode(bytes)?;
-    let mut table = Table::parse(&bytes)?;
-    drop(bytes);
+    let mut table = Table::parse(&without_words(decode(bytes)?))?;
     table.drop_empty();
     let header = Header::read(&table)?;
-    table.drop_index(header.index);
-    let mut scan = match table.columns {
-        1 => column(table, &header),
-        3 if header.validity => {
+    if header.index && table.columns > 1 {
+        table.drop_column(0);
+    }
+    let mut scan = match (table.columns, header.size) {
+        (3, _) if header.validity => {
             table.drop_invalid();
-            profile(table, &header)?
+            positions(table, &header)?
         }
-        2 if header.size == [None; 2] => profile(table, &header)?,
-        3 if header.size == [None; 2] => xyz(table, &header)?,
+        (2, [None, None]) => positions(table, &header)?,
+        (3, [None, None]) => {
+            let (heights, columns, pixel_size) = grid(table.values)?;
+            let (unit, pixel_size) = (header.heights(Some(2)), header.distance(pixel_size)?);
+            Scan { heights, columns, unit, pixel_size, notes: vec![] }
+        }
         _ => matrix(table, &header)?,
     };
     if let Some(factor) = header.factor {
@@ -42,53 +46,63 @@ fn decode(bytes: &[u8]) -> Result<Cow<'_, [u8]>, TopographyError> {
     };
     let units = bytes.as_chunks().0.iter().map(|pair| unit(*pair));
     let text: Result<String, _> = char::decode_utf16(units).collect();
-    let text = text.map_err(|error| TopographyError::Line {
-        line: 1,
-        found: error.to_string(),
-        required: "UTF-16 text, by the first two bytes,".to_owned(),
-    })?;
+    let required = "UTF-16 text, by the first two bytes,";
+    let text = text.map_err(|error| refuse_line(1, &error.to_string(), required))?;
     Ok(text.into_bytes().into())
 }
 
+/// The text with `nan` for the words `No Data`, which spaces would separate.
+fn without_words(mut bytes: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    const WORDS: &[u8] = b"no data";
+    let is_mark = |part: &[u8]| part.eq_ignore_ascii_case(WORDS);
+    let mut done = 0;
+    while let Some(ahead) = bytes[done..].windows(WORDS.len()).position(is_mark) {
+        let at = done + ahead;
+        done = at + WORDS.len();
+        bytes.to_mut()[at..done].copy_from_slice(b"  nan  ");
+    }
+    bytes
+}
+
+/// A row of heights to a line; a single column is a profile.
 fn matrix(table: Table, header: &Header) -> Result<Scan, TopographyError> {
-    let Table { values: heights, columns, .. } = table;
-    let rows = heights.len() / columns;
+    let n = table.values.len();
+    let (columns, over) = if table.columns == 1 { (n, Some(0)) } else { (table.columns, None) };
+    let rows = n / columns;
     points(columns as u64, rows as u64)?;
     let pixel_size = match header.size {
+        [Some(width), _] if rows == 1 => PixelSize::Metres([width / columns as f64; 2]),
         [Some(width), Some(height)] => {
             PixelSize::Metres([width / columns as f64, height / rows as f64])
         }
-        [Some(width), None] if rows == 1 => PixelSize::Metres([width / columns as f64; 2]),
         _ => header.pixel_size,
     };
-    let unit = header.heights(None);
-    Ok(Scan { heights, columns, unit, pixel_size, ..Scan::default() })
+    let unit = header.heights(over);
+    Ok(Scan { heights: table.values, columns, unit, pixel_size, notes: vec![] })
 }
 
-fn column(table: Table, header: &Header) -> Scan {
-    let heights = table.values;
-    let columns = heights.len();
-    let pixel_size = match header.size[0] {
-        Some(width) => PixelSize::Metres([width / columns as f64; 2]),
-        None => header.pixel_size,
-    };
-    let unit = header.heights(Some(0));
-    Scan { heights, columns, unit, pixel_size, ..Scan::default() }
-}
-
-fn profile(table: Table, header: &Header) -> Result<Scan, TopographyError> {
+/// A profile of positions and heights.
+fn positions(table: Table, header: &Header) -> Result<Scan, TopographyError> {
     let rows = table.values.chunks(table.columns);
-    let (places, heights): (Vec<f64>, Vec<f64>) = rows.map(|row| (row[0], row[1])).unzip();
+    let (places, heights) = rows.map(|row| (row[0], row[1])).unzip();
     drop(table);
-    let profile::Profile { heights, step, note } = profile::profile(places, heights)?;
-    let pixel_size = header.distance([step; 2])?;
-    let (unit, notes) = (header.heights(Some(1)), note.into_iter().collect());
-    Ok(Scan { columns: heights.len(), heights, unit, pixel_size, notes })
+    let (scan, step) = profile(places, heights)?;
+    Ok(Scan { unit: header.heights(Some(1)), pixel_size: header.distance([step; 2])?, ..scan })
 }
 
-fn xyz(table: Table, header: &Header) -> Result<Scan, TopographyError> {
-    let (heights, columns, pixel_size) = grid(table.values)?;
-    let pixel_size = header.distance(pixel_size)?;
-    let unit = header.heights(Some(2));
-    Ok(Scan { heights, columns, unit, pixel_size, ..Scan::default() })
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_data_is_one_mark() {
+        let table = |text: &'static str| Table::parse(&without_words(text.as_bytes().into()));
+        let found = table("0 0 No Data\n1 0 2.5\n2 0 no data\n").unwrap();
+        assert_eq!((found.columns, found.values.len()), (3, 9));
+        let missing: Vec<_> = (0..9).filter(|k| found.values[*k].is_nan()).collect();
+        assert_eq!(missing, [2, 8]);
+        assert_eq!(table("1;No Data;2\n1;2;3\n").unwrap().columns, 3);
+        let wrong = table("0 0 1\n1 0 No Datum\n").err().unwrap().to_string();
+        assert!(wrong.starts_with("line 2: \"No\""), "{wrong}");
+    }
 }

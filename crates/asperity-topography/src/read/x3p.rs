@@ -2,29 +2,29 @@
 //!
 //! The layout follows the readers of SurfaceTopography and x3pio, not the standard.
 
+use std::fmt::Display;
 use std::io::{Cursor, Read};
 
 use zip::ZipArchive;
 
+use super::npy;
 use super::points::grid;
-use super::refusal::x3p as refuse;
-use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points};
+use super::profile::profile;
+use super::scan::{DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
-use super::{npy, profile};
+
+use crate::error::refuse;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 /// The largest size of `main.xml` \[bytes\].
 const MAX_XML: u64 = 1 << 20;
 
-/// The highest ratio of deflate: 258 bytes in two bits.
-const DEFLATE_RATIO: usize = 1032;
-
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes))
-        .map_err(|error| refuse("archive", error, "a zip archive"))?;
+        .map_err(|error| refuse("x3p archive", error, "a zip archive"))?;
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
@@ -33,24 +33,24 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     drop(xml);
     let (columns, rows) = (description.columns, description.rows);
     let n = points(columns, rows)?;
-    let size: usize = description.stored.iter().map(|stored| stored.sample.size()).sum();
+    let size: usize = description.stored.iter().map(|stored| stored.sample.size).sum();
     let mut numbers = match description.data {
         Data::Numbers(numbers) if numbers.len() == n * description.stored.len() => numbers,
         Data::Numbers(numbers) => {
             let found = format!("{} points", numbers.len() / description.stored.len());
-            return Err(refuse("DataList", found, &format!("{n}, by MatrixDimension")));
+            return Err(refuse("x3p DataList", found, format!("{n}, by MatrixDimension")));
         }
         Data::Entries { points, valid } => {
             let packed = (n * size).div_ceil(DEFLATE_RATIO);
             if packed > bytes.len() {
                 let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
                 let required = format!("at least {packed} bytes for these points");
-                return Err(refuse("MatrixDimension", found, &required));
+                return Err(refuse("x3p MatrixDimension", found, required));
             }
             let mut numbers = Vec::with_capacity(n * description.stored.len());
             unpack(&mut archive, &(folder.clone() + &points), [n, size], |mut record| {
                 for stored in &description.stored {
-                    let (number, rest) = record.split_at(stored.sample.size());
+                    let (number, rest) = record.split_at(stored.sample.size);
                     stored.sample.decode(number, &mut numbers);
                     record = rest;
                 }
@@ -86,9 +86,8 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let [Some(dx), Some(dy)] = description.increments else {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
-        let profile::Profile { heights, step, note } = profile::profile(places, heights)?;
-        let (pixel_size, notes) = (PixelSize::Metres([step; 2]), note.into_iter().collect());
-        return Ok(Scan { columns: heights.len(), heights, unit, pixel_size, notes });
+        let (scan, step) = profile(places, heights)?;
+        return Ok(Scan { unit, pixel_size: PixelSize::Metres([step; 2]), ..scan });
     };
     let columns = columns as usize;
     if dx < 0.0 {
@@ -113,17 +112,18 @@ fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyErr
     let folder = folders.min_by_key(String::len).unwrap_or_default();
     let entry = archive
         .by_name(&(folder.clone() + NAME))
-        .map_err(|error| refuse(NAME, error, "an entry of this name"))?;
+        .map_err(|error| refuse("x3p main.xml", error, "an entry of this name"))?;
     let mut xml = Vec::new();
     entry
         .take(MAX_XML + 1)
         .read_to_end(&mut xml)
-        .map_err(|error| refuse(NAME, error, "an entry that can be unpacked"))?;
+        .map_err(|error| refuse("x3p main.xml", error, "an entry that can be unpacked"))?;
     if xml.len() as u64 > MAX_XML {
-        return Err(refuse(NAME, "more", &format!("at most {MAX_XML} bytes")));
+        return Err(refuse("x3p main.xml", "more", format!("at most {MAX_XML} bytes")));
     }
     // Some programs begin with the mark of UTF-8.
-    let xml = String::from_utf8(xml).map_err(|_| refuse(NAME, "something else", "UTF-8"))?;
+    let xml =
+        String::from_utf8(xml).map_err(|_| refuse("x3p main.xml", "something else", "UTF-8"))?;
     Ok((folder, xml.trim_start_matches('\u{feff}').to_owned()))
 }
 
@@ -135,26 +135,25 @@ fn unpack(
     [n, size]: [usize; 2],
     mut with: impl FnMut(&[u8]),
 ) -> Result<(), TopographyError> {
-    let entry_error = |error: &dyn ToString| format!("{name}: {}", error.to_string());
-    let mut entry = archive
-        .by_name(name)
-        .map_err(|error| refuse("DataLink", entry_error(&error), "an entry of this name"))?;
+    let refuse = |found: &dyn Display, required: &str| {
+        refuse("x3p DataLink", format!("{name}: {found}"), required)
+    };
+    let mut entry =
+        archive.by_name(name).map_err(|error| refuse(&error, "an entry of this name"))?;
     let required = format!("{} bytes, by main.xml", n * size);
     let mut buffer = [0; 1 << 13];
     let whole = buffer.len() / size * size;
     let mut left = n * size;
     while left > 0 {
         let part = &mut buffer[..left.min(whole)];
-        entry
-            .read_exact(part)
-            .map_err(|error| refuse("DataLink", entry_error(&error), &required))?;
+        entry.read_exact(part).map_err(|error| refuse(&error, &required))?;
         part.chunks(size).for_each(&mut with);
         left -= part.len();
     }
     // Reading to the end also checks the checksum.
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
-        Ok(_) => Err(refuse("DataLink", entry_error(&"more"), &required)),
-        Err(error) => Err(refuse("DataLink", entry_error(&error), "an entry that can be unpacked")),
+        Ok(_) => Err(refuse(&"more", &required)),
+        Err(error) => Err(refuse(&error, "an entry that can be unpacked")),
     }
 }

@@ -2,9 +2,9 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::refusal::x3p as refuse;
-use super::sample::{Kind, Sample};
+use super::sample::Sample;
 use crate::TopographyError;
+use crate::error::refuse;
 
 /// The largest number of elements, texts and comments.
 const MAX_NODES: u32 = 100_000;
@@ -40,49 +40,45 @@ impl Description {
     pub(super) fn parse(xml: &str) -> Result<Self, TopographyError> {
         let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(xml, options)
-            .map_err(|error| refuse("main.xml", error, "an XML document"))?;
+            .map_err(|error| refuse("x3p main.xml", error, "an XML document"))?;
         Self::read(document.root_element())
     }
 
     fn read(root: Node<'_, '_>) -> Result<Self, TopographyError> {
-        let (profile, cloud) = match text(root, &["Record1", "FeatureType"], "FeatureType")? {
+        let (profile, cloud) = match text(root, &["Record1", "FeatureType"])? {
             "SUR" => (false, false),
             "PRF" => (true, false),
             "PCL" => (false, true),
             other => {
                 let required = "SUR (surface), PRF (profile) or PCL (points)";
-                return Err(refuse("FeatureType", other, required));
+                return Err(refuse("x3p FeatureType", other, required));
             }
         };
         let [columns, rows] = dimensions(root)?;
-        let mut stored = Vec::new();
-        let (x, of_x) = axis(root, "CX", ["CX AxisType", "CX DataType", "CX Increment"])?;
-        if of_x.is_some() && !cloud && !(profile && rows == 1) {
-            return Err(refuse("CX AxisType", "A", "I: points at equal distances"));
-        }
-        stored.extend(of_x);
-        let y = match profile && rows == 1 {
-            // Only its increment would be absent.
-            true => {
-                let kind = find(root, &["Record1", "Axes", "CY", "AxisType"]).map(trimmed_text);
-                if kind == Some("A") {
-                    return Err(refuse("CY AxisType", "A", "I: a profile along x"));
-                }
-                x
+        let line = profile && rows == 1;
+        let mut stored = vec![];
+        let mut axis = |name: &str, placed: bool, required: &str| {
+            let (increment, coordinate) = axis(root, name)?;
+            if coordinate.is_some() && !placed {
+                return Err(refuse(format!("x3p {name} AxisType"), "A", required));
             }
-            false => match axis(root, "CY", ["CY AxisType", "CY DataType", "CY Increment"])? {
-                (y, of_y) if cloud || of_y.is_none() => {
-                    stored.extend(of_y);
-                    y
-                }
-                _ => return Err(refuse("CY AxisType", "A", "I: points at equal distances")),
-            },
+            stored.extend(coordinate);
+            Ok(increment)
+        };
+        let equal = "I: points at equal distances";
+        let x = axis("CX", cloud || line, equal)?;
+        let y = match line {
+            // Only its increment would be absent.
+            true if axis_type(root, "CY").is_ok_and(|kind| kind == "A") => {
+                return Err(refuse("x3p CY AxisType", "A", "I: a profile along x"));
+            }
+            true => x,
+            false => axis("CY", cloud, equal)?,
         };
         if cloud && stored.len() != 2 {
-            return Err(refuse("AxisType", "I", "A: points with positions in x and y"));
+            return Err(refuse("x3p AxisType", "I", "A: points with positions in x and y"));
         }
-        let kind = text(root, &["Record1", "Axes", "CZ", "DataType"], "CZ DataType")?;
-        stored.push(coordinate(root, "CZ", ["CZ DataType", "CZ Increment"], kind)?);
+        stored.push(coordinate(root, "CZ")?);
         let data = Data::read(root, stored.len())?;
         Ok(Self { columns, rows, increments: [x, y], stored, data })
     }
@@ -99,7 +95,7 @@ impl Data {
             });
         }
         let list = find(root, &["Record3", "DataList"])
-            .ok_or_else(|| refuse("Record3", "no data", "a PointDataLink or a DataList"))?;
+            .ok_or_else(|| refuse("x3p Record3", "no data", "a PointDataLink or a DataList"))?;
         let mut numbers = Vec::new();
         for datum in list.children().filter(|node| node.tag_name().name() == "Datum") {
             let text = trimmed_text(datum);
@@ -111,7 +107,7 @@ impl Data {
             };
             let found = found.filter(|found| found.len() == coordinates);
             let required = format!("{coordinates} numbers between semicolons");
-            numbers.extend(found.ok_or_else(|| refuse("Datum", text, &required))?);
+            numbers.extend(found.ok_or_else(|| refuse("x3p Datum", text, required))?);
         }
         Ok(Self::Numbers(numbers))
     }
@@ -119,80 +115,81 @@ impl Data {
 
 /// Columns and rows.
 fn dimensions(root: Node<'_, '_>) -> Result<[u64; 2], TopographyError> {
-    let count = |path: &[&str], name: &'static str| -> Result<u64, TopographyError> {
-        let found = text(root, path, name)?;
+    let count = |path: &[&str]| -> Result<u64, TopographyError> {
+        let found = text(root, path)?;
         let n = found.parse().ok().filter(|n| *n > 0);
-        n.ok_or_else(|| refuse(name, found, "a whole number of at least 1"))
+        n.ok_or_else(|| refuse(place(path), found, "a whole number of at least 1"))
     };
     if find(root, &["Record3", "ListDimension"]).is_some() {
-        return Ok([count(&["Record3", "ListDimension"], "ListDimension")?, 1]);
+        return Ok([count(&["Record3", "ListDimension"])?, 1]);
     }
-    let size = |name| count(&["Record3", "MatrixDimension", name], name);
+    let size = |name| count(&["Record3", "MatrixDimension", name]);
     let layers = size("SizeZ")?;
     if layers != 1 {
-        return Err(refuse("SizeZ", layers, "1: a single layer"));
+        return Err(refuse("x3p SizeZ", layers, "1: a single layer"));
     }
     Ok([size("SizeX")?, size("SizeY")?])
+}
+
+fn axis_type<'a>(root: Node<'a, '_>, axis: &str) -> Result<&'a str, TopographyError> {
+    text(root, &["Record1", "Axes", axis, "AxisType"])
 }
 
 /// The increment of an axis of equal distances, or else its stored coordinate.
 fn axis(
     root: Node<'_, '_>,
-    name: &str,
-    [axis_type, data_type, increment]: [&'static str; 3],
+    axis: &str,
 ) -> Result<(Option<f64>, Option<Coordinate>), TopographyError> {
-    match text(root, &["Record1", "Axes", name, "AxisType"], axis_type)? {
-        "I" => match find(root, &["Record1", "Axes", name, "Increment"]) {
-            Some(node) => Ok((Some(number(node, increment)?), None)),
-            None => Err(refuse(increment, "nothing", "the distance of the points in m")),
-        },
-        "A" => {
-            let kind = text(root, &["Record1", "Axes", name, "DataType"], data_type)?;
-            Ok((None, Some(coordinate(root, name, [data_type, increment], kind)?)))
+    match axis_type(root, axis)? {
+        "I" => {
+            let required = "the distance of the points in m";
+            let found = number(root, &["Record1", "Axes", axis, "Increment"])?;
+            let absent = || refuse(format!("x3p {axis} Increment"), "nothing", required);
+            Ok((Some(found.ok_or_else(absent)?), None))
         }
-        other => Err(refuse(axis_type, other, "I (equal distances) or A (positions)")),
+        "A" => Ok((None, Some(coordinate(root, axis)?))),
+        other => {
+            let required = "I (equal distances) or A (positions)";
+            Err(refuse(format!("x3p {axis} AxisType"), other, required))
+        }
     }
 }
 
-fn coordinate(
-    root: Node<'_, '_>,
-    axis: &str,
-    [data_type, increment]: [&'static str; 2],
-    kind: &str,
-) -> Result<Coordinate, TopographyError> {
-    let kind = match kind {
-        "I" => Kind::I16,
-        "L" => Kind::I32,
-        "F" => Kind::F32,
-        "D" => Kind::F64,
-        other => return Err(refuse(data_type, other, "I, L, F or D")),
+fn coordinate(root: Node<'_, '_>, axis: &str) -> Result<Coordinate, TopographyError> {
+    let path = |name| ["Record1", "Axes", axis, name];
+    let sample = match text(root, &path("DataType"))? {
+        "I" => Sample::new(*b"i2"),
+        "L" => Sample::new(*b"i4"),
+        "F" => Sample::new(*b"f4"),
+        "D" => Sample::new(*b"f8"),
+        other => return Err(refuse(place(&path("DataType")), other, "I, L, F or D")),
     };
-    let of = |name: &str, field, usual: f64| match find(root, &["Record1", "Axes", axis, name]) {
-        Some(node) if !trimmed_text(node).is_empty() => number(node, field),
-        _ => Ok(usual),
-    };
-    let offset = if axis == "CZ" { "CZ Offset" } else { "CX Offset" };
-    Ok(Coordinate {
-        sample: Sample { kind, big_endian: false },
-        step: of("Increment", increment, 1.0)?,
-        offset: of("Offset", offset, 0.0)?,
-    })
+    let step = number(root, &path("Increment"))?.unwrap_or(1.0);
+    Ok(Coordinate { sample, step, offset: number(root, &path("Offset"))?.unwrap_or(0.0) })
 }
 
-fn number(node: Node<'_, '_>, field: &'static str) -> Result<f64, TopographyError> {
-    let number: Option<f64> = trimmed_text(node).parse().ok();
-    let number = number.filter(|number| number.is_finite());
-    number.ok_or_else(|| refuse(field, trimmed_text(node), "a finite number"))
+/// The number in an element, if it is there and not empty.
+fn number(root: Node<'_, '_>, path: &[&str]) -> Result<Option<f64>, TopographyError> {
+    let text = find(root, path).map_or("", trimmed_text);
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let number: Option<f64> = text.parse().ok().filter(|number: &f64| number.is_finite());
+    number.map(Some).ok_or_else(|| refuse(place(path), text, "a finite number"))
 }
 
-fn text<'a>(
-    root: Node<'a, '_>,
-    path: &[&str],
-    field: &'static str,
-) -> Result<&'a str, TopographyError> {
-    find(root, path)
-        .map(trimmed_text)
-        .ok_or_else(|| refuse(field, "nothing", "an element of this name"))
+fn text<'a>(root: Node<'a, '_>, path: &[&str]) -> Result<&'a str, TopographyError> {
+    let absent = || refuse(place(path), "nothing", "an element of this name");
+    find(root, path).map(trimmed_text).ok_or_else(absent)
+}
+
+/// The end of a path as the place of an error, with the axis where there is one.
+fn place(path: &[&str]) -> String {
+    match path {
+        [_, _, axis @ ("CX" | "CY" | "CZ"), name] => format!("x3p {axis} {name}"),
+        [.., name] => format!("x3p {name}"),
+        [] => "x3p".into(),
+    }
 }
 
 fn find<'a, 'input>(root: Node<'a, 'input>, path: &[&str]) -> Option<Node<'a, 'input>> {
