@@ -1,10 +1,62 @@
-//! Text in html.
+//! Text in html, and the head of every page: of the explorer, its other pages, and the guide.
 
 /// Text as html, also within an attribute.
 #[must_use]
 pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;")
+}
+
+/// What a page has in its head.
+#[derive(Debug, Clone, Copy)]
+pub struct Head<'a> {
+    /// Its title.
+    pub title: &'a str,
+    /// A sentence about it.
+    pub description: &'a str,
+    /// Its style, beside the common one.
+    pub style: &'a str,
+    /// Its script, if it has one.
+    pub script: Option<&'a str>,
+    /// Whether the script starts the module and says on the page how far it is.
+    pub module: bool,
+}
+
+impl Head<'_> {
+    /// A whole page with this head, which may load nothing but its own files, and no script or
+    /// style within it.
+    #[must_use]
+    pub fn page(&self, body: &str) -> String {
+        let allowed = match (self.script, self.module) {
+            (None, _) => "",
+            (Some(_), false) => " script-src 'self'; connect-src 'self';",
+            (Some(_), true) => {
+                " script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self';"
+            }
+        };
+        let script = self.script.map_or_else(String::new, |name| {
+            format!("<script type=\"module\" src=\"{name}\"></script>\n")
+        });
+        include_str!("head.html")
+            .replace("<!-- state -->", if self.module { " data-state=\"loading\"" } else { "" })
+            .replace("<!-- allowed -->", allowed)
+            .replace("<!-- description -->", &escape(self.description))
+            .replace("<!-- title -->", &escape(self.title))
+            .replace("<!-- style -->", self.style)
+            .replace("<!-- script -->\n", &script)
+            .replace("<!-- body -->\n", body)
+    }
+}
+
+/// A page of the explorer, whose head is stated in a comment before its body; `None` without one.
+#[must_use]
+pub fn of_explorer(text: &str) -> Option<String> {
+    let (stated, body) = text.strip_prefix("<!-- head\n")?.split_once("-->\n")?;
+    let of = |key: &str| stated.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(": "));
+    let script = of("script");
+    let (title, description) = (of("title")?, of("description")?);
+    let head = Head { title, description, style: "style.css", script, module: script.is_some() };
+    Some(head.page(body))
 }
 
 #[cfg(test)]
@@ -14,5 +66,21 @@ mod tests {
     #[test]
     fn text_is_no_markup_and_ends_no_attribute() {
         assert_eq!(escape("a > b & \"<c>\""), "a &gt; b &amp; &quot;&lt;c&gt;&quot;");
+    }
+
+    #[test]
+    fn a_page_may_load_what_its_script_needs_and_nothing_inline() {
+        let text = "<!-- head\ntitle: a & b\ndescription: c\nscript: d.js\n-->\n<body></body>\n";
+        let page = of_explorer(text).unwrap();
+        assert!(page.contains("<title>a &amp; b</title>") && page.contains("src=\"d.js\""));
+        assert!(page.contains("script-src 'self' 'wasm-unsafe-eval';"), "{page}");
+        let still = of_explorer(&text.replace("script: d.js\n", "")).unwrap();
+        assert!(
+            !still.contains("<script")
+                && !still.contains("script-src")
+                && !page.contains("unsafe-inline"),
+            "{still}"
+        );
+        assert!(of_explorer("<body></body>").is_none());
     }
 }

@@ -12,8 +12,9 @@ use std::sync::Arc;
 use anyhow::{Context, Result, bail, ensure};
 use asperity::Formula;
 
-use super::outcome::{Failure, Outcome};
+use super::outcome::{Failure, NOT_CONVERGED, Outcome};
 use super::problem::Problem;
+use crate::command::output;
 
 /// A library of this machine.
 pub struct External {
@@ -43,11 +44,10 @@ pub fn can_take(problem: &Problem) -> bool {
     problem.law.parts.iter().all(|part| matches!(part.form, Formula::Powers(_)))
 }
 
-/// The output of a command, split at blanks, if it succeeds.
+/// The words that a command prints, if it succeeds.
 fn output_of(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
-    let output = Command::new(command).args(arguments).stderr(Stdio::null()).output().ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    output.status.success().then(|| text.split_whitespace().map(str::to_owned).collect())
+    let printed = output(Command::new(command).args(arguments)).ok()?;
+    Some(printed.split_whitespace().map(str::to_owned).collect())
 }
 
 /// The libraries of this machine, with the files that they need in a folder.
@@ -66,26 +66,16 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
             arguments: vec![script.display().to_string()],
         });
     }
-    let flags = output_of("pkg-config", &["--cflags", "--libs", "gsl"])
-        .or_else(|| output_of("gsl-config", &["--cflags", "--libs"]));
-    if let Some(flags) = flags {
-        let version = output_of("pkg-config", &["--modversion", "gsl"])
-            .or_else(|| output_of("gsl-config", &["--version"]))
-            .unwrap_or_default();
+    let either = |[config, pkg]: [&[&str]; 2]| {
+        output_of("pkg-config", pkg).or_else(|| output_of("gsl-config", config))
+    };
+    if let Some(flags) = either([&["--cflags", "--libs"], &["--cflags", "--libs", "gsl"]]) {
+        let version = either([&["--version"], &["--modversion", "gsl"]]).unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
         std::fs::write(&source, include_str!("external/qag.c"))?;
-        let built = Command::new("cc")
-            .args(["-O2", "-o"])
-            .args([&program, &source])
-            .args(&flags)
-            .arg("-lm")
-            .output()
-            .context("GSL is installed, but cc is not")?;
-        let errors = String::from_utf8_lossy(&built.stderr);
-        ensure!(
-            built.status.success(),
-            "GSL is installed, but its program does not build: {errors}"
-        );
+        let mut cc = Command::new("cc");
+        cc.args(["-O2", "-o"]).args([&program, &source]).args(&flags).arg("-lm");
+        output(&mut cc).context("GSL is installed, but its program does not build")?;
         let what = format!("GSL {} qag with 21 points per branch, scaled", version.join(" "));
         found.push(External { name: "gsl", what, command: program, arguments: vec![] });
     }
@@ -123,14 +113,8 @@ impl External {
 
 /// One line: s, slope, exponential, scale, the breaks, the parts.
 fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
-    let flag = |flag: bool| u8::from(flag);
-    let (slope, exponential) = (flag(problem.slope()), flag(problem.exponential()));
-    write!(
-        out,
-        "{:e} {slope} {exponential} {:e}",
-        problem.contact_state.separation,
-        problem.scale()
-    )?;
+    let [slope, exponential] = [problem.slope(), problem.exponential()].map(u8::from);
+    write!(out, "{:e} {slope} {exponential} {:e}", problem.separation, problem.scale())?;
     let breaks = problem.breaks();
     write!(out, " {}", breaks.len())?;
     breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
@@ -155,6 +139,6 @@ fn answer(problem: &Problem, line: &str) -> Result<Answer> {
     let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
     let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
     let found = Outcome { value, scaled: true, evaluations };
-    let found = if converged == "1" { Ok(found) } else { Err(Failure::NotConverged) };
+    let found = if converged == "1" { Ok(found) } else { Err(NOT_CONVERGED) };
     Ok(Answer { found, ns: ns.parse()? })
 }

@@ -6,15 +6,16 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use asperity::{Model, Quantity};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use super::cases::Case;
 use super::external::{self, External};
 use super::methods::{HARD_TOLERANCE, METHODS, Setting};
 use super::ours::{self, Laws};
-use super::outcome::{Failure, Job};
+use super::outcome::{Failure, Job, ZERO};
 use super::points::points;
-use super::problem::{ContactState, Problem, is_slope};
+use super::problem::{Problem, is_slope};
 use super::scope::Scope;
 use crate::figures::report_csv::{BEFORE, Row};
 
@@ -23,11 +24,8 @@ type Worst = Result<f64, Failure>;
 
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
-    let number = |worst: Worst| if worst == Err(Failure::Zero) { Ok(1.0) } else { worst };
-    match (number(a), number(b)) {
-        (Ok(a), Ok(b)) => Ok(a.max(b)),
-        (Err(failure), _) | (_, Err(failure)) => Err(failure),
-    }
+    let number = |worst: Worst| if worst == Err(ZERO) { Ok(1.0) } else { worst };
+    Ok(number(a)?.max(number(b)?))
 }
 
 impl Row {
@@ -69,8 +67,8 @@ pub struct Run<'a> {
     pub timed: bool,
     /// Other libraries.
     pub libraries: &'a [External],
-    /// Called with the name of each finished row.
-    pub tick: &'a dyn Fn(&str),
+    /// Counts the finished rows.
+    pub bar: ProgressBar,
 }
 
 impl Run<'_> {
@@ -97,8 +95,8 @@ impl Run<'_> {
         let slope = |quantity: Quantity| is_slope(model, quantity);
         let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
         let wanted = |case: &&Case| {
-            let state = &case.problem.contact_state;
-            case.on_hard_grid() && state.model.id() == model.id() && same(state.quantity)
+            let problem = &case.problem;
+            case.on_hard_grid() && problem.model.id() == model.id() && same(problem.quantity)
         };
         self.cases.iter().filter(wanted).collect()
     }
@@ -126,7 +124,7 @@ impl Run<'_> {
                 let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
                 let counts = mean(counts.into_iter().flatten());
                 rows.push(Row::new(pair, name, setting, time, Some(worst), counts));
-                (self.tick)(name);
+                self.bar.inc(1);
             }
         }
         Ok(rows)
@@ -141,7 +139,7 @@ impl Run<'_> {
             let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
             rows.push(Row::new(pair, "build-law", setting, Some(law), None, None));
             rows.push(Row::new(pair, "build-scene", setting, Some(scene), None, Some(samples)));
-            (self.tick)("build");
+            self.bar.inc(1);
         }
         Ok(rows)
     }
@@ -170,7 +168,7 @@ impl Run<'_> {
             let worst = errors.fold(Ok(0.0), worse);
             let setting = Setting::Tolerance(tolerance);
             rows.push(Row::new(pair, library.name, setting, Some(time), Some(worst), mean(counts)));
-            (self.tick)(library.name);
+            self.bar.inc(1);
         }
         Ok(rows)
     }
@@ -203,16 +201,10 @@ impl Run<'_> {
         let mut csv = csv::Writer::from_writer(vec![]);
         csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
         for (k, case) in self.cases.iter().enumerate() {
-            let ContactState { model, quantity, scene, separation } = &case.problem.contact_state;
-            let (quantity, separation) = (quantity.to_string(), separation.to_string());
-            let cells = [
-                &case.family,
-                &case.name,
-                scene.heights.name(),
-                model.id(),
-                &quantity,
-                &separation,
-            ];
+            let Problem { model, quantity, scene, separation, .. } = &*case.problem;
+            let [quantity, separation] = [quantity.to_string(), separation.to_string()];
+            let heights = scene.heights.name();
+            let cells = [&*case.family, &case.name, heights, model.id(), &quantity, &separation];
             csv.write_record(cells.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
         }
         Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
@@ -234,7 +226,7 @@ pub fn significant(number: f64) -> String {
 
 /// Two digits, or the name of a failure.
 fn error_text(error: Worst) -> String {
-    error.map_or_else(|failure| failure.name().into(), |error| format!("{error:.1e}"))
+    error.map_or_else(Into::into, |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]
@@ -243,8 +235,8 @@ mod tests {
 
     #[test]
     fn a_failure_is_worse_than_any_number_and_zero_is_an_error_of_one() {
-        assert_eq!(worse(Ok(1e-3), Err(Failure::Zero)), Ok(1.0));
-        assert_eq!(worse(Ok(3.0), Err(Failure::Zero)), Ok(3.0));
-        assert_eq!(worse(Ok(3.0), Err(Failure::NotFinite)), Err(Failure::NotFinite));
+        assert_eq!(worse(Ok(1e-3), Err(ZERO)), Ok(1.0));
+        assert_eq!(worse(Ok(3.0), Err(ZERO)), Ok(3.0));
+        assert_eq!(worse(Ok(3.0), Err("not-finite")), Err("not-finite"));
     }
 }
