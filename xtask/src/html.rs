@@ -7,45 +7,31 @@ pub fn escape(text: &str) -> String {
     text.replace('"', "&quot;")
 }
 
-/// What a page has in its head.
-#[derive(Debug, Clone, Copy)]
-pub struct Head<'a> {
-    /// Its title.
-    pub title: &'a str,
-    /// A sentence about it.
-    pub description: &'a str,
-    /// Its style, beside the common one.
-    pub style: &'a str,
-    /// Its script, if it has one.
-    pub script: Option<&'a str>,
-    /// Whether the script starts the module and says on the page how far it is.
-    pub module: bool,
-}
-
-impl Head<'_> {
-    /// A whole page with this head, which may load nothing but its own files, and no script or
-    /// style within it.
-    #[must_use]
-    pub fn page(&self, body: &str) -> String {
-        let allowed = match (self.script, self.module) {
-            (None, _) => "",
-            (Some(_), false) => " script-src 'self'; connect-src 'self';",
-            (Some(_), true) => {
-                " script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self';"
-            }
-        };
-        let script = self.script.map_or_else(String::new, |name| {
-            format!("<script type=\"module\" src=\"{name}\"></script>\n")
-        });
-        include_str!("head.html")
-            .replace("<!-- state -->", if self.module { " data-state=\"loading\"" } else { "" })
-            .replace("<!-- allowed -->", allowed)
-            .replace("<!-- description -->", &escape(self.description))
-            .replace("<!-- title -->", &escape(self.title))
-            .replace("<!-- style -->", self.style)
-            .replace("<!-- script -->\n", &script)
-            .replace("<!-- body -->\n", body)
-    }
+/// A whole page, by its title and a sentence about it, its style beside the common one, and its
+/// script, if it has one, with whether that starts the module and says on the page how far it is.
+/// It may load nothing but its own files, and no script or style within it.
+#[must_use]
+pub fn page(about: [&str; 2], style: &str, script: Option<(&str, bool)>, body: &str) -> String {
+    let [title, description] = about.map(escape);
+    let (allowed, state) = match script {
+        None => ("", ""),
+        Some((_, false)) => (" script-src 'self'; connect-src 'self';", ""),
+        Some((_, true)) => (
+            " script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self';",
+            " data-state=\"loading\"",
+        ),
+    };
+    let script = script.map_or_else(String::new, |(name, _)| {
+        format!("<script type=\"module\" src=\"{name}\"></script>\n")
+    });
+    include_str!("head.html")
+        .replace("<!-- state -->", state)
+        .replace("<!-- allowed -->", allowed)
+        .replace("<!-- description -->", &description)
+        .replace("<!-- title -->", &title)
+        .replace("<!-- style -->", style)
+        .replace("<!-- script -->\n", &script)
+        .replace("<!-- body -->\n", body)
 }
 
 /// A page of the explorer, whose head is stated in a comment before its body; `None` without one.
@@ -53,10 +39,8 @@ impl Head<'_> {
 pub fn of_explorer(text: &str) -> Option<String> {
     let (stated, body) = text.strip_prefix("<!-- head\n")?.split_once("-->\n")?;
     let of = |key: &str| stated.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(": "));
-    let script = of("script");
-    let (title, description) = (of("title")?, of("description")?);
-    let head = Head { title, description, style: "style.css", script, module: script.is_some() };
-    Some(head.page(body))
+    let script = of("script").map(|script| (script, true));
+    Some(page([of("title")?, of("description")?], "style.css", script, body))
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use serde::Serialize;
 use crate::command::run;
 use crate::docs;
 use crate::folder::{copy, remove, root, target_folder, write as save};
-use crate::html::{Head, escape};
+use crate::html::{self, escape};
 use chapters::Chapter;
 use links::normal;
 use site::{Piece, Site};
@@ -66,15 +66,11 @@ pub fn write(page_folder: &Path) -> Result<PathBuf> {
             .replace("<!-- title -->", &escape(chapter.title))
             .replace("<!-- neighbours -->", &lists::neighbours(chapter))
             .replace("<!-- text -->", &text);
-        let head = Head {
-            title: &format!("{} · asperity", chapter.title),
-            description: &format!("{}, a chapter of the guide to asperity.", chapter.title),
-            style: "guide.css",
-            script: Some("search.js"),
-            module: false,
-        };
+        let title = format!("{} · asperity", chapter.title);
+        let about = format!("{}, a chapter of the guide to asperity.", chapter.title);
+        let script = Some(("search.js", false));
         let path = folder.join(chapter.address());
-        save(&path, head.page(&body))?;
+        save(&path, html::page([&title, &about], "guide.css", script, &body))?;
         pages.push(path);
     }
     save(&folder.join("search.json"), serde_json::to_string(&entries)?)?;

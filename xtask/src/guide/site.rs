@@ -19,6 +19,9 @@ pub enum Piece {
     Drawn(&'static str),
 }
 
+/// A chapter with what it shows.
+pub type Shown = (&'static Chapter, Vec<Piece>);
+
 /// Pages of files and headings, and the files that pages link or show.
 #[derive(Default)]
 pub struct Site {
@@ -35,7 +38,7 @@ impl Site {
     ///
     /// # Errors
     /// A file or a section that does not exist.
-    pub fn read() -> Result<(Self, Vec<(&'static Chapter, Vec<Piece>)>)> {
+    pub fn read() -> Result<(Self, Vec<Shown>)> {
         let (mut site, mut all) = (Self::default(), vec![]);
         for chapter in chapters::all() {
             let page = chapter.address();

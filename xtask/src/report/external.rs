@@ -4,9 +4,9 @@
 //! read it as numbers from standard input, which limits them to laws that are sums of powers.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -15,6 +15,7 @@ use asperity::Formula;
 use super::outcome::{Failure, NOT_CONVERGED, Outcome};
 use super::problem::Problem;
 use crate::command::output;
+use crate::folder::write as save;
 
 /// A library of this machine.
 pub struct External {
@@ -22,8 +23,8 @@ pub struct External {
     pub name: &'static str,
     /// Its description.
     pub what: String,
-    command: PathBuf,
-    arguments: Vec<String>,
+    /// The program with its arguments; the last is a file of ours.
+    command: Vec<PathBuf>,
 }
 
 /// A relative tolerance, how many times the problem is run to take the median (0 takes no time),
@@ -58,12 +59,11 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
     let mut found = vec![];
     if let Some(version) = output_of("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
         let script = folder.join("quad.py");
-        std::fs::write(&script, include_str!("external/quad.py"))?;
+        save(&script, include_str!("external/quad.py"))?;
         found.push(External {
             name: "scipy",
             what: format!("scipy {} quad per branch, scaled", version.join(" ")),
-            command: "python3".into(),
-            arguments: vec![script.display().to_string()],
+            command: vec!["python3".into(), script],
         });
     }
     let either = |[config, pkg]: [&[&str]; 2]| {
@@ -72,12 +72,12 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
     if let Some(flags) = either([&["--cflags", "--libs"], &["--cflags", "--libs", "gsl"]]) {
         let version = either([&["--version"], &["--modversion", "gsl"]]).unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
-        std::fs::write(&source, include_str!("external/qag.c"))?;
+        save(&source, include_str!("external/qag.c"))?;
         let mut cc = Command::new("cc");
         cc.args(["-O2", "-o"]).args([&program, &source]).args(&flags).arg("-lm");
         output(&mut cc).context("GSL is installed, but its program does not build")?;
         let what = format!("GSL {} qag with 21 points per branch, scaled", version.join(" "));
-        found.push(External { name: "gsl", what, command: program, arguments: vec![] });
+        found.push(External { name: "gsl", what, command: vec![program] });
     }
     Ok(found)
 }
@@ -88,49 +88,35 @@ impl External {
     /// # Errors
     /// When the process fails or its output is malformed.
     pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
-        let mut input = String::new();
-        for (tolerance, repeats, problem) in tasks {
-            write!(input, "{tolerance:e} {repeats} ")?;
-            write_problem(&mut input, problem)?;
-        }
-        let mut process = Command::new(&self.command)
-            .args(&self.arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .with_context(|| self.name)?;
-        let mut stdin = process.stdin.take().context("no standard input")?;
-        // In another thread, to avoid a deadlock.
-        let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
-        let output = process.wait_with_output()?;
-        ensure!(output.status.success(), "{} failed: {}", self.name, output.status);
-        ensure!(matches!(writer.join(), Ok(Ok(()))), "{} did not read its input", self.name);
-        let text = String::from_utf8(output.stdout)?;
+        let [program, arguments @ ..] = &self.command[..] else { bail!("no program") };
+        let path = arguments.last().unwrap_or(program).with_extension("tasks");
+        save(&path, tasks.iter().map(line).collect::<Result<String>>()?)?;
+        let input = File::open(&path)?;
+        let text = output(Command::new(program).args(arguments).stdin(input))?;
         ensure!(text.lines().count() == tasks.len(), "{}: answers are missing", self.name);
         tasks.iter().zip(text.lines()).map(|(task, line)| answer(&task.2, line)).collect()
     }
 }
 
-/// One line: s, slope, exponential, scale, the breaks, the parts.
-fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
+/// One line: tolerance, repeats, s, slope, exponential, scale, the breaks, the parts.
+fn line((tolerance, repeats, problem): &Task) -> Result<String> {
     let [slope, exponential] = [problem.slope(), problem.exponential()].map(u8::from);
-    write!(out, "{:e} {slope} {exponential} {:e}", problem.separation, problem.scale())?;
-    let breaks = problem.breaks();
-    write!(out, " {}", breaks.len())?;
-    breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
-    write!(out, " {}", problem.law.parts.len())?;
+    let (s, scale, breaks) = (problem.separation, problem.scale(), problem.breaks());
+    let mut line = format!("{tolerance:e} {repeats} {s:e} {slope} {exponential} {scale:e}");
+    write!(line, " {}", breaks.len())?;
+    breaks.iter().try_for_each(|t| write!(line, " {t:e}"))?;
+    write!(line, " {}", problem.law.parts.len())?;
     for part in &problem.law.parts {
         let Formula::Powers(powers) = &part.form else {
             bail!("a law that is not a sum of powers")
         };
-        let end = part.range.end.min(f64::MAX);
-        write!(out, " {:e} {end:e} {:e} {}", part.range.start, part.sign, powers.len())?;
+        let (start, end) = (part.range.start, part.range.end.min(f64::MAX));
+        write!(line, " {start:e} {end:e} {:e} {}", part.sign, powers.len())?;
         for power in powers {
-            write!(out, " {:e} {:e} {:e}", power.coefficient, power.origin, power.exponent)?;
+            write!(line, " {:e} {:e} {:e}", power.coefficient, power.origin, power.exponent)?;
         }
     }
-    writeln!(out)?;
-    Ok(())
+    Ok(line + "\n")
 }
 
 /// Reads a line: value, evaluations, 1 for converged, time.

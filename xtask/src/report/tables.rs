@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::cases::Case;
 use super::external::{self, External};
-use super::methods::{HARD_TOLERANCE, METHODS, Setting};
+use super::methods::{HARD_TOLERANCE, METHODS, Method, Setting};
 use super::ours::{self, Laws};
 use super::outcome::{Failure, Job, ZERO};
 use super::points::points;
@@ -21,6 +21,9 @@ use crate::figures::report_csv::{BEFORE, Row};
 
 /// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
+
+/// Time \[ns\], worst error and mean number of evaluations of a setting.
+type Measured = (Option<f64>, Option<Worst>, Option<f64>);
 
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
@@ -33,9 +36,7 @@ impl Row {
         (model, quantity): &(Model, Quantity),
         method: &str,
         setting: Setting,
-        time: Option<f64>,
-        worst: Option<Worst>,
-        evaluations: Option<f64>,
+        (time, worst, evaluations): Measured,
     ) -> Self {
         let (model, quantity, method) = (model.id().into(), quantity.to_string(), method.into());
         let tolerance = match setting {
@@ -78,13 +79,8 @@ impl Run<'_> {
     /// When the library refuses a case, or another library's process fails.
     pub fn speed(&self) -> Result<String> {
         let mut csv = csv::Writer::from_writer(vec![]);
-        let pairs = self.scope.pairs()?;
-        let others = self.libraries.iter().map(|library| self.external(library, &pairs));
-        let others = others.collect::<Result<Vec<_>>>()?.concat();
-        for pair in &pairs {
-            let own = |row: &&Row| row.model == pair.0.id() && row.quantity == pair.1.to_string();
-            let rows = [self.own(pair)?, self.builds(pair)?].concat();
-            rows.iter().chain(others.iter().filter(own)).try_for_each(|row| csv.serialize(row))?;
+        for pair in self.scope.pairs()? {
+            self.rows(&pair)?.iter().try_for_each(|row| csv.serialize(row))?;
         }
         Ok(String::from_utf8(csv.into_inner()?)?)
     }
@@ -101,76 +97,63 @@ impl Run<'_> {
         self.cases.iter().filter(wanted).collect()
     }
 
-    fn own(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
+    /// The rows of our methods, of building, and of other libraries, for the laws that they can
+    /// integrate.
+    fn rows(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
+        let mut add = |name, setting, found: Measured| {
+            self.bar.inc(1);
+            rows.push(Row::new(pair, name, setting, found));
+        };
         for (method, name, _) in METHODS {
             for setting in self.scope.settings(method, &pair.0) {
-                let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
-                let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
-                // The time of a failure counts as well.
-                let all = || {
-                    jobs.iter().for_each(|job| {
-                        let _ = black_box(black_box(job)());
-                    });
-                };
-                let time =
-                    self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
-                let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
-                let errors = errors.collect::<Result<Vec<Worst>>>()?;
-                let worst = errors.into_iter().fold(Ok(0.0), worse);
-                let count = |point| method.evaluations(self.laws, point, setting);
-                let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
-                let counts = mean(counts.into_iter().flatten());
-                rows.push(Row::new(pair, name, setting, time, Some(worst), counts));
-                self.bar.inc(1);
+                add(name, setting, self.own(method, setting, &points, &grid)?);
             }
         }
-        Ok(rows)
-    }
-
-    /// The cost of building.
-    fn builds(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
-        let (mut rows, effort) = (vec![], self.scope.effort());
-        for tolerance in self.scope.tolerances(&pair.0).into_iter().filter(|_| self.timed) {
-            let setting = Setting::Tolerance(tolerance);
+        let (tolerances, effort) = (self.scope.tolerances(&pair.0), self.scope.effort());
+        for &tolerance in tolerances.iter().filter(|_| self.timed) {
             let law = ours::build_law(&pair.0, pair.1, tolerance, effort)?;
             let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
-            rows.push(Row::new(pair, "build-law", setting, Some(law), None, None));
-            rows.push(Row::new(pair, "build-scene", setting, Some(scene), None, Some(samples)));
-            self.bar.inc(1);
+            add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
+            add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
+        }
+        let can_take = points.iter().all(|point| external::can_take(point));
+        for library in self.libraries.iter().filter(|_| can_take) {
+            for &tolerance in &tolerances {
+                let found = external(library, tolerance, &points, &grid)?;
+                add(library.name, Setting::Tolerance(tolerance), found);
+            }
         }
         Ok(rows)
     }
 
-    /// The rows of another library, for the laws that it can integrate.
-    fn external(&self, library: &External, pairs: &[(Model, Quantity)]) -> Result<Vec<Row>> {
-        let (mut requests, mut tasks) = (vec![], vec![]);
-        for pair in pairs {
-            let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
-            for tolerance in self.scope.tolerances(&pair.0) {
-                if points.iter().all(|point| external::can_take(point)) {
-                    let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
-                    let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
-                    tasks.extend(timed.chain(errors));
-                    requests.push((pair, tolerance, points.len(), grid.clone()));
-                }
-            }
-        }
-        let mut answers = library.run(&tasks)?.into_iter();
-        let mut rows = vec![];
-        for (pair, tolerance, count, grid) in requests {
-            let timed: Vec<_> = answers.by_ref().take(count).collect();
-            let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / count as f64;
-            let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
-            let errors = grid.iter().zip(&mut answers).map(|(case, a)| case.error(a.found));
-            let worst = errors.fold(Ok(0.0), worse);
-            let setting = Setting::Tolerance(tolerance);
-            rows.push(Row::new(pair, library.name, setting, Some(time), Some(worst), mean(counts)));
-            self.bar.inc(1);
-        }
-        Ok(rows)
+    fn own(
+        &self,
+        method: Method,
+        setting: Setting,
+        points: &[Arc<Problem>],
+        grid: &[&Case],
+    ) -> Result<Measured> {
+        let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
+        let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
+        // The time of a failure counts as well.
+        let all = || {
+            jobs.iter().for_each(|job| {
+                let _ = black_box(black_box(job)());
+            });
+        };
+        let time = self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
+        let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
+        let errors = errors.collect::<Result<Vec<Worst>>>()?;
+        let count = |point| method.evaluations(self.laws, point, setting);
+        let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
+        Ok((
+            time,
+            Some(errors.into_iter().fold(Ok(0.0), worse)),
+            mean(counts.into_iter().flatten()),
+        ))
     }
 
     /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
@@ -209,6 +192,22 @@ impl Run<'_> {
         }
         Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
     }
+}
+
+fn external(
+    library: &External,
+    tolerance: f64,
+    points: &[Arc<Problem>],
+    grid: &[&Case],
+) -> Result<Measured> {
+    let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
+    let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
+    let answers = library.run(&timed.chain(errors).collect::<Vec<_>>())?;
+    let (timed, solved) = answers.split_at(points.len());
+    let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / points.len() as f64;
+    let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
+    let errors = grid.iter().zip(solved).map(|(case, answer)| case.error(answer.found));
+    Ok((Some(time), Some(errors.fold(Ok(0.0), worse)), mean(counts)))
 }
 
 /// The mean; `None` without numbers.

@@ -118,6 +118,7 @@ pub fn table(text: &str) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::{ContactModel, Request};
 
     /// Where boundary elements have a model's own yielded share, the hardness is found again.
     #[test]
