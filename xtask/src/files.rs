@@ -1,6 +1,5 @@
 //! Writing the figures, or checking that the committed ones are up to date.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -9,19 +8,18 @@ use asperity_plot::draw;
 use rayon::prelude::*;
 
 use crate::figures::{FIGURES, FigureSpec, measured, truth_ranges};
-use crate::folder::{Fresh, save};
+use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
 /// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
-    let name = spec.name;
-    let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
-    let csv = match fs::read_to_string(folder.join(format!("{name}.csv"))) {
+fn fresh(folder: &Path, FigureSpec { name, table, style }: &FigureSpec) -> Result<[Fresh; 2]> {
+    let numbers = table().with_context(|| format!("the table of {name}"))?.into_text();
+    let csv = match read(&folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,
         _ => numbers,
     };
-    let figure = (spec.style)(&csv).with_context(|| format!("the style of {name}"))?;
-    let svg = draw(&figure, &csv).with_context(|| format!("the picture of {name}"))?;
+    let svg = style(&csv).and_then(|figure| Ok(draw(&figure, &csv)?));
+    let svg = svg.with_context(|| format!("the picture of {name}"))?;
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
@@ -29,8 +27,8 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
 /// from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
-        let known: Vec<&str> = FIGURES.iter().map(|f| f.name).collect();
-        bail!("{name:?} is not a figure; the figures are {}", known.join(", "));
+        let known = FIGURES.map(|f| f.name).join(", ");
+        bail!("{name:?} is not a figure; the figures are {known}");
     }
     let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.name);
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
@@ -55,8 +53,7 @@ pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
 /// # Errors
 /// An unknown name, or a figure that cannot be computed.
 pub fn stale(folder: &Path, names: &[&str]) -> Result<Vec<String>> {
-    let same = |(name, text): &Fresh| {
-        fs::read_to_string(folder.join(name)).is_ok_and(|committed| committed == *text)
-    };
+    let same =
+        |(name, text): &Fresh| read(&folder.join(name)).is_ok_and(|committed| committed == *text);
     Ok(all(folder, names)?.into_iter().filter(|f| !same(f)).map(|(name, _)| name).collect())
 }

@@ -1,20 +1,71 @@
-//! The folder of the figures, and writing into a folder.
+//! Folders of the workspace, and files with their names in every error.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
+/// The root of the workspace.
+#[must_use]
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("")
+}
+
 /// The workspace's `figures` folder.
 #[must_use]
 pub fn figures_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("figures")
+    root().join("figures")
 }
 
 /// The workspace's `target` folder.
 #[must_use]
 pub fn target_folder() -> PathBuf {
-    figures_folder().with_file_name("target")
+    root().join("target")
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read(path: &Path) -> Result<String> {
+    fs::read_to_string(path).with_context(|| path.display().to_string())
+}
+
+/// Writes a file, and its folder where it is missing.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
+    let folder = path.parent().unwrap_or(path);
+    let written = fs::create_dir_all(folder).and_then(|()| fs::write(path, bytes));
+    written.with_context(|| path.display().to_string())
+}
+
+/// Copies a file, or the files of a folder and those below it.
+///
+/// # Errors
+/// A file that cannot be read or written.
+pub fn copy(from: &Path, to: &Path) -> Result<()> {
+    let name = || from.display().to_string();
+    if !from.is_dir() {
+        return write(to, fs::read(from).with_context(name)?);
+    }
+    for entry in fs::read_dir(from).with_context(name)? {
+        let entry = entry?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}
+
+/// Removes a folder, if it is there.
+///
+/// # Errors
+/// A folder that cannot be removed.
+pub fn remove(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder).with_context(|| folder.display().to_string())?;
+    }
+    Ok(())
 }
 
 /// A file's name and its text.
@@ -25,11 +76,9 @@ pub type Fresh = (String, String);
 /// # Errors
 /// A file that cannot be written.
 pub fn save(folder: &Path, texts: impl IntoIterator<Item = Fresh>) -> Result<Vec<PathBuf>> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let save = |(name, text)| {
+    let save = |(name, text): Fresh| {
         let path = folder.join(name);
-        fs::write(&path, text).with_context(|| path.display().to_string())?;
-        Ok(path)
+        write(&path, text).map(|()| path)
     };
     texts.into_iter().map(save).collect()
 }

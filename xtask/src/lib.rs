@@ -4,19 +4,16 @@
 //! description of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes
 //! or checks both. The other tasks are features, so that the figures need not wait for what they
 //! are built from: `report` measures speed and accuracy of the integrals, `truth` compares the
-//! models with boundary elements, `guide`, `page` and `dist` make what users read and install.
+//! models with boundary elements, `guide` and `page` make what users read. `dist.sh` makes what
+//! they install.
 
-#[cfg(feature = "dist")]
-pub mod dist;
+pub mod command;
 pub mod docs;
 pub mod figures;
 pub mod files;
 pub mod folder;
 #[cfg(feature = "guide")]
 pub mod guide;
-#[cfg(feature = "guide")]
-pub mod head;
-#[cfg(feature = "guide")]
 pub mod html;
 pub mod needs;
 #[cfg(feature = "page")]

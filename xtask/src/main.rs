@@ -1,14 +1,15 @@
 //! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
-//! The figures and the documentation are compiled by default; another task starts the program again
-//! with its feature.
+//! The figures and the documentation are compiled by default; a task with a feature starts the
+//! program again with it.
 
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, ensure};
 use clap::Parser;
-use xtask::folder::figures_folder;
+use xtask::command::{cargo, run};
+use xtask::folder::{figures_folder, root};
 use xtask::{docs, files, needs};
 
 /// The workspace's own tasks
@@ -81,100 +82,72 @@ enum Task {
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
 
-impl Task {
-    /// The name of the task, and of its feature if it has one.
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Figures { .. } => "figures",
-            Self::Report { .. } | Self::Throughput { .. } => "report",
-            Self::Truth { .. } => "truth",
-            Self::Docs => "docs",
-            Self::Dist { .. } => "dist",
-            Self::Guide { .. } => "guide",
-            Self::Page { .. } => "page",
-        }
-    }
-}
-
 fn main() -> Result<()> {
     let task = Task::parse();
-    needs::check(task.name(), matches!(task, Task::Dist { quick: true }))?;
-    match task {
-        Task::Figures { check, names } => figures(check, &names),
-        Task::Docs => {
-            println!("{}", docs::write()?.display());
-            Ok(())
+    // The name of the task, and of its feature if it has one.
+    let name = std::env::args().nth(1).unwrap_or_default().replace("-throughput", "");
+    needs::check(&name, matches!(task, Task::Dist { quick: true }))?;
+    let written = match task {
+        Task::Figures { check, names } => {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            if check {
+                return compare(&names);
+            }
+            files::write(&figures_folder(), &names)?
+        }
+        Task::Docs => vec![docs::write()?],
+        Task::Dist { quick } => {
+            let quick = quick.then_some("--quick");
+            return run(Command::new("bash").arg(root().join("xtask/dist.sh")).args(quick));
         }
         #[cfg(feature = "report")]
-        Task::Report { quick, out } if !cfg!(debug_assertions) => report(quick, out),
+        Task::Report { quick, out } if !cfg!(debug_assertions) => {
+            use xtask::report::{Scope, write};
+            let scope = if quick { Scope::Quick } else { Scope::Full };
+            write(scope, &out.unwrap_or_else(|| scope.folder()))?
+        }
         #[cfg(feature = "report")]
         Task::Throughput { model, kind, count, threads } => {
             println!("{}", xtask::report::throughput::run(&model, &kind, count, threads)?);
-            Ok(())
+            vec![]
         }
         #[cfg(feature = "truth")]
         Task::Truth { small, models, quick, kept, anew } => {
             use xtask::truth;
-            print(match (small, models) {
+            match (small, models) {
                 (true, _) => truth::write_small()?,
-                (_, true) => truth::update_models(&figures_folder())?,
+                (_, true) => truth::update_models()?,
                 _ if quick => truth::write_quick()?,
-                _ => truth::write(&figures_folder(), !kept, anew)?,
-            });
-            Ok(())
-        }
-        #[cfg(feature = "dist")]
-        Task::Dist { quick } => {
-            use xtask::dist::{Build, write};
-            print(write(if quick { Build::Quick } else { Build::Release })?);
-            Ok(())
+                _ => truth::write(!kept, anew)?,
+            }
         }
         #[cfg(feature = "guide")]
         Task::Guide { api } => {
             let page = xtask::folder::target_folder().join("page");
             if api {
-                xtask::guide::api::write(&page)?;
+                xtask::guide::write_api(&page)?;
             }
-            println!("{}", xtask::guide::write(&page)?.display());
-            Ok(())
+            vec![xtask::guide::write(&page)?]
         }
         #[cfg(feature = "page")]
         Task::Page { serve, keep_module } => {
-            use xtask::page;
-            let folder = page::write(keep_module)?;
-            println!("{}", folder.join("index.html").display());
-            if serve { page::serve(&folder) } else { Ok(()) }
+            let index = xtask::page::write(keep_module)?;
+            println!("{}", index.display());
+            return if serve { xtask::page::serve(&index) } else { Ok(()) };
         }
         #[allow(unreachable_patterns, reason = "with all features only the report is left")]
-        other => start_again(other.name()),
-    }
-}
-
-#[cfg(feature = "report")]
-fn report(quick: bool, out: Option<PathBuf>) -> Result<()> {
-    use xtask::report::{self, Scope};
-    let scope = if quick { Scope::Quick } else { Scope::Full };
-    let target = xtask::folder::target_folder().join("report");
-    let folder = if quick { target } else { figures_folder() };
-    print(report::write(scope, &out.unwrap_or(folder))?);
+        _ => return start_again(&name),
+    };
+    written.iter().for_each(|path| println!("{}", path.display()));
     Ok(())
 }
 
-fn print(paths: Vec<PathBuf>) {
-    paths.iter().for_each(|path| println!("{}", path.display()));
-}
-
-fn figures(check: bool, names: &[String]) -> Result<()> {
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    if !check {
-        print(files::write(&figures_folder(), &names)?);
-        return Ok(());
-    }
-    let stale = files::stale(&figures_folder(), &names)?;
-    if !stale.is_empty() {
-        let stale = stale.join(", ");
-        bail!("stale: {stale}\nrun `cargo xtask figures`, look at the pictures, commit them");
-    }
+fn compare(names: &[&str]) -> Result<()> {
+    let stale = files::stale(&figures_folder(), names)?.join(", ");
+    ensure!(
+        stale.is_empty(),
+        "stale: {stale}\nrun `cargo xtask figures`, look at the pictures, commit them"
+    );
     println!("all figures are up to date");
     Ok(())
 }
@@ -182,15 +155,8 @@ fn figures(check: bool, names: &[String]) -> Result<()> {
 /// Runs the same command in a program with the feature of the task; the report in a release build:
 /// times of a development build are not those of users.
 fn start_again(feature: &str) -> Result<()> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let release: &[&str] = if feature == "report" { &["--release"] } else { &[] };
-    let status = Command::new(cargo)
-        .args(["run", "--quiet", "--package", "xtask", "--features", feature])
-        .args(release)
-        .arg("--")
-        .args(std::env::args_os().skip(1))
-        .status()
-        .context("cargo")?;
-    ensure!(status.success(), "cargo xtask {feature} failed: {status}");
-    Ok(())
+    let release = (feature == "report").then_some("--release");
+    let run_with = ["run", "--quiet", "--package", "xtask", "--features", feature];
+    let arguments = std::env::args_os().skip(1);
+    run(cargo().args(run_with).args(release).arg("--").args(arguments))
 }

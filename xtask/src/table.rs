@@ -1,4 +1,4 @@
-//! Tables of numbers as csv text, and their comparison.
+//! Tables of numbers as csv text and their comparison, and tables of texts as markdown.
 
 use anyhow::{Result, ensure};
 
@@ -13,17 +13,6 @@ pub struct Table {
     columns: usize,
 }
 
-/// One field of a row.
-#[derive(Debug, Clone, Copy)]
-pub enum Field<'a> {
-    /// A text without commas.
-    Word(&'a str),
-    /// A number; written with 9 significant digits.
-    Number(f64),
-    /// Nothing: a gap in a curve.
-    Gap,
-}
-
 impl Table {
     /// An empty table with these columns.
     #[must_use]
@@ -31,31 +20,25 @@ impl Table {
         Self { text: columns.join(",") + "\n", columns: columns.len() }
     }
 
-    /// Adds a row.
+    /// Adds a row: words without commas, then numbers with 9 significant digits; `None` is a gap in
+    /// a curve.
     ///
     /// # Errors
     /// When the number of fields differs from that of the columns, or a number is not finite.
-    pub fn push(&mut self, fields: &[Field]) -> Result<()> {
-        ensure!(
-            fields.len() == self.columns,
-            "{} fields in a row of {}",
-            fields.len(),
-            self.columns
-        );
-        for (k, field) in fields.iter().enumerate() {
-            if k > 0 {
-                self.text.push(',');
-            }
-            match field {
-                Field::Word(word) => self.text.push_str(word),
-                Field::Number(x) => {
-                    ensure!(x.is_finite(), "a number of the table is {x}");
-                    self.text.push_str(&format!("{x:.8e}"));
-                }
-                Field::Gap => {}
-            }
+    pub fn push(
+        &mut self,
+        words: &[&str],
+        numbers: impl IntoIterator<Item = impl Into<Option<f64>>>,
+    ) -> Result<()> {
+        let mut fields: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+        for number in numbers {
+            let number = number.into();
+            ensure!(number.is_none_or(f64::is_finite), "a number of the table is {number:?}");
+            fields.push(number.map_or_else(String::new, |x| format!("{x:.8e}")));
         }
-        self.text.push('\n');
+        let count = fields.len();
+        ensure!(count == self.columns, "{count} fields in a row of {}", self.columns);
+        self.text += &(fields.join(",") + "\n");
         Ok(())
     }
 
@@ -75,26 +58,31 @@ pub fn agree(a: &str, b: &str, tolerance: f64) -> bool {
 /// Whether two csv agree: equal texts, and numbers that are the `same`.
 #[must_use]
 pub fn agree_by(a: &str, b: &str, same: impl Fn(f64, f64) -> bool) -> bool {
-    let mut lines = (a.lines(), b.lines());
-    loop {
-        match (lines.0.next(), lines.1.next()) {
-            (None, None) => return true,
-            (Some(a), Some(b)) if line_agrees(a, b, &same) => {}
-            _ => return false,
-        }
-    }
+    let field = |(a, b): (&str, &str)| {
+        a == b || matches!((a.parse(), b.parse()), (Ok(a), Ok(b)) if same(a, b))
+    };
+    let line = |(a, b): (&str, &str)| {
+        a.matches(',').count() == b.matches(',').count()
+            && a.split(',').zip(b.split(',')).all(field)
+    };
+    a.lines().count() == b.lines().count() && a.lines().zip(b.lines()).all(line)
 }
 
-fn line_agrees(a: &str, b: &str, same: &impl Fn(f64, f64) -> bool) -> bool {
-    let (a, b): (Vec<&str>, Vec<&str>) = (a.split(',').collect(), b.split(',').collect());
-    a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| {
-            a == b
-                || match (a.parse::<f64>(), b.parse::<f64>()) {
-                    (Ok(a), Ok(b)) => same(a, b),
-                    _ => false,
-                }
-        })
+/// The head of a markdown table, its last columns aligned to the right.
+#[must_use]
+pub fn markdown_head(heads: &[&str], right: usize) -> String {
+    let (left, right) = ("---|".repeat(heads.len() - right), "---:|".repeat(right));
+    format!("{}|{left}{right}\n", markdown_row(heads))
+}
+
+/// A row of a markdown table.
+#[must_use]
+pub fn markdown_row<T: AsRef<str>>(cells: &[T]) -> String {
+    let mut row = String::from("|");
+    for cell in cells.iter().map(AsRef::as_ref) {
+        row += &format!("{}{cell} |", if cell.is_empty() { "" } else { " " });
+    }
+    row + "\n"
 }
 
 #[cfg(test)]
@@ -104,9 +92,9 @@ mod tests {
     #[test]
     fn numbers_have_nine_digits_and_gaps_are_empty() {
         let mut table = Table::new(&["curve", "x", "y"]);
-        table.push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap]).unwrap();
-        assert!(table.push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap]).is_err());
-        assert!(table.push(&[Field::Gap]).is_err());
+        table.push(&["ke"], [Some(1.0 / 3.0), None]).unwrap();
+        assert!(table.push(&["ke"], [f64::NAN, 1.0]).is_err());
+        assert!(table.push(&["ke"], [1.0]).is_err());
         assert!(table.into_text().starts_with("curve,x,y\nke,3.33333333e-1,\n"));
     }
 

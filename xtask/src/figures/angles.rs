@@ -2,29 +2,33 @@
 
 use anyhow::Result;
 use asperity::AngleDensity;
+use asperity_plot::{Axis, Figure, Mark, Strip};
 
-use crate::table::{Field, Table};
-use asperity_plot::{Axis, Curve, Figure, Mark, Panel, Strip};
+use super::models::{named, panel};
+use crate::table::Table;
 
-const AZIMUTHS: [(f64, &str); 4] =
-    [(45.0, "theta=45"), (90.0, "theta=90"), (135.0, "theta=135"), (225.0, "theta=225")];
+/// Azimuths in degrees.
+const AZIMUTHS: [(f64, &str, &str); 4] = [
+    (45.0, "theta=45", "as printed, θ = 45°"),
+    (90.0, "theta=90", "as printed, θ = 90°"),
+    (135.0, "theta=135", "as printed, θ = 135°"),
+    (225.0, "theta=225", "as printed, θ = 225°"),
+];
 const FOLDED: &str = "folded";
 
 /// 4π ψ over the polar angle for several azimuths, and the folded density.
 pub fn table() -> Result<Table> {
     let density = AngleDensity::default();
     let mut table = Table::new(&["curve", "phi_degree", "four_pi_density"]);
-    let mut add = |key: &str, phi: f64, value: f64| {
-        table.push(&[Field::Word(key), Field::Number(phi), Field::Number(value)])
-    };
-    for (theta, key) in AZIMUTHS {
-        for k in 0..=180 {
-            add(key, f64::from(k), density.printed(f64::from(k).to_radians(), theta.to_radians()))?;
+    let angles = || (0..=180).map(f64::from);
+    for (theta, key, _) in AZIMUTHS {
+        for phi in angles() {
+            table.push(&[key], [phi, density.printed(phi.to_radians(), theta.to_radians())])?;
         }
     }
-    for k in 0..=180 {
-        let u = f64::from(k).to_radians().cos().abs();
-        add(FOLDED, f64::from(k), density.folded().map_or(0.0, |(c0, c2)| c0 + c2 * u * u))?;
+    for phi in angles() {
+        let u = phi.to_radians().cos().abs();
+        table.push(&[FOLDED], [phi, density.folded().map_or(0.0, |(c0, c2)| c0 + c2 * u * u)])?;
     }
     Ok(table)
 }
@@ -33,14 +37,10 @@ pub fn table() -> Result<Table> {
 pub fn style(_: &str) -> Result<Figure> {
     let x =
         Axis::new("phi_degree", "polar angle φ (degrees; 0 and 180 are upright)").range(0.0, 180.0);
-    let mut panel =
-        Panel::new(x, Axis::new("four_pi_density", "angle density 4πψ").range(-1.6, 3.6));
-    panel.curves = AZIMUTHS
-        .iter()
-        .enumerate()
-        .map(|(k, (theta, key))| Curve::new(k + 1, key, &format!("as printed, θ = {theta}°")))
-        .collect();
-    panel.curves.push(Curve::new(0, FOLDED, "as used (folded)"));
+    let y = Axis::new("four_pi_density", "angle density 4πψ").range(-1.6, 3.6);
+    let printed = AZIMUTHS.iter().zip(1..).map(|((_, key, label), look)| (*key, look, *label));
+    let curves: Vec<_> = printed.chain([(FOLDED, 0, "as used (folded)")]).collect();
+    let mut panel = panel(&x, y, &named(&curves));
     panel.strips = vec![Strip::across(f64::NEG_INFINITY, 0.0, "negative: no density")];
     panel.horizontals = vec![Mark::new(0.0, "")];
     let title = "Density of contact normals, as printed and as used";

@@ -1,24 +1,22 @@
 //! The two pictures of the report, each from the text of its csv.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-
-use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
 use asperity_plot::{
-    Axis, Cell, Curve, Figure, Legend, Matrix, Panel, Strip, draw, draw_matrix, power_of_ten,
+    Axis, Cell, Curve, Figure, Legend, Matrix, Strip, draw, draw_matrix, power_of_ten,
 };
+
+use super::models::{of, panel};
+use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
+use crate::folder;
 
 /// The pictures by name, drawn from the tables in a folder.
 ///
 /// # Errors
 /// Tables that are missing or not those of the report.
 pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
-    let text = |name: &str| {
-        let path = folder.join(name);
-        fs::read_to_string(&path).with_context(|| path.display().to_string())
-    };
+    let text = |name: &str| folder::read(&folder.join(name));
     let measured = text("speed-vs-error.md")?;
     let machine = machine(&measured).context("speed-vs-error.md names no machine")?;
     Ok([
@@ -100,27 +98,22 @@ fn summary(csv: &str) -> Result<String> {
 /// A csv that is not `speed-vs-error.csv`.
 fn frontier(csv: &str, machine: &str) -> Result<String> {
     let summary = summary(csv)?;
-    let drawn = |panel: &str, method: &str| summary.contains(&format!("\n{panel},{method},"));
+    let drawn = |key: &str, method: &str| summary.contains(&format!("\n{key},{method},"));
     let mut panels = vec![];
     for (key, title, _) in PANELS {
         let x = Axis::new("error", "worst relative error on the hard grid").log();
         let y = Axis::new("time", "median time of an evaluation (ns)").log();
-        let mut panel = Panel::new(x.range(ERRORS.0, ERRORS.1), y.range(2.0, 2e6));
-        panel.title = title.into();
+        let methods = METHODS.into_iter().enumerate().filter(|(_, method)| drawn(key, method));
+        let mut curves: Vec<Curve> =
+            methods.map(|(look, method)| Curve::new(look, method, method)).collect();
+        curves.iter_mut().for_each(|curve| curve.every_point = true);
+        let (x, y) = (x.range(ERRORS.0, ERRORS.1), y.range(2.0, 2e6));
+        let mut panel = of("panel", key, title, panel(&x, y, &curves));
         panel.curve_column = "method".into();
-        panel.only = Some(("panel".into(), key.into()));
         panel.strips = vec![Strip::upright(WRONG, f64::INFINITY, "wrong")];
-        for (look, method) in METHODS.into_iter().enumerate() {
-            if drawn(key, method) {
-                let mut curve = Curve::new(look, method, method);
-                curve.every_point = true;
-                panel.curves.push(curve);
-            }
-        }
-        if !panel.curves.is_empty() {
-            panels.push(panel);
-        }
+        panels.push(panel);
     }
+    panels.retain(|panel| !panel.curves.is_empty());
     let caption = [
         "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the absolute values of the parts. Settings that fail to converge in a case are not drawn; scipy and gsl integrate the laws that are sums of powers.",
         "gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts: plain doubles, not split at the kinks of the law. The other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.",
@@ -140,14 +133,12 @@ fn hard_cases(csv: &str) -> Result<String> {
     let methods: Vec<String> =
         reader.headers()?.iter().skip(BEFORE.len()).map(str::to_owned).collect();
     let rows = reader.records().collect::<Result<Vec<_>, _>>()?;
-    let mut families: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
-    families.dedup();
-    families.sort_by_key(|name| *name != ORDINARY);
-    let column = |family: &str, k: usize| {
-        let own = rows.iter().filter(|row| row[0] == *family).map(|row| &row[BEFORE.len() + k]);
-        cell(own.filter(|error| !error.is_empty()).collect())
+    let mut families: Vec<&[_]> = rows.chunk_by(|a, b| a[0] == b[0]).collect();
+    families.sort_by_key(|rows| rows[0][0] != *ORDINARY);
+    let row = |rows: &&[csv::StringRecord]| {
+        let errors = |k: usize| rows.iter().map(move |row| &row[BEFORE.len() + k]);
+        (0..methods.len()).map(|k| cell(errors(k).filter(|e| !e.is_empty()).collect())).collect()
     };
-    let row = |family: &&str| (0..methods.len()).map(|k| column(family, k)).collect();
     let cells = families.iter().map(row).collect();
     let matrix = Matrix {
         title: "Hard cases: worst relative error of each method".into(),
@@ -156,7 +147,7 @@ fn hard_cases(csv: &str) -> Result<String> {
             "Tolerance of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts. scipy and gsl integrate the laws that are sums of powers.".into(),
         ],
         columns: methods,
-        rows: families.iter().map(|name| (*name).to_owned()).collect(),
+        rows: families.iter().map(|rows| rows[0][0].to_owned()).collect(),
         cells,
     };
     Ok(draw_matrix(&matrix)?)

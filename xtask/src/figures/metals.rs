@@ -2,15 +2,12 @@
 
 use anyhow::Result;
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{
-    At, Body, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
-    linspace,
-};
-use asperity_plot::{Axis, Curve, Figure, Panel};
+use asperity::{At, Body, Interface, Quantity, Scene, Surface, linspace};
+use asperity_plot::{Axis, Figure};
 
-use super::joints::{CORRELATIONS, pressure_axis};
-use super::models::{MARKERS, curve};
-use crate::table::{Field, Table};
+use super::joints::CORRELATIONS;
+use super::models::{MARKERS, beside, curves, named, of, panel, pressure_axis, solve};
+use crate::table::Table;
 
 /// Assumed: Young's modulus [Pa], Poisson's ratio, hardness [Pa], conductivity [W/(m K)].
 const ALUMINIUM: [f64; 4] = [70e9, 0.33, 1.1e9, 170.0];
@@ -26,14 +23,13 @@ const MODELS: [&str; 5] = ["gw", "zmc", "ke", "etsion", "jg"];
 const ROUGHNESS: [f64; 3] = [1e-6, 0.1, 8.0];
 const H: &str = "conductance_W_per_m2K";
 
-fn body([youngs_modulus, poissons_ratio, hardness, conductivity]: [f64; 4]) -> Body {
-    let mut body = Body::new(youngs_modulus, poissons_ratio, hardness);
-    body.thermal_conductivity = Some(conductivity);
-    body
-}
-
 /// Two equally rough bodies.
-fn scene([first, second]: [[f64; 4]; 2]) -> Result<Scene> {
+fn scene(bodies: [[f64; 4]; 2]) -> Result<Scene> {
+    let [first, second] = bodies.map(|[youngs_modulus, poissons_ratio, hardness, conductivity]| {
+        let mut body = Body::new(youngs_modulus, poissons_ratio, hardness);
+        body.thermal_conductivity = Some(conductivity);
+        body
+    });
     let [height_std, mean_slope, bandwidth] = ROUGHNESS;
     let one = GapRoughness { height_std, mean_slope };
     let both = GapRoughness::between(&one, &one);
@@ -42,7 +38,7 @@ fn scene([first, second]: [[f64; 4]; 2]) -> Result<Scene> {
     let density =
         bandwidth * m2 / both.height_std.powi(2) / (6.0 * 3f64.sqrt() * std::f64::consts::PI);
     let surface = Surface::from_mean_slope(both.height_std, both.mean_slope, density)?;
-    Ok(Scene::new(Interface::between(&body(first), &body(second))?, surface, 1e-4))
+    Ok(Scene::new(Interface::between(&first, &second)?, surface, 1e-4))
 }
 
 /// Conductance of the models and correlations of each joint, and over that of CMY.
@@ -60,15 +56,12 @@ pub fn table() -> Result<Table> {
         }
         let cmy = curves[0].1.clone();
         for id in MODELS {
-            let request = Request::new([conductance]).within(Tolerance::new(1e-9)?);
-            let request = request.at(pressures.iter().copied().map(At::Pressure));
-            let answer = id.parse::<Model>()?.solve(&scene, &request)?;
-            curves.push((id, answer.values(conductance)?.to_vec()));
+            let at = pressures.iter().copied().map(At::Pressure);
+            curves.push((id, solve(id, &scene, &[conductance], at)?.values(conductance)?));
         }
         for (id, column) in curves {
             for ((p, h), cmy) in pressures.iter().zip(column).zip(&cmy) {
-                let numbers = [*p, h, h / cmy].map(Field::Number);
-                table.push(&[&[Field::Word(joint), Field::Word(id)], &numbers[..]].concat())?;
+                table.push(&[joint, id], [*p, h, h / cmy])?;
             }
         }
     }
@@ -76,25 +69,16 @@ pub fn table() -> Result<Table> {
 }
 
 /// Conductance of each joint, and over that of CMY.
-pub fn figure(_: &str) -> Result<Figure> {
-    let mut curves = CORRELATIONS.map(|(key, look, label)| Curve::new(look, key, label)).to_vec();
-    curves.extend(MODELS.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?);
-    let mut panels = vec![];
-    for y in [
-        Axis::new(H, "conductance h (W/(m² K))").log(),
-        Axis::new("over_cmy", "conductance over that of CMY").range(0.0, 1.4),
-    ] {
-        for (joint, _) in JOINTS {
-            let mut panel = Panel::new(pressure_axis(), y.clone());
-            panel.title = joint.into();
-            panel.only = Some(("joint".into(), joint.into()));
-            panel.curves.clone_from(&curves);
-            panels.push(panel);
-        }
-    }
+pub fn style(_: &str) -> Result<Figure> {
+    let curves = [named(&CORRELATIONS), curves(&MODELS)?].concat();
+    let conductance = Axis::new(H, "conductance h (W/(m² K))").log();
+    let ratio = Axis::new("over_cmy", "conductance over that of CMY").range(0.0, 1.4);
+    let row = |y: Axis| {
+        JOINTS.map(|(joint, _)| {
+            of("joint", joint, joint, panel(&pressure_axis(), y.clone(), &curves))
+        })
+    };
+    let panels = [row(conductance), row(ratio)].concat();
     let caption = "Two bodies, each with σ\u{a0}=\u{a0}1\u{a0}µm and a mean absolute slope m\u{a0}=\u{a0}0.1; together √2 times that, and for the models a Gaussian gap with α\u{a0}=\u{a0}m₀m₄/m₂²\u{a0}=\u{a0}8. Assumed: aluminium E\u{a0}=\u{a0}70\u{a0}GPa, ν\u{a0}=\u{a0}0.33, H\u{a0}=\u{a0}1.1\u{a0}GPa, k\u{a0}=\u{a0}170\u{a0}W/(m\u{a0}K); stainless steel 200, 0.29, 2.5, 16; copper 120, 0.34, 0.9, 390. The softer body yields; k_s\u{a0}=\u{a0}2k₁k₂/(k₁\u{a0}+\u{a0}k₂). The contacts are plastic, so that Mikic's elastic correlation, and GW, do not apply: they show how much that matters.";
-    let title = "Thermal conductance of joints of two metals";
-    let mut figure = Figure::new(title, &[caption, MARKERS], panels);
-    figure.columns = 3;
-    Ok(figure)
+    Ok(beside(3, "Thermal conductance of joints of two metals", &[caption, MARKERS], panels))
 }

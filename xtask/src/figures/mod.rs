@@ -18,12 +18,12 @@ mod unloading;
 use anyhow::Result;
 use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
+use asperity_plot::Figure;
 
 pub use laws::some as some_laws;
 
 use crate::table::Table;
-use asperity_plot::Figure;
-use truth::Shown;
+use truth::SHOWN as TRUTH;
 
 /// One figure.
 pub struct FigureSpec {
@@ -35,77 +35,53 @@ pub struct FigureSpec {
     pub style: fn(&str) -> Result<Figure>,
 }
 
+const fn of(
+    name: &'static str,
+    table: fn() -> Result<Table>,
+    style: fn(&str) -> Result<Figure>,
+) -> FigureSpec {
+    FigureSpec { name, table, style }
+}
+
 /// All figures: those of the paper first.
 pub const FIGURES: [FigureSpec; 19] = [
-    FigureSpec {
-        name: "fig04-force-roughness",
-        table: || paper::roughness(Force),
-        style: |_| paper::roughness_figure("Contact force against separation, AT model", Force),
-    },
-    FigureSpec {
-        name: "fig05-force-models",
-        table: || paper::nine_models(Force),
-        style: |_| paper::models_figure("Contact force against separation, nine models", Force),
-    },
-    FigureSpec {
-        name: "fig06-area-roughness",
-        table: || paper::roughness(Area),
-        style: |_| paper::roughness_figure("Real contact area against separation, AT model", Area),
-    },
-    FigureSpec {
-        name: "fig07-area-models",
-        table: || paper::nine_models(Area),
-        style: |_| paper::models_figure("Real contact area against separation, nine models", Area),
-    },
-    FigureSpec {
-        name: "fig08-stiffness-roughness",
-        table: || paper::roughness(Stiffness),
-        style: |_| {
-            paper::roughness_figure("Contact stiffness against separation, AT model", Stiffness)
-        },
-    },
-    FigureSpec {
-        name: "fig09-stiffness-models",
-        table: || paper::nine_models(Stiffness),
-        style: |_| {
-            paper::models_figure("Contact stiffness against separation, nine models", Stiffness)
-        },
-    },
-    FigureSpec {
-        name: "fig10-area-kucharski",
-        table: paper::kucharski,
-        style: paper::kucharski_figure,
-    },
-    FigureSpec { name: "laws-single-asperity", table: laws::table, style: laws::style },
-    FigureSpec { name: "angle-density", table: angles::table, style: angles::style },
-    FigureSpec { name: "at-regime-shares", table: shares::table, style: shares::style },
-    FigureSpec { name: "at-readings", table: readings::table, style: readings::style },
-    FigureSpec { name: "unloading-models", table: unloading::table, style: unloading::style },
-    FigureSpec { name: "slip-loops", table: slip::table, style: slip::style },
-    FigureSpec {
-        name: "stiffness-kinds",
-        table: joints::stiffness,
-        style: joints::stiffness_figure,
-    },
-    FigureSpec {
-        name: "conductance-models",
-        table: joints::conductance,
-        style: joints::conductance_figure,
-    },
-    FigureSpec { name: "conductance-metals", table: metals::table, style: metals::figure },
-    FigureSpec {
-        name: "truth-area",
-        table: || truth::table(Evidence::CSV, Shown::Area),
-        style: |csv| truth::style(csv, Shown::Area),
-    },
-    FigureSpec {
-        name: "truth-stiffness",
-        table: || truth::table(Evidence::CSV, Shown::Stiffness),
-        style: |csv| truth::style(csv, Shown::Stiffness),
-    },
-    FigureSpec {
-        name: "truth-unloading",
-        table: || truth::table(Evidence::CSV, Shown::Unloading),
-        style: |csv| truth::style(csv, Shown::Unloading),
-    },
+    of("fig04-force-roughness", || paper::roughness(Force), |_| paper::roughness_figure(Force)),
+    of("fig05-force-models", || paper::nine_models(Force), |_| paper::models_figure(Force)),
+    of("fig06-area-roughness", || paper::roughness(Area), |_| paper::roughness_figure(Area)),
+    of("fig07-area-models", || paper::nine_models(Area), |_| paper::models_figure(Area)),
+    of(
+        "fig08-stiffness-roughness",
+        || paper::roughness(Stiffness),
+        |_| paper::roughness_figure(Stiffness),
+    ),
+    of(
+        "fig09-stiffness-models",
+        || paper::nine_models(Stiffness),
+        |_| paper::models_figure(Stiffness),
+    ),
+    of("fig10-area-kucharski", paper::kucharski, paper::kucharski_figure),
+    of("laws-single-asperity", laws::table, laws::style),
+    of("angle-density", angles::table, angles::style),
+    of("at-regime-shares", shares::table, shares::style),
+    of("at-readings", readings::table, readings::style),
+    of("unloading-models", unloading::table, unloading::style),
+    of("slip-loops", slip::table, slip::style),
+    of("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
+    of("conductance-models", joints::conductance, joints::conductance_figure),
+    of("conductance-metals", metals::table, metals::style),
+    of(
+        TRUTH[0].name,
+        || truth::table(Evidence::CSV, &TRUTH[0]),
+        |csv| truth::style(csv, &TRUTH[0]),
+    ),
+    of(
+        TRUTH[1].name,
+        || truth::table(Evidence::CSV, &TRUTH[1]),
+        |csv| truth::style(csv, &TRUTH[1]),
+    ),
+    of(
+        TRUTH[2].name,
+        || truth::table(Evidence::CSV, &TRUTH[2]),
+        |csv| truth::style(csv, &TRUTH[2]),
+    ),
 ];

@@ -1,24 +1,77 @@
-//! The curve of each model, the same in every figure, and the paper's scenes.
+//! The models of the figures, each with the same curve in all, the paper's scenes, and panels.
 
 use anyhow::Result;
-use asperity::{Body, Interface, Model, Scene, Surface};
-
-use asperity_plot::Curve;
+use asperity::{
+    At, Body, Interface, Model, Quantity, Request, Response, Scene, Surface, Tolerance,
+};
+use asperity_plot::{Axis, Curve, Figure, Panel};
 
 /// The models of the paper's figures.
 pub const PAPER: [&str; 9] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af", "gao", "at"];
+/// Far below the width of a line, and below the guard of 1e-7.
+pub const TOLERANCE: f64 = 1e-9;
 
-/// The curve of a model.
-pub fn curve(id: &str) -> Result<Curve> {
-    let model: Model = id.parse()?;
-    let beside = if id == "ghaednia" { 10 } else { 9 };
-    let slot = PAPER.iter().position(|p| *p == id).unwrap_or(beside);
-    let label = match id {
-        "at" => "AT (as printed)",
-        "etsion" => "Etsion",
-        _ => model.name(),
+/// Quantities of a model at separations or loads.
+pub fn solve(
+    id: &str,
+    scene: &Scene,
+    quantities: &[Quantity],
+    at: impl IntoIterator<Item = impl Into<At>>,
+) -> Result<Response> {
+    let request = Request::new(quantities.iter().copied()).within(Tolerance::new(TOLERANCE)?);
+    Ok(id.parse::<Model>()?.solve(scene, &request.at(at))?)
+}
+
+/// The curve of each model.
+pub fn curves(ids: &[&str]) -> Result<Vec<Curve>> {
+    let curve = |id: &&str| {
+        let model: Model = id.parse()?;
+        let beside = if *id == "ghaednia" { 10 } else { 9 };
+        let slot = PAPER.iter().position(|p| p == id).unwrap_or(beside);
+        let label = match *id {
+            "at" => "AT (as printed)",
+            "etsion" => "Etsion",
+            _ => model.name(),
+        };
+        Ok(Curve::new(slot, id, label))
     };
-    Ok(Curve::new(slot, id, label))
+    ids.iter().map(curve).collect()
+}
+
+/// Curves with their looks, keys and names.
+pub fn named(curves: &[(&str, usize, &str)]) -> Vec<Curve> {
+    curves.iter().map(|(key, look, label)| Curve::new(*look, key, label)).collect()
+}
+
+/// A panel with these curves.
+pub fn panel(x: &Axis, y: Axis, curves: &[Curve]) -> Panel {
+    let mut panel = Panel::new(x.clone(), y);
+    panel.curves = curves.to_vec();
+    panel
+}
+
+/// The same panel, of the rows with this key in a column, with a title.
+pub fn of(column: &str, key: &str, title: &str, mut panel: Panel) -> Panel {
+    panel.only = Some((column.into(), key.into()));
+    panel.title = title.into();
+    panel
+}
+
+/// A figure with so many panels beside each other.
+pub fn beside(columns: usize, title: &str, caption: &[&str], panels: Vec<Panel>) -> Figure {
+    let mut figure = Figure::new(title, caption, panels);
+    figure.columns = columns;
+    figure
+}
+
+/// The pressure on the nominal area.
+pub fn pressure_axis() -> Axis {
+    Axis::new("pressure_Pa", "pressure F/A_n (MPa)").times(1e-6).log()
+}
+
+/// The separation from the mean of the asperity heights.
+pub fn separation_axis() -> Axis {
+    Axis::new("separation_m", "separation d (µm)").times(1e6)
 }
 
 /// The paper's interface: E = 116 GPa and G = 41 GPa are taken as the equivalent moduli.
@@ -30,21 +83,17 @@ pub fn interface() -> Interface {
 }
 
 /// The paper's plasticity index.
-pub const PLASTICITY_INDEX: f64 = 6.0;
+const PLASTICITY_INDEX: f64 = 6.0;
 /// Assumed: the paper does not give it.
-pub const ROUGHNESS_PARAMETER: f64 = 0.04;
+const ROUGHNESS_PARAMETER: f64 = 0.04;
 /// The paper's nominal area [m²].
 pub const NOMINAL_AREA: f64 = 3e-5;
 
 /// The paper's scene at this standard deviation of asperity heights [m].
-pub fn scene(asperity_height_std: f64) -> Result<Scene> {
+pub fn scene(std: f64) -> Result<Scene> {
     let interface = interface();
-    let surface = Surface::from_plasticity_index(
-        PLASTICITY_INDEX,
-        ROUGHNESS_PARAMETER,
-        asperity_height_std,
-        &interface,
-    )?;
+    let (index, parameter) = (PLASTICITY_INDEX, ROUGHNESS_PARAMETER);
+    let surface = Surface::from_plasticity_index(index, parameter, std, &interface)?;
     Ok(Scene::new(interface, surface, NOMINAL_AREA))
 }
 

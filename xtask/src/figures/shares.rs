@@ -2,18 +2,18 @@
 
 use anyhow::Result;
 use asperity::{Model, Quantity, Request, linspace};
+use asperity_plot::{Axis, Figure, Mark};
 
-use super::models::{self, INPUTS, MARKERS};
-use crate::table::{Field, Table};
-use asperity_plot::{Axis, Curve, Figure, Mark, Panel};
+use super::models::{self, INPUTS, MARKERS, named, of, panel, separation_axis};
+use crate::table::Table;
 
 const READINGS: [(&str, &str); 2] =
     [("at", "as printed: shares are signed"), ("at-additive", "additive reading")];
-const PARTS: [(&str, &str); 4] = [
-    ("elastic", "elastic (y < 1)"),
-    ("elastic-plastic 1", "ep1 (1 < y < 6)"),
-    ("elastic-plastic 2", "ep2 (6 < y < 110)"),
-    ("plastic", "plastic (y > 110)"),
+const PARTS: [(&str, usize, &str); 4] = [
+    ("elastic", 0, "elastic (y < 1)"),
+    ("elastic-plastic 1", 1, "ep1 (1 < y < 6)"),
+    ("elastic-plastic 2", 2, "ep2 (6 < y < 110)"),
+    ("plastic", 3, "plastic (y > 110)"),
 ];
 
 /// Shares of the force for two readings.
@@ -25,15 +25,12 @@ pub fn table() -> Result<Table> {
         let model: Model = id.parse()?;
         let compiled = model.compile(&scene, &Request::new([Quantity::Force]))?;
         let separations = linspace(0.0, 4.0, 201);
-        let shares = separations
-            .iter()
-            .map(|s| compiled.shares(Quantity::Force, *s))
-            .collect::<Result<Vec<_>, _>>()?;
-        for (part, _) in PARTS {
+        let shares = separations.iter().map(|s| compiled.shares(Quantity::Force, *s));
+        let shares = shares.collect::<Result<Vec<_>, _>>()?;
+        for (part, ..) in PARTS {
             for (s, shares) in separations.iter().zip(&shares) {
                 for share in shares.iter().filter(|share| share.name == part) {
-                    let (at, share) = (Field::Number(s * std), Field::Number(share.share));
-                    table.push(&[Field::Word(id), Field::Word(part), at, share])?;
+                    table.push(&[id, part], [s * std, share.share])?;
                 }
             }
         }
@@ -44,12 +41,8 @@ pub fn table() -> Result<Table> {
 /// Signed lines for the printed reading, stacked areas for the additive one.
 pub fn style(_: &str) -> Result<Figure> {
     let panels = READINGS.map(|(id, title)| {
-        let x = Axis::new("separation_m", "separation d (µm)").times(1e6);
-        let mut panel = Panel::new(x, Axis::new("share_of_force", "share of the force"));
-        panel.only = Some(("reading".into(), id.into()));
-        panel.title = title.into();
-        panel.curves =
-            PARTS.iter().enumerate().map(|(k, (key, label))| Curve::new(k, key, label)).collect();
+        let y = Axis::new("share_of_force", "share of the force");
+        let mut panel = of("reading", id, title, panel(&separation_axis(), y, &named(&PARTS)));
         panel.stacked = id == "at-additive";
         if !panel.stacked {
             panel.horizontals = vec![Mark::new(0.0, "")];

@@ -1,9 +1,9 @@
 //! `figures/truth.md`: the range of each model's deviations.
 
-use std::fmt::Write as _;
-
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
+
+use crate::table::{markdown_head, markdown_row};
 
 /// Light loads are those up to this p/(E g).
 const LIGHT: f64 = 5e-4;
@@ -21,22 +21,20 @@ boundary elements, and the bandwidths that were solved.
 
 ";
 
-/// Models of asperities in the table: each of the paper's once, and four with random asperities.
-const COMPARED: [&str; 13] = [
-    "gw",
-    "ceb",
-    "zmc",
-    "ke",
-    "etsion",
-    "jg",
-    "af",
-    "gao",
-    "at",
-    "gw-random",
-    "zmc-random",
-    "ke-random",
-    "jg-random",
+/// Skewnesses, and ratios of slopes.
+const SHAPES: [(&str, f64, f64); 6] = [
+    ("skewness -2", -2.0, 1.0),
+    ("skewness -1", -1.0, 1.0),
+    ("skewness +1", 1.0, 1.0),
+    ("lay 2", 0.0, 2.0),
+    ("lay 4", 0.0, 4.0),
+    ("lay 8", 0.0, 8.0),
 ];
+/// The cell of a column without deviations.
+pub const NOTHING: &str = "–";
+
+/// Models of asperities in the table: each of the paper's once, and four with random asperities.
+const COMPARED: &str = "gw ceb zmc ke etsion jg af gao at gw-random zmc-random ke-random jg-random";
 
 /// The models that are compared with boundary elements. Persson's spectrum is a power law, as that
 /// of the solved surfaces beyond their roll-off.
@@ -45,18 +43,39 @@ pub fn models() -> Vec<Model> {
     let hurst_exponent = Some(Evidence::HURST);
     let whole = PerssonVariance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
-    let compared = |model: &Model| COMPARED.contains(&model.id());
+    let compared = |model: &Model| COMPARED.split(' ').any(|id| id == model.id());
     let of_asperities = Model::all().into_iter().chain(Model::all_random());
     of_asperities.filter(compared).chain(whole).collect()
 }
 
 /// Numbers of the table are equal digit by digit.
-fn same(a: f64, b: f64) -> bool {
+#[must_use]
+pub fn equal(a: f64, b: f64) -> bool {
     a.total_cmp(&b).is_eq()
 }
 
+/// Whether the surfaces of a case are isotropic and Gaussian.
+#[must_use]
+pub fn is_plain(case: &EvidenceCase) -> bool {
+    case.skewness == 0.0 && case.slope_ratio <= 1.0
+}
+
+/// The name of a plasticity index.
+#[must_use]
+pub fn material(index: f64) -> String {
+    if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() }
+}
+
+/// The lowest and the highest deviation as a cell.
+#[must_use]
+pub fn ends(off: impl IntoIterator<Item = f64>) -> String {
+    let nothing = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = off.into_iter().fold(nothing, |(l, h), x| (l.min(x), h.max(x)));
+    if low > high { NOTHING.into() } else { format!("{low:+.0} to {high:+.0}") }
+}
+
 /// A column: its head and its cases.
-type Column = (String, Box<dyn Fn(&EvidenceCase) -> bool>);
+type Column<'e> = (String, Vec<&'e EvidenceCase>);
 
 /// The tables, from the text of the evidence: for each model the range of the deviations over
 /// surfaces and loads. Isotropic Gaussian surfaces by material, under light and heavier loads; then
@@ -66,125 +85,84 @@ type Column = (String, Box<dyn Fn(&EvidenceCase) -> bool>);
 /// A text that is not evidence.
 pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
-    let plain = |case: &EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
-    let mut indices: Vec<f64> = vec![];
-    for case in evidence.cases().iter().filter(|case| plain(case)) {
-        if !indices.iter().any(|known| known.total_cmp(&case.plasticity_index).is_eq()) {
-            indices.push(case.plasticity_index);
-        }
-    }
+    let chosen = |holds: &dyn Fn(&EvidenceCase) -> bool| -> Vec<&EvidenceCase> {
+        evidence.cases().iter().filter(|case| case.load <= HEAVIEST && holds(case)).collect()
+    };
+    let mut indices: Vec<f64> =
+        chosen(&is_plain).iter().map(|case| case.plasticity_index).collect();
     indices.sort_by(f64::total_cmp);
-    let material =
-        |index: f64| if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
+    indices.dedup();
     let by_material = |light: bool| -> Vec<Column> {
-        let column = |index: &f64| -> Column {
-            let index = *index;
-            let holds = move |case: &EvidenceCase| {
-                plain(case)
-                    && case.plasticity_index.total_cmp(&index).is_eq()
+        let column = |index: &f64| {
+            let holds = |case: &EvidenceCase| {
+                is_plain(case)
+                    && equal(case.plasticity_index, *index)
                     && (case.load <= LIGHT) == light
-                    && case.load <= HEAVIEST
             };
-            (material(index), Box::new(holds))
+            (material(*index), chosen(&holds))
         };
         indices.iter().map(column).collect()
     };
-    let shapes: Vec<Column> = [
-        ("skewness -2", -2.0, 1.0),
-        ("skewness -1", -1.0, 1.0),
-        ("skewness +1", 1.0, 1.0),
-        ("lay 2", 0.0, 2.0),
-        ("lay 4", 0.0, 4.0),
-        ("lay 8", 0.0, 8.0),
-    ]
-    .map(|(name, skewness, ratio)| -> Column {
-        let holds = move |case: &EvidenceCase| {
-            same(case.skewness, skewness)
-                && same(case.slope_ratio, ratio)
+    let shape = |(name, skewness, ratio): (&str, f64, f64)| {
+        let holds = |case: &EvidenceCase| {
+            equal(case.skewness, skewness)
+                && equal(case.slope_ratio, ratio)
                 && case.plasticity_index > 0.0
-                && case.load <= HEAVIEST
         };
-        (name.into(), Box::new(holds))
-    })
-    .into_iter()
-    .collect();
+        (name.to_owned(), chosen(&holds))
+    };
     let mut out = String::from(PREFACE);
-    let light = format!("Light loads: p/(E g) up to {LIGHT:e}");
-    let heavier = format!("Heavier loads: p/(E g) from {LIGHT:e} to {HEAVIEST}");
     for (columns, heading) in [
-        (by_material(true), light),
-        (by_material(false), heavier),
-        (shapes, "With a hardness, by shape of the surface".into()),
+        (by_material(true), format!("Light loads: p/(E g) up to {LIGHT:e}")),
+        (by_material(false), format!("Heavier loads: p/(E g) from {LIGHT:e} to {HEAVIEST}")),
+        (SHAPES.map(shape).to_vec(), "With a hardness, by shape of the surface".into()),
     ] {
-        writeln!(out, "## {heading}\n")?;
+        out += &format!("## {heading}\n\n");
         for (quantity, what) in Compared::ALL.into_iter().zip([
             "area, % off",
             "stiffness, % off",
             "unloading stiffness and conductance, % off",
             "distance of the mean planes less that of boundary elements, % of Sq",
         ]) {
-            write_table(&mut out, &evidence, (quantity, what), &columns)?;
+            out += &of_quantity(quantity, what, &columns);
         }
     }
     Ok(out)
 }
 
-fn write_table(
-    out: &mut String,
-    evidence: &Evidence,
-    (quantity, what): (Compared, &str),
-    columns: &[Column],
-) -> Result<()> {
-    let heads: Vec<&str> = columns.iter().map(|(head, _)| head.as_str()).collect();
-    writeln!(out, "| {what} | {} |", heads.join(" | "))?;
-    writeln!(out, "|---|{}", "---:|".repeat(columns.len()))?;
-    let ends = |off: &mut dyn Iterator<Item = f64>| {
-        off.fold(None, |ends: Option<[f64; 2]>, x| {
-            Some(ends.map_or([x; 2], |[low, high]| [low.min(x), high.max(x)]))
-        })
+fn of_quantity(quantity: Compared, what: &str, columns: &[Column]) -> String {
+    let heads: Vec<&str> =
+        [what].into_iter().chain(columns.iter().map(|(head, _)| head.as_str())).collect();
+    let mut out = markdown_head(&heads, columns.len());
+    let row = |name: String, cell: &dyn Fn(&[&EvidenceCase]) -> String| -> Vec<String> {
+        [name].into_iter().chain(columns.iter().map(|(_, cases)| cell(cases))).collect()
     };
+    let is_gap = quantity == Compared::MeanGap;
     for model in models() {
-        let cell = |(_, holds): &Column| {
-            let cases = evidence.cases().iter().filter(|case| holds(case));
-            let mut off = cases.filter_map(|case| {
-                let (_, found) = case.models.iter().find(|(id, _)| id == model.id())?;
-                let bem = case.bem.value(quantity)?;
-                let relative = Evidence::relative(quantity, found.value(quantity)?, bem);
-                let exact = if quantity == Compared::MeanGap { 0.0 } else { 1e3 };
-                Some(0.1 * (relative - exact))
-            });
-            ends(&mut off)
+        let off = |case: &&EvidenceCase| {
+            let (_, found) = case.models.iter().find(|(id, _)| id == model.id())?;
+            let (found, bem) = (found.value(quantity)?, case.bem.value(quantity)?);
+            let relative = Evidence::relative(quantity, found, bem);
+            Some(0.1 * (relative - if is_gap { 0.0 } else { 1e3 }))
         };
-        let row: Vec<String> = columns
-            .iter()
-            .map(|column| match cell(column) {
-                Some([low, high]) => format!("{low:+.0} to {high:+.0}"),
-                None => "–".into(),
-            })
-            .collect();
-        if row.iter().any(|cell| cell != "–") {
-            writeln!(out, "| `{}` | {} |", model.id(), row.join(" | "))?;
+        let row = row(format!("`{}`", model.id()), &|cases| ends(cases.iter().filter_map(off)));
+        if row[1..].iter().any(|cell| cell != NOTHING) {
+            out += &markdown_row(&row);
         }
     }
-    let mut errors = vec![];
-    for (_, holds) in columns {
-        let cases = evidence.cases().iter().filter(|case| holds(case));
-        let mut each = cases.filter_map(|case| {
-            let unit =
-                if quantity == Compared::MeanGap { 1.0 } else { case.bem.value(quantity)? };
-            Some(100.0 * case.bem.error(quantity)? / unit)
-        });
-        errors.push(ends(&mut each).map_or("–".into(), |[_, most]| format!("±{most:.0}")));
-    }
-    writeln!(out, "| *largest standard error* | {} |", errors.join(" | "))?;
-    let bandwidths = columns.iter().map(|(_, holds)| {
-        let cases = evidence.cases().iter().filter(|case| holds(case));
-        let mut solved: Vec<f64> = cases.map(|case| case.alpha).collect();
+    let error = |case: &&EvidenceCase| {
+        let unit = if is_gap { 1.0 } else { case.bem.value(quantity)? };
+        Some(100.0 * case.bem.error(quantity)? / unit)
+    };
+    out += &markdown_row(&row("*largest standard error*".into(), &|cases| {
+        let largest = cases.iter().filter_map(error).reduce(f64::max);
+        largest.map_or(NOTHING.into(), |most| format!("±{most:.0}"))
+    }));
+    out += &markdown_row(&row("*bandwidths α*".into(), &|cases| {
+        let mut solved: Vec<f64> = cases.iter().map(|case| case.alpha).collect();
         solved.sort_by(f64::total_cmp);
         solved.dedup();
-        let each: Vec<String> = solved.iter().map(|alpha| format!("{alpha:.1}")).collect();
-        each.join(", ")
-    });
-    let bandwidths: Vec<String> = bandwidths.collect();
-    writeln!(out, "| *bandwidths α* | {} |\n", bandwidths.join(" | ")).context("text")
+        solved.iter().map(|alpha| format!("{alpha:.1}")).collect::<Vec<_>>().join(", ")
+    }));
+    out + "\n"
 }

@@ -1,284 +1,120 @@
-//! The chapters of the guide, in the order of its contents.
+//! The chapters of the guide, as `crates/asperity-web/guide/chapters.txt` lists them: under each
+//! heading a line with the name of the page, its title and what it shows.
 
-use super::laws::Laws;
-use super::source::Part;
+use std::sync::LazyLock;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::folder::{read, root};
 
 /// One page of the guide.
+#[derive(Debug)]
 pub struct Chapter {
     /// The name of its file, without `.html`.
     pub slug: &'static str,
     /// Its title.
     pub title: &'static str,
-    /// The files that it shows, one after the other.
-    pub parts: &'static [(&'static str, Part)],
-    /// Whether `w_c` and `x^2` in its text are an index and a power.
-    pub equations: bool,
-    /// What stands between or behind the parts.
-    pub extra: Extra,
-}
-
-/// What a chapter has beside its text.
-pub enum Extra {
-    /// Nothing.
-    None,
-    /// The laws of a model, drawn before its range of validity.
-    Laws(Laws),
-    /// The list of models.
-    Models,
-    /// All figures.
-    Figures,
+    /// What it shows: a markdown file, one section of it behind ` # `, the comment at the head of
+    /// a Rust file, a file `as code`, a `list of` models or figures, or the `laws` of models.
+    pub parts: Vec<&'static str>,
 }
 
 /// Chapters under one heading of the contents.
-pub struct Group {
-    /// The heading.
-    pub title: &'static str,
-    /// The chapters.
-    pub chapters: &'static [Chapter],
-}
-
-const fn text(
-    slug: &'static str,
-    title: &'static str,
-    parts: &'static [(&'static str, Part)],
-) -> Chapter {
-    Chapter { slug, title, parts, equations: true, extra: Extra::None }
-}
-
-const fn model(
-    slug: &'static str,
-    title: &'static str,
-    parts: &'static [(&'static str, Part)],
-    laws: Laws,
-) -> Chapter {
-    Chapter { extra: Extra::Laws(laws), ..text(slug, title, parts) }
-}
-
-use Part::{Code, Head, Section, Whole};
+pub type Group = (&'static str, Vec<Chapter>);
 
 /// All chapters.
-pub const GROUPS: &[Group] = &[
-    Group {
-        title: "Start",
-        chapters: &[
-            text("index", "Start here", &[("crates/asperity-web/guide/start.md", Whole)]),
-            text("page", "The page", &[("crates/asperity-web/guide/page.md", Whole)]),
-            text("inputs", "What to enter", &[("crates/asperity-web/guide/inputs.md", Whole)]),
-            text(
-                "scan-to-stiffness",
-                "From scan to stiffness",
-                &[
-                    ("crates/asperity-web/guide/scan-to-stiffness.md", Whole),
-                    ("crates/asperity-cli/README.md", Section("A measured surface")),
-                ],
-            ),
-            text(
-                "which-model",
-                "Which model",
-                &[
-                    ("crates/asperity-web/guide/which-model.md", Whole),
-                    ("crates/asperity-cli/README.md", Section("Which model is accurate enough?")),
-                ],
-            ),
-        ],
-    },
-    Group {
-        title: "Topics",
-        chapters: &[
-            text(
-                "joints",
-                "Joints: stiffness, cycles, slip",
-                &[
-                    ("crates/asperity-web/guide/joints.md", Whole),
-                    ("crates/asperity-cli/README.md", Section("A bolted joint")),
-                    ("crates/asperity-joints/src/lib.rs", Head),
-                ],
-            ),
-            text(
-                "conductance",
-                "Thermal and electrical conductance",
-                &[
-                    ("crates/asperity-web/guide/conductance.md", Whole),
-                    ("crates/asperity-joints/src/conductance.rs", Head),
-                ],
-            ),
-            text(
-                "boundary-elements",
-                "Boundary elements",
-                &[("crates/asperity-web/guide/boundary-elements.md", Whole)],
-            ),
-            text(
-                "fit",
-                "From measurements to a scene",
-                &[
-                    ("crates/asperity-cli/README.md", Section("From measurements to a scene")),
-                    ("crates/asperity-fit/README.md", Whole),
-                ],
-            ),
-            text("limits", "Limits", &[("crates/asperity-web/guide/limits.md", Whole)]),
-            text(
-                "accuracy",
-                "Accuracy and speed",
-                &[("crates/asperity-web/guide/accuracy.md", Whole)],
-            ),
-            Chapter {
-                extra: Extra::Figures,
-                ..text("figures", "Figures", &[("figures/README.md", Whole)])
-            },
-        ],
-    },
-    Group {
-        title: "Reference",
-        chapters: &[
-            text("definitions", "Definitions", &[("crates/asperity/DEFINITIONS.md", Whole)]),
-            text(
-                "scene-files",
-                "Scene files",
-                &[
-                    ("crates/asperity-inputs/README.md", Whole),
-                    ("crates/asperity-web/guide/scene-template.md", Whole),
-                    ("crates/asperity-inputs/src/template.toml", Code("toml")),
-                ],
-            ),
-            text(
-                "surface-files",
-                "Files of surfaces",
-                &[("crates/asperity-topography/README.md", Whole)],
-            ),
-            text("program", "The program", &[("crates/asperity-cli/README.md", Whole)]),
-            text("python", "Python", &[("crates/asperity-python/README.md", Whole)]),
-            text("rust", "Rust", &[("crates/asperity/README.md", Whole)]),
-        ],
-    },
-    Group {
-        title: "Models",
-        chapters: &[
-            Chapter {
-                extra: Extra::Models,
-                ..text("models", "All models", &[("crates/asperity-web/guide/models.md", Whole)])
-            },
-            model(
-                "gw",
-                "Greenwood & Williamson",
-                &[("crates/asperity-gw/README.md", Whole)],
-                Laws::Of(&["gw"]),
-            ),
-            model(
-                "ceb",
-                "Chang, Etsion & Bogy",
-                &[("crates/asperity-ceb/README.md", Whole)],
-                Laws::Of(&["ceb"]),
-            ),
-            model(
-                "zmc",
-                "Zhao, Maietta & Chang",
-                &[("crates/asperity-zmc/README.md", Whole)],
-                Laws::Of(&["zmc"]),
-            ),
-            model(
-                "ke",
-                "Kogut & Etsion",
-                &[("crates/asperity-ke/README.md", Whole)],
-                Laws::Of(&["ke"]),
-            ),
-            model(
-                "etsion",
-                "Etsion, Kligerman & Kadin",
-                &[("crates/asperity-etsion/README.md", Whole)],
-                Laws::Of(&["etsion"]),
-            ),
-            model(
-                "jg",
-                "Jackson & Green",
-                &[("crates/asperity-jg/README.md", Whole)],
-                Laws::Of(&["jg", "jg-cosine"]),
-            ),
-            model(
-                "af",
-                "Abdo & Farhang",
-                &[("crates/asperity-af/README.md", Whole)],
-                Laws::Of(&["af"]),
-            ),
-            model(
-                "gao",
-                "Gao, Fu, Wang and others",
-                &[("crates/asperity-gao/README.md", Whole)],
-                Laws::Of(&["gao"]),
-            ),
-            model(
-                "at",
-                "Amini & Tehrani",
-                &[("crates/asperity-at/README.md", Whole)],
-                Laws::Of(&["gao", "at"]),
-            ),
-            model(
-                "ghaednia",
-                "Ghaednia, Brake, Berryhill & Jackson",
-                &[("crates/asperity-ghaednia/README.md", Whole)],
-                Laws::Hardening,
-            ),
-            model(
-                "adhesion",
-                "Adhesion: DMT and JKR",
-                &[("crates/asperity-adhesion/README.md", Whole)],
-                Laws::Adhesion,
-            ),
-            model(
-                "random",
-                "Asperities of a random surface",
-                &[("crates/asperity-random/README.md", Whole)],
-                Laws::ElasticArea,
-            ),
-            model(
-                "persson",
-                "Persson's theory",
-                &[("crates/asperity-persson/README.md", Whole)],
-                Laws::ElasticArea,
-            ),
-            text(
-                "add-a-model",
-                "Add a model",
-                &[
-                    ("crates/asperity-web/guide/add-a-model.md", Whole),
-                    ("crates/asperity/examples/own_model.rs", Head),
-                    ("crates/asperity/examples/own_model.rs", Code("rust")),
-                ],
-            ),
-        ],
-    },
-    Group {
-        title: "Project",
-        chapters: &[
-            text(
-                "integrals",
-                "Integrals and roots",
-                &[("crates/asperity-quadrature/README.md", Whole)],
-            ),
-            text(
-                "benches",
-                "What the benches measure",
-                &[("crates/asperity-bench/README.md", Whole)],
-            ),
-            text(
-                "measured-speed",
-                "Speed against error, measured",
-                &[("figures/speed-vs-error.md", Whole)],
-            ),
-            text(
-                "measured-models",
-                "Models beside boundary elements",
-                &[("figures/truth.md", Whole)],
-            ),
-            text("contributing", "Contributing", &[(".github/CONTRIBUTING.md", Whole)]),
-            text("changes", "Changes", &[("crates/asperity/CHANGELOG.md", Whole)]),
-            text("cite", "How to cite", &[("crates/asperity-web/guide/cite.md", Whole)]),
-        ],
-    },
-];
+pub static GROUPS: LazyLock<Vec<Group>> =
+    LazyLock::new(|| groups(include_str!("../../../crates/asperity-web/guide/chapters.txt")));
+
+fn groups(text: &'static str) -> Vec<Group> {
+    let mut groups: Vec<Group> = vec![];
+    for line in text.lines() {
+        if let Some(title) = line.strip_prefix("# ") {
+            groups.push((title, vec![]));
+        } else if let (Some((_, chapters)), Some((slug, rest))) =
+            (groups.last_mut(), line.split_once(" | "))
+        {
+            let (title, parts) = rest.split_once(" | ").unwrap_or((rest, ""));
+            chapters.push(Chapter { slug, title, parts: parts.split(" | ").collect() });
+        }
+    }
+    groups
+}
 
 /// All chapters, in order.
 pub fn all() -> impl Iterator<Item = &'static Chapter> {
-    GROUPS.iter().flat_map(|group| group.chapters)
+    GROUPS.iter().flat_map(|(_, chapters)| chapters)
+}
+
+impl Chapter {
+    /// Its address, within the guide.
+    #[must_use]
+    pub fn address(&self) -> String {
+        format!("{}.html", self.slug)
+    }
+}
+
+/// The markdown that a part of a chapter shows, with the path of its file from the root of the
+/// repository; `None` for a list and for laws, which are not read from a file.
+///
+/// # Errors
+/// A file that cannot be read, a section that it does not have.
+pub fn markdown(part: &str) -> Result<Option<(&str, String)>> {
+    if part.starts_with("laws ") || part.starts_with("list of ") {
+        return Ok(None);
+    }
+    let (path, text) = if let Some(path) = part.strip_suffix(" as code") {
+        let all = read(&root().join(path))?;
+        let code: Vec<&str> = all.lines().filter(|line| !line.starts_with("//!")).collect();
+        let language = if path.ends_with(".rs") { "rust" } else { "toml" };
+        (path, format!("```{language}\n{}\n```\n", code.join("\n").trim_start()))
+    } else {
+        let (path, heading) = part.split_once(" # ").unwrap_or((part, ""));
+        let all = read(&root().join(path))?;
+        let text = match heading {
+            "" if path.ends_with(".rs") => head(&all),
+            "" => all.replace(&section(&all, "License"), ""),
+            heading => section(&all, heading),
+        };
+        (path, text)
+    };
+    ensure!(!text.trim().is_empty(), "{part}: no such section or comment");
+    Ok(Some((path, text)))
+}
+
+/// The section of level 2 with a heading; code has no headings.
+fn section(text: &str, wanted: &str) -> String {
+    let (mut inside, mut in_code) = (false, false);
+    let within = |line: &&str| {
+        in_code ^= line.starts_with("```");
+        if let Some(heading) = line.strip_prefix("## ").filter(|_| !in_code) {
+            inside = heading.trim_end() == wanted;
+        }
+        inside
+    };
+    text.split_inclusive('\n').filter(within).collect()
+}
+
+/// The `//!` lines; their headings go down by one level, below the title of the chapter.
+fn head(text: &str) -> String {
+    let mut in_code = false;
+    let line = |comment: &str| {
+        let comment = comment.strip_prefix(' ').unwrap_or(comment);
+        in_code ^= comment.starts_with("```");
+        let deeper = if comment.starts_with('#') && !in_code { "#" } else { "" };
+        format!("{deeper}{comment}\n")
+    };
+    text.lines().map_while(|line| line.strip_prefix("//!")).map(line).collect()
+}
+
+/// The chapter of a model; those of adhesion share one.
+///
+/// # Errors
+/// A list without that chapter.
+pub fn of_model(id: &str) -> Result<&'static Chapter> {
+    let stem = id.split('-').next().unwrap_or_default();
+    let named = |slug: &str| all().find(|chapter| chapter.slug == slug);
+    named(stem).or_else(|| named("adhesion")).context("no chapter of adhesion")
 }
 
 #[cfg(test)]
@@ -286,24 +122,43 @@ mod tests {
     use super::*;
     use asperity::{Described, Model};
 
+    const TEXT: &str = "# T\none\n\n## A\n```sh\n## no heading\n```\n### B\n\n## C\nlast\n";
+
+    #[test]
+    fn a_section_ends_at_the_next_and_code_has_no_headings() {
+        assert_eq!(section(TEXT, "A"), "## A\n```sh\n## no heading\n```\n### B\n\n");
+        assert_eq!(section(TEXT, "no heading"), "");
+    }
+
+    #[test]
+    fn the_head_of_a_module_ends_with_its_comment() {
+        let module =
+            "//! One.\n//!\n//! # Two\n//! ```\n//! # hidden\n//! ```\nfn a() {}\n//! no\n";
+        assert_eq!(head(module), "One.\n\n## Two\n```\n# hidden\n```\n");
+    }
+
+    #[test]
+    fn missing_files_and_sections_are_named() {
+        let refused = |part| markdown(part).unwrap_err().to_string();
+        assert!(refused("nowhere.md").ends_with("nowhere.md"));
+        assert_eq!(
+            refused("README.md # Nothing"),
+            "README.md # Nothing: no such section or comment"
+        );
+    }
+
     #[test]
     fn every_crate_with_a_law_has_a_chapter() {
-        let laws = std::fs::read_dir(super::super::source::root().join("crates")).unwrap();
+        let laws = std::fs::read_dir(root().join("crates")).unwrap();
         let readmes: Vec<String> = laws
             .map(|entry| entry.unwrap().path().join("README.md"))
-            .filter(|path| {
-                std::fs::read_to_string(path).is_ok_and(|text| text.contains("\n## Law\n"))
-            })
-            .map(|path| {
-                let name = path.parent().unwrap().file_name().unwrap().to_str().unwrap();
-                format!("crates/{name}/README.md")
-            })
+            .filter(|path| read(path).is_ok_and(|text| text.contains("\n## Law\n")))
+            .map(|path| path.strip_prefix(root()).unwrap().display().to_string())
             .collect();
         assert!(readmes.len() > 10, "{readmes:?}");
         for readme in readmes {
-            let shown = all().any(|chapter| {
-                matches!(chapter.extra, Extra::Laws(_)) && chapter.parts[0].0 == readme
-            });
+            let shown = all()
+                .any(|chapter| chapter.parts[0] == readme && chapter.parts[1].starts_with("laws "));
             assert!(shown, "{readme} has no chapter with its laws");
         }
         for model in Model::all() {

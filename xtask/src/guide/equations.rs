@@ -24,7 +24,10 @@ pub fn tables(block: &str) -> String {
 fn table(lines: &[&str]) -> String {
     let rows: Vec<Vec<(usize, String)>> = lines.iter().map(|line| segments(line)).collect();
     let starts: BTreeSet<usize> = rows.iter().flatten().map(|(start, _)| *start).collect();
-    let symbols = if rows.iter().all(|row| is_symbol_list(row)) { " symbols" } else { "" };
+    // Each symbol is followed by its description.
+    let described = |pair: &[(usize, String)]| pair.len() == 2 && words(&pair[1].1) > 0;
+    let is_list = rows.iter().all(|row| row.chunks(2).all(described));
+    let symbols = if is_list { " symbols" } else { "" };
     let mut html = format!("<table class=\"equations{symbols}\">\n");
     // Writing to a string cannot fail.
     for row in &rows {
@@ -38,25 +41,19 @@ fn table(lines: &[&str]) -> String {
             let end = row.get(k + 1).map_or(usize::MAX, |(next, _)| *next);
             let span = starts.range(start..&end).count();
             let span = if span > 1 { format!(" colspan=\"{span}\"") } else { String::new() };
-            let words = if is_words(text) { " class=\"words\"" } else { "" };
-            let _ = write!(html, "<td{span}{words}>{}</td>", formula(text));
+            // Words about a symbol, which may take several lines.
+            let class = if words(text) > 1 { " class=\"words\"" } else { "" };
+            let _ = write!(html, "<td{span}{class}>{}</td>", formula(text));
         }
         html += "</tr>\n";
     }
     html + "</table>\n"
 }
 
-/// Whether each symbol of a row is followed by its description.
-fn is_symbol_list(row: &[(usize, String)]) -> bool {
-    let is_word = |word: &str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
-    let is_described = |pair: &[(usize, String)]| matches!(pair, [_, (_, description)] if description.split(' ').any(is_word));
-    row.chunks(2).all(is_described)
-}
-
-/// Whether a part is words about a symbol, which may take several lines.
-fn is_words(text: &str) -> bool {
-    let long = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
-    text.split(' ').filter(long).count() > 1
+/// The words of a part that are longer than the name of a function.
+fn words(text: &str) -> usize {
+    let letters = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
+    text.split(' ').filter(letters).count()
 }
 
 /// The parts of a line between two or more spaces, with the places of their first letters; what
@@ -97,16 +94,9 @@ fn formula(text: &str) -> String {
 /// A text with hyphens only within words: a minus follows no word of several letters.
 fn minus(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
-    let in_word = |k: usize| {
-        let of = |back: usize| k.checked_sub(back).and_then(|at| letters.get(at));
-        let is_letter = |c: Option<&char>| c.is_some_and(|c| c.is_alphabetic());
-        is_letter(of(1)) && is_letter(of(2))
-    };
-    let wide = letters.iter().enumerate().map(|(k, c)| match c {
-        '-' if !in_word(k) => '−',
-        c => *c,
-    });
-    wide.collect()
+    let in_word = |k: usize| k >= 2 && letters[k - 2..k].iter().all(|c| c.is_alphabetic());
+    let wide = |(k, c): (usize, &char)| if *c == '-' && !in_word(k) { '−' } else { *c };
+    letters.iter().enumerate().map(wide).collect()
 }
 
 /// Text as html, with `σ_z` and `x^1.5` as people read them. Longer names with `_` are not changed.
@@ -144,33 +134,26 @@ pub fn letters(text: &str) -> String {
 /// What is raised or lowered at the start of a text, without its brackets, and its length with
 /// them.
 fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
-    let close = match text.chars().next()? {
-        '(' if tag == "sup" => Some(('(', ')')),
-        '{' => Some(('{', '}')),
-        _ => None,
-    };
-    if let Some((open, close)) = close {
-        let mut depth = 0;
-        let end = text.char_indices().find(|(_, c)| {
+    let open = text.chars().next()?;
+    if open == '{' || open == '(' && tag == "sup" {
+        let (close, mut depth) = (if open == '{' { '}' } else { ')' }, 0);
+        let (end, _) = text.char_indices().find(|(_, c)| {
             depth += i32::from(*c == open) - i32::from(*c == close);
             depth == 0
-        });
-        return end.map(|(end, _)| (&text[1..end], end + 1));
+        })?;
+        return Some((&text[1..end], end + 1));
     }
-    let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let minus = if tag == "sup" { text.find(|c| c != '-' && c != '−') } else { None };
-    let sign = minus.unwrap_or_default();
-    let start = text[sign..].chars().next()?;
-    let length: usize = if is_number(start) {
-        text[sign..].chars().take_while(|c| is_number(*c)).count()
-    } else if tag == "sup" {
-        return (start.is_ascii_alphabetic() || start == '∞')
-            .then(|| (&text[..sign + start.len_utf8()], sign + start.len_utf8()));
-    } else {
-        text[sign..].chars().take_while(char::is_ascii_alphanumeric).count()
+    let unsigned = if tag == "sup" { text.trim_start_matches(['-', '−']) } else { text };
+    let while_in = |set: fn(char) -> bool| unsigned.find(|c| !set(c)).unwrap_or(unsigned.len());
+    let start = unsigned.chars().next()?;
+    let length = match (start, tag) {
+        ('0'..='9' | '.', _) => while_in(|c| c.is_ascii_digit() || c == '.'),
+        (letter, "sup") if letter.is_ascii_alphabetic() || letter == '∞' => letter.len_utf8(),
+        (_, "sup") => return None,
+        _ => while_in(|c| c.is_ascii_alphanumeric()),
     };
     // A full stop ends the sentence.
-    let found = text[..sign + length].trim_end_matches('.');
+    let found = text[..text.len() - unsigned.len() + length].trim_end_matches('.');
     (!found.is_empty()).then_some((found, found.len()))
 }
 

@@ -1,75 +1,50 @@
 //! The pictures of the model pages: the laws of one asperity, or the area of a whole surface.
 
-use std::fmt::Write as _;
-
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::{
-    Asperity, At, Body, Interface, Model, ProfileMoments, Quantity, Request, Scene, Surface,
-    Tolerance,
+    Asperity, At, Body, Interface, Model, ProfileMoments, Quantity, Scene, Surface, Tolerance,
 };
-use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
+use asperity_plot::{Axis, Figure, Mark, draw as drawn};
 
-use crate::figures;
-use crate::folder::figures_folder;
-use crate::table::{Field, Table};
+use crate::figures::models::{beside, named, panel, solve};
+use crate::figures::some_laws;
+use crate::folder::{figures_folder, read};
+use crate::table::Table;
 
-/// Which laws a picture shows.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Laws {
-    /// Those of these models beside GW, in units of the critical interference.
-    Of(&'static [&'static str]),
-    /// Those of bodies with three tangent moduli.
-    Hardening,
-    /// Those with adhesion.
-    Adhesion,
-    /// The real area of an elastic surface against its pressure.
-    ElasticArea,
+/// The svg of laws, `laws ` and their name or the ids of models, and the text that stands for it.
+///
+/// # Errors
+/// A law or a picture that cannot be computed.
+pub fn draw(laws: &str) -> Result<(String, String)> {
+    let (figure, csv, alt) = picture(laws)?;
+    Ok((drawn(&figure, &csv)?, alt))
 }
 
-/// A picture with the text that stands for it.
-pub struct Picture {
-    /// The svg.
-    pub svg: String,
-    /// What it shows.
-    pub alt: String,
-}
+type Picture = (Figure, String, String);
 
-impl Laws {
-    /// Draws the laws.
-    ///
-    /// # Errors
-    /// A law or a picture that cannot be computed.
-    pub fn draw(self) -> Result<Picture> {
-        let (figure, csv, alt) = match self {
-            Self::Of(ids) => of(ids)?,
-            Self::Hardening => hardening()?,
-            Self::Adhesion => adhesion()?,
-            Self::ElasticArea => elastic_area()?,
-        };
-        Ok(Picture { svg: draw(&figure, &csv)?, alt })
+fn picture(laws: &str) -> Result<Picture> {
+    match laws {
+        "laws hardening" => hardening(),
+        "laws adhesion" => adhesion(),
+        "laws elastic area" => elastic_area(),
+        models => of(models),
     }
 }
 
-type Drawing = (Figure, String, String);
-
-/// From the numbers of the figure of all laws.
-fn of(ids: &[&str]) -> Result<Drawing> {
-    let path = figures_folder().join("laws-single-asperity.csv");
-    let all = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-    let mut keys = vec!["gw"];
-    keys.extend(ids.iter().filter(|id| **id != "gw"));
-    let mut csv = String::new();
-    for (number, line) in all.lines().enumerate() {
-        if number == 0 || keys.iter().any(|key| line.split(',').next() == Some(key)) {
-            // Writing to a string cannot fail.
-            let _ = writeln!(csv, "{line}");
-        }
-    }
-    let figure = figures::some_laws(&keys)?;
+/// Beside those of GW, from the numbers of the figure of all laws.
+fn of(models: &str) -> Result<Picture> {
+    let all = read(&figures_folder().join("laws-single-asperity.csv"))?;
+    let others = models.split(' ').skip(1).filter(|id| *id != "gw");
+    let keys: Vec<&str> = ["gw"].into_iter().chain(others).collect();
+    let shown = |(number, line): &(usize, &str)| {
+        *number == 0 || keys.iter().any(|key| line.split(',').next() == Some(key))
+    };
+    let lines = all.split_inclusive('\n').enumerate().filter(shown);
+    let csv = lines.map(|(_, line)| line).collect();
     let names = keys.join(", ");
     let alt =
         format!("Force, area and mean pressure of one asperity against interference: {names}");
-    Ok((figure, csv, alt))
+    Ok((some_laws(&keys)?, csv, alt))
 }
 
 /// `count` numbers from `from` to `to`, each the same multiple of the one before.
@@ -78,127 +53,108 @@ fn decades(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| from * (to / from).powf(f64::from(k) / steps))
 }
 
-/// Two panels of force and area against interference, with these scales.
-fn force_and_area(x: &Axis, force: Axis, area: Axis, curves: &[Curve], caption: &str) -> Figure {
-    let panels = [force, area].map(|y| {
-        let mut panel = Panel::new(x.clone(), y);
-        panel.curves = curves.to_vec();
-        panel
-    });
-    let mut figure = Figure::new("", &[caption], panels.to_vec());
-    figure.columns = 2;
-    figure
-}
-
 const COLUMNS: [&str; 4] = ["curve", "interference_m", "force_N", "area_m2"];
 
-/// Adds force and area of an asperity at these interferences.
+/// Adds force and area of an asperity at these interferences, where there is contact: some laws
+/// start with a jump.
 fn push_law(
     table: &mut Table,
-    key: &str,
-    model: &Model,
+    (key, id): (&str, &str),
     asperity: &Asperity,
     interferences: impl Iterator<Item = f64>,
 ) -> Result<()> {
+    let model: Model = id.parse()?;
     let law = |quantity| model.law(asperity, quantity, Tolerance::default());
     let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
     for w in interferences {
-        let numbers = [w, force.value(w)?, area.value(w)?].map(Field::Number);
-        table.push(&[&[Field::Word(key)], numbers.as_slice()].concat())?;
+        let numbers = [w, force.value(w)?, area.value(w)?];
+        if numbers[2] > 0.0 {
+            table.push(&[key], numbers)?;
+        }
     }
     Ok(())
 }
 
-fn hardening() -> Result<Drawing> {
+fn hardening() -> Result<Picture> {
     let mut table = Table::new(&COLUMNS);
-    let cases =
-        [("t0", "E_t = 0", 0.0), ("t1", "E_t = 0.01 E_b", 0.01), ("t2", "E_t = 0.1 E_b", 0.1)];
-    let mut curves = vec![Curve::new(0, "gw", "GW, elastic")];
     let (radius, modulus) = (1e-3, 200e9);
-    for (slot, (key, label, share)) in cases.into_iter().enumerate() {
+    for (key, id, share) in [
+        ("gw", "gw", 0.0),
+        ("t0", "ghaednia", 0.0),
+        ("t1", "ghaednia", 0.01),
+        ("t2", "ghaednia", 0.1),
+    ] {
         let mut steel = Body::yielding(modulus, 0.3, 400e6);
         steel.tangent_modulus = Some(share * modulus);
         let asperity = Asperity::new(&Interface::between(&steel, &steel)?, radius)?;
-        let interferences = || decades(1e-9, 1e-5, 121);
-        if slot == 0 {
-            push_law(&mut table, "gw", &"gw".parse()?, &asperity, interferences())?;
-        }
-        push_law(&mut table, key, &"ghaednia".parse()?, &asperity, interferences())?;
-        curves.push(Curve::new(slot + 1, key, label));
+        push_law(&mut table, (key, id), &asperity, decades(1e-9, 1e-5, 121))?;
     }
+    let curves = named(&[
+        ("gw", 0, "GW, elastic"),
+        ("t0", 1, "E_t = 0"),
+        ("t1", 2, "E_t = 0.01 E_b"),
+        ("t2", 3, "E_t = 0.1 E_b"),
+    ]);
     let x = Axis::new(COLUMNS[1], "interference (µm)").times(1e6).log();
     let force = Axis::new(COLUMNS[2], "force (N)").log();
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12).log();
+    let panels = [force, area].map(|y| panel(&x, y, &curves));
     let caption = "One asperity of R = 1 mm between two bodies of E_b = 200 GPa, ν = 0.3, S_y = 400 MPa and three tangent moduli E_t.";
-    let figure = force_and_area(&x, force, area, &curves, caption);
     let alt = "Force and area of one asperity against interference, for three tangent moduli";
-    Ok((figure, table.into_text(), alt.into()))
+    Ok((beside(2, "", &[caption], panels.to_vec()), table.into_text(), alt.into()))
 }
 
-fn adhesion() -> Result<Drawing> {
+fn adhesion() -> Result<Picture> {
     let mut table = Table::new(&COLUMNS);
     let mut rubber = Interface::elastic(1e6, 0.5);
     rubber.work_of_adhesion = Some(0.05);
     let asperity = Asperity::new(&rubber, 1e-4)?;
     let names = [
-        ("gw", "GW, no adhesion"),
-        ("dmt", "DMT"),
-        ("jkr", "JKR on approach"),
-        ("jkr-separation", "JKR on separation"),
+        ("gw", 0, "GW, no adhesion"),
+        ("dmt", 1, "DMT"),
+        ("jkr", 2, "JKR on approach"),
+        ("jkr-separation", 3, "JKR on separation"),
     ];
-    let mut curves = vec![];
-    for (slot, (id, label)) in names.into_iter().enumerate() {
-        let model: Model = id.parse()?;
-        // Only contacts that exist are drawn: their laws start with a jump.
+    for (id, ..) in names {
         let start = if id == "jkr-separation" { -1.1e-6 } else { 0.0 };
-        let law = model.law(&asperity, Quantity::Area, Tolerance::default())?;
         let steps = (0..=400).map(|k| start + (3e-6 - start) * f64::from(k) / 400.0);
-        let mut touching = vec![];
-        for w in steps {
-            if law.value(w)? > 0.0 {
-                touching.push(w);
-            }
-        }
-        push_law(&mut table, id, &model, &asperity, touching.into_iter())?;
-        curves.push(Curve::new(slot, id, label));
+        push_law(&mut table, (id, id), &asperity, steps)?;
     }
     let x = Axis::new(COLUMNS[1], "interference (µm)").times(1e6);
     let force = Axis::new(COLUMNS[2], "force (µN)").times(1e6);
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12);
+    let mut panels = [force, area].map(|y| panel(&x, y, &named(&names)));
+    panels[0].horizontals = vec![Mark::new(0.0, "")];
     let caption = "One asperity of R = 0.1 mm on an elastomer of E = 1 MPa (equivalent modulus), with a work of adhesion of 0.05 J/m². Each curve starts where the contact forms, or ends when the bodies separate.";
-    let mut figure = force_and_area(&x, force, area, &curves, caption);
-    figure.panels[0].horizontals = vec![Mark::new(0.0, "")];
     let alt =
         "Force and area of one asperity against interference: GW, DMT and the two branches of JKR";
-    Ok((figure, table.into_text(), alt.into()))
+    Ok((beside(2, "", &[caption], panels.to_vec()), table.into_text(), alt.into()))
 }
 
-fn elastic_area() -> Result<Drawing> {
+fn elastic_area() -> Result<Picture> {
     let columns = ["curve", "pressure_over_modulus_and_gradient", "area_fraction"];
     let moments = ProfileMoments { m0: 1e-12, m2: 0.005, m4: 1.875e8 };
     let (modulus, gradient) = (1e11, (2.0 * moments.m2).sqrt());
     let scene =
         Scene::new(Interface::elastic(modulus, 0.3), Surface::from_moments(&moments)?, 1e-4);
-    let mut table = Table::new(&columns);
-    let mut curves = vec![];
+    let (mut table, mut curves) = (Table::new(&columns), vec![]);
     for (slot, id) in ["gw", "gw-random", "persson", "persson-fudge"].into_iter().enumerate() {
         let model: Model = id.parse()?;
         let ratios: Vec<f64> = decades(1e-3, 1.0, 61).collect();
         let pressures = ratios.iter().map(|ratio| At::Pressure(ratio * modulus * gradient));
-        let answer = model.solve(&scene, &Request::new([Quantity::AreaFraction]).at(pressures))?;
-        for (ratio, value) in ratios.iter().zip(answer.values(Quantity::AreaFraction)?) {
+        let area = solve(id, &scene, &[Quantity::AreaFraction], pressures)?;
+        for (ratio, value) in ratios.iter().zip(area.values(Quantity::AreaFraction)?) {
             // Asperities do not merge: their area has no meaning beyond the nominal one.
             if value <= 1.0 {
-                table.push(&[Field::Word(id), Field::Number(*ratio), Field::Number(value)])?;
+                table.push(&[id], [*ratio, value])?;
             }
         }
-        curves.push(Curve::new(slot, id, model.name()));
+        curves.extend(named(&[(id, slot, model.name())]));
     }
     let x = Axis::new(columns[1], "nominal pressure over E g").log();
-    let mut panel = Panel::new(x, Axis::new(columns[2], "real area over nominal area").log());
-    panel.curves = curves;
+    let y = Axis::new(columns[2], "real area over nominal area").log();
     let caption = "An elastic, isotropic Gaussian surface of bandwidth α = 7.5: E is the equivalent modulus, g the root mean square gradient.";
-    let figure = Figure::new("", &[caption], vec![panel]);
+    let figure = Figure::new("", &[caption], vec![panel(&x, y, &curves)]);
     let alt = "Share of the nominal area in contact against pressure: GW, GW on a random surface, Persson, Persson corrected";
     Ok((figure, table.into_text(), alt.into()))
 }
@@ -210,21 +166,16 @@ mod tests {
     #[test]
     fn each_kind_of_picture_has_a_curve_for_every_law() {
         let curves = [
-            (Laws::Of(&["jg", "jg-cosine"]), 3),
-            (Laws::Of(&["gw"]), 1),
-            (Laws::Hardening, 4),
-            (Laws::Adhesion, 4),
-            (Laws::ElasticArea, 4),
+            ("laws jg jg-cosine", 3),
+            ("laws gw", 1),
+            ("laws hardening", 4),
+            ("laws adhesion", 4),
+            ("laws elastic area", 4),
         ];
         for (laws, count) in curves {
-            let (figure, csv, _) = match laws {
-                Laws::Of(ids) => of(ids).unwrap(),
-                Laws::Hardening => hardening().unwrap(),
-                Laws::Adhesion => adhesion().unwrap(),
-                Laws::ElasticArea => elastic_area().unwrap(),
-            };
+            let (figure, csv, _) = picture(laws).unwrap();
             assert_eq!(figure.panels[0].curves.len(), count);
-            assert!(draw(&figure, &csv).unwrap().contains("<polyline"));
+            assert!(drawn(&figure, &csv).unwrap().contains("<polyline"));
         }
     }
 

@@ -1,11 +1,11 @@
 //! Checks the links of html files: none dangles, none leads outside but to a DOI.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
+
+use crate::folder::read;
 
 /// The only address outside that a page may link.
 pub const DOI: &str = "https://doi.org/";
@@ -16,20 +16,16 @@ pub const DOI: &str = "https://doi.org/";
 /// # Errors
 /// A page that cannot be read.
 pub fn violations(pages: &[PathBuf], elsewhere: &[PathBuf]) -> Result<Vec<String>> {
-    let mut ids = HashMap::new();
-    let mut found = vec![];
+    let (mut ids, mut found) = (HashMap::new(), vec![]);
     for page in pages {
-        for address in attributes(&read(page)?, &["href", "src"]) {
+        let html = read(page)?;
+        for address in attributes(&html, &["href", "src"]) {
             if let Some(reason) = violation(page, &address, elsewhere, &mut ids)? {
                 found.push(format!("{}: {address}: {reason}", page.display()));
             }
         }
     }
     Ok(found)
-}
-
-fn read(page: &Path) -> Result<String> {
-    fs::read_to_string(page).with_context(|| page.display().to_string())
 }
 
 fn violation(
@@ -45,9 +41,9 @@ fn violation(
         return Ok(Some("leads outside"));
     }
     let (path, anchor) = address.split_once('#').unwrap_or((address, ""));
-    let path = path.split_once('?').map_or(path, |(path, _)| path);
-    let target =
-        if path.is_empty() { page.to_owned() } else { normal(&page.with_file_name("").join(path)) };
+    let path = path.split('?').next().unwrap_or_default();
+    let folder = page.with_file_name("");
+    let target = if path.is_empty() { page.to_owned() } else { normal(&folder.join(path)) };
     if elsewhere.contains(&target) {
         return Ok(None);
     }
@@ -55,20 +51,14 @@ fn violation(
         return Ok(Some("no such file"));
     }
     // What opens a state of the explorer is no place in its page.
-    if anchor.is_empty()
-        || anchor.starts_with("s=")
-        || target.extension().is_none_or(|extension| extension != "html")
-    {
+    let is_page = target.extension().is_some_and(|extension| extension == "html");
+    if anchor.is_empty() || anchor.starts_with("s=") || !is_page {
         return Ok(None);
     }
-    let ids = match ids.entry(target) {
-        Entry::Occupied(known) => known.into_mut(),
-        Entry::Vacant(new) => {
-            let found = attributes(&read(new.key())?, &["id"]);
-            new.insert(found)
-        }
-    };
-    Ok((!ids.iter().any(|id| id == anchor)).then_some("no such heading"))
+    if !ids.contains_key(&target) {
+        ids.insert(target.clone(), attributes(&read(&target)?, &["id"]));
+    }
+    Ok((!ids[&target].iter().any(|id| id == anchor)).then_some("no such heading"))
 }
 
 /// Without `.` and `..`.
@@ -78,9 +68,7 @@ pub fn normal(path: &Path) -> PathBuf {
     for part in path.components() {
         match part {
             Component::CurDir => {}
-            Component::ParentDir => {
-                normal.pop();
-            }
+            Component::ParentDir => drop(normal.pop()),
             part => normal.push(part),
         }
     }
@@ -91,14 +79,11 @@ pub fn normal(path: &Path) -> PathBuf {
 fn attributes(html: &str, names: &[&str]) -> Vec<String> {
     let mut found = vec![];
     for tag in html.split('<').skip(1) {
-        let tag = tag.split('>').next().unwrap_or_default();
+        let tag = tag.split('>').next().unwrap_or_default().replace('\n', " ");
         for name in names {
-            for (at, start) in tag.match_indices(&format!("{name}=\"")) {
-                let value = tag[at + start.len()..].split('"').next().unwrap_or_default();
-                if tag[..at].ends_with(char::is_whitespace) {
-                    found.push(value.replace("&amp;", "&"));
-                }
-            }
+            let start = format!(" {name}=\"");
+            let values = tag.split(&start).skip(1).filter_map(|rest| rest.split('"').next());
+            found.extend(values.map(|value| value.replace("&amp;", "&")));
         }
     }
     found
@@ -107,6 +92,7 @@ fn attributes(html: &str, names: &[&str]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn each_kind_of_broken_link_is_found_and_no_other() {

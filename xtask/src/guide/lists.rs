@@ -1,30 +1,64 @@
-//! The lists that are written from the code: models and figures.
-
-use std::fmt::Write as _;
-use std::path::Path;
+//! The parts of pages that are written from the code: contents, models and figures.
 
 use anyhow::{Context, Result};
 use asperity::{Described, Model};
 
-use super::chapters;
-use super::site::{self, Site};
-use super::source::root;
-use super::template::figure;
+use super::chapters::{self, Chapter, GROUPS};
+use super::site::Site;
 use crate::figures::FIGURES;
+use crate::folder::{read, root};
 use crate::html::escape;
 
-/// A table of all models but those on random surfaces.
+/// The contents, with the current chapter marked, and the documentation beside the guide, by
+/// address and name.
 #[must_use]
-pub fn models() -> String {
-    let heads = ["id", "name", "year", "authors", "equations", "valid for"];
-    let mut html = String::from("<div class=\"wide\"><table><thead><tr>");
-    // Writing to a string cannot fail.
-    for head in heads {
-        let _ = write!(html, "<th>{head}</th>");
+pub fn contents(current: &Chapter, api: &[(&str, &str)]) -> String {
+    let item = |address: &str, here: &str, name: &str| {
+        format!("<li><a href=\"{address}\"{here}>{}</a></li>\n", escape(name))
+    };
+    let group = |title: &str, items: String| format!("<h2>{title}</h2>\n<ul>\n{items}</ul>\n");
+    let chapter = |chapter: &Chapter| {
+        let here = if chapter.slug == current.slug { " aria-current=\"page\"" } else { "" };
+        item(&chapter.address(), here, chapter.title)
+    };
+    let groups = GROUPS.iter().map(|(title, all)| group(title, all.iter().map(chapter).collect()));
+    let mut html: String = groups.collect();
+    if !api.is_empty() {
+        html += &group("Interfaces", api.iter().map(|(to, name)| item(to, "", name)).collect());
     }
-    html += "</tr></thead><tbody>\n";
+    html
+}
+
+/// Links to the chapters before and after.
+#[must_use]
+pub fn neighbours(current: &Chapter) -> String {
+    let all: Vec<&Chapter> = chapters::all().collect();
+    let here = all.iter().position(|chapter| chapter.slug == current.slug).unwrap_or_default();
+    let link = |(at, rel, word): (Option<usize>, &str, &str)| {
+        let chapter = all.get(at?)?;
+        let (address, title) = (chapter.address(), escape(chapter.title));
+        Some(format!("<a rel=\"{rel}\" href=\"{address}\">{word}: {title}</a>\n"))
+    };
+    let both = [(here.checked_sub(1), "prev", "Before"), (Some(here + 1), "next", "Next")];
+    both.into_iter().filter_map(link).collect()
+}
+
+/// A picture with the text that stands for it.
+#[must_use]
+pub fn figure(address: &str, alt: &str) -> String {
+    format!("<figure><img src=\"{address}\" alt=\"{}\" loading=\"lazy\"></figure>\n", escape(alt))
+}
+
+/// A table of all models but those on random surfaces.
+///
+/// # Errors
+/// A guide without their chapters.
+pub fn models() -> Result<String> {
+    let heads = ["id", "name", "year", "authors", "equations", "valid for"];
+    let heads = heads.map(|head| format!("<th>{head}</th>")).concat();
+    let mut html = format!("<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>\n");
     for model in Model::named().into_iter().filter(|model| model.equal().id() == model.id()) {
-        let citation = model.citation();
+        let (citation, page) = (model.citation(), chapters::of_model(model.id())?.address());
         let cells = [
             model.name(),
             &citation.year.to_string(),
@@ -32,25 +66,11 @@ pub fn models() -> String {
             &citation.provenance.to_string(),
             model.validity().valid_for,
         ];
-        let _ = write!(
-            html,
-            "<tr><td><a href=\"{}\"><code>{}</code></a></td>",
-            page(&model),
-            model.id()
-        );
-        for cell in cells {
-            let _ = write!(html, "<td>{}</td>", escape(cell));
-        }
-        html += "</tr>\n";
+        let cells = cells.map(|cell| format!("<td>{}</td>", escape(cell))).concat();
+        let link = format!("<a href=\"{page}\"><code>{}</code></a>", model.id());
+        html += &format!("<tr><td>{link}</td>{cells}</tr>\n");
     }
-    html + "</tbody></table></div>\n"
-}
-
-/// The page of a model.
-fn page(model: &Model) -> String {
-    let stem = model.id().split('-').next().unwrap_or_default();
-    let own = chapters::all().find(|chapter| chapter.slug == stem);
-    own.map_or_else(|| "adhesion.html".into(), site::address)
+    Ok(html + "</tbody></table></div>\n")
 }
 
 /// Every committed figure under its title.
@@ -61,20 +81,12 @@ pub fn figures(site: &mut Site) -> Result<String> {
     let mut html = String::from("<h2 id=\"pictures\">Pictures</h2>\n");
     for spec in &FIGURES {
         let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{}.{end}", spec.name));
-        let title = title(&root().join(&svg))?;
-        html += &figure(&site.file(Path::new(&svg)), &title);
-        // Writing to a string cannot fail.
-        let _ =
-            writeln!(html, "<p><a href=\"{}\">Numbers (csv)</a></p>", site.file(Path::new(&csv)));
+        let picture = read(&root().join(&svg))?;
+        let title = picture.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
+        let (title, _) = title.with_context(|| format!("{svg} has no title"))?;
+        html += &figure(&site.file(svg.as_ref()), title);
+        let numbers = site.file(csv.as_ref());
+        html += &format!("<p><a href=\"{numbers}\">Numbers (csv)</a></p>\n");
     }
     Ok(html)
-}
-
-/// The title of an svg.
-fn title(path: &Path) -> Result<String> {
-    let name = || path.display().to_string();
-    let svg = std::fs::read_to_string(path).with_context(name)?;
-    let after = svg.split_once("<title>").map(|(_, after)| after);
-    let title = after.and_then(|after| after.split_once("</title>")).map(|(title, _)| title);
-    Ok(title.with_context(|| format!("{} has no title", path.display()))?.to_owned())
 }

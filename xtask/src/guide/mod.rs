@@ -1,11 +1,9 @@
 //! The guide: READMEs, definitions and chapters of the repository as html, with a search over
 //! titles, headings and text.
 //!
-//! [`chapters`] lists the pages, `source` reads their text, `markdown` writes it as html,
-//! `site` knows where each file and heading went, `laws` draws the models, and `links` checks
-//! the result.
+//! [`chapters`] lists the pages and reads their text, `markdown` writes it as html, `site` knows
+//! where each file and heading went, `laws` draws the models, and `links` checks the result.
 
-pub mod api;
 pub mod chapters;
 mod equations;
 mod laws;
@@ -13,21 +11,23 @@ pub mod links;
 mod lists;
 mod markdown;
 mod site;
-mod source;
-mod template;
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use serde::Serialize;
 
-use chapters::{Chapter, Extra};
-use site::Site;
-pub use source::root;
+use crate::command::run;
+use crate::docs;
+use crate::folder::{copy, remove, root, target_folder, write as save};
+use crate::html::{self, escape};
+use chapters::Chapter;
+use links::normal;
+use site::{Piece, Site};
 
 /// The folder of the guide within that of the page.
-pub const FOLDER: &str = "guide";
+const FOLDER: &str = "guide";
 /// The documentation of the interfaces beside the guide, listed where it was written.
 const API: [(&str, &str); 2] =
     [("../rust/index.html", "Rust crates"), ("../python/asperity.html", "Python package")];
@@ -36,9 +36,9 @@ const PARTS: [&str; 3] = ["www/common.css", "guide/guide.css", "guide/search.js"
 
 /// A page or a section that can be searched.
 #[derive(Serialize)]
-struct Entry<'a> {
-    page: &'a str,
-    heading: &'a str,
+struct Entry {
+    page: &'static str,
+    heading: String,
     address: String,
     /// The words below it.
     text: String,
@@ -51,47 +51,84 @@ struct Entry<'a> {
 /// cannot be drawn, a link that dangles or leads outside.
 pub fn write(page_folder: &Path) -> Result<PathBuf> {
     let folder = page_folder.join(FOLDER);
-    if folder.exists() {
-        fs::remove_dir_all(&folder).with_context(|| folder.display().to_string())?;
-    }
-    let mut site = Site::read()?;
-    let api = API.iter().filter(|(address, _)| exists(&folder, address)).copied().collect();
-    let frame = template::Frame { api };
-    let mut entries = vec![];
-    for chapter in chapters::all() {
-        let address = site::address(chapter);
-        let (lead, under) = site.words(chapter);
-        let page = chapter.title;
-        entries.push(Entry { page, heading: "", address: address.clone(), text: plain(&lead) });
-        for (heading, text) in site.headings(chapter).zip(&under) {
-            let address = format!("{address}#{}", heading.id);
-            entries.push(Entry { page, heading: &heading.text, address, text: plain(text) });
+    remove(&folder)?;
+    let (mut site, chapters) = Site::read()?;
+    let (mut entries, mut pages) = (vec![], vec![]);
+    let api: Vec<_> = API.into_iter().filter(|(address, _)| exists(&folder, address)).collect();
+    for (chapter, pieces) in &chapters {
+        entries.extend(entries_of(chapter, pieces));
+        let mut text = String::new();
+        for piece in pieces {
+            add(&mut text, piece, chapter, &folder, &mut site).with_context(|| chapter.slug)?;
         }
-    }
-    let index = serde_json::to_string(&entries)?;
-    save(&folder.join("search.json"), index.as_bytes())?;
-    let mut pages = vec![];
-    for chapter in chapters::all() {
-        let body = body(&folder, &mut site, chapter)?;
-        let path = folder.join(site::address(chapter));
-        save(&path, frame.page(chapter, &body).as_bytes())?;
+        let body = include_str!("frame.html")
+            .replace("<!-- contents -->", &lists::contents(chapter, &api))
+            .replace("<!-- title -->", &escape(chapter.title))
+            .replace("<!-- neighbours -->", &lists::neighbours(chapter))
+            .replace("<!-- text -->", &text);
+        let title = format!("{} · asperity", chapter.title);
+        let about = format!("{}, a chapter of the guide to asperity.", chapter.title);
+        let script = Some(("search.js", false));
+        let path = folder.join(chapter.address());
+        save(&path, html::page([&title, &about], "guide.css", script, &body))?;
         pages.push(path);
     }
-    for (from, to) in site.files() {
+    save(&folder.join("search.json"), serde_json::to_string(&entries)?)?;
+    for (from, to) in &site.files {
         copy(&root().join(from), &folder.join(to))?;
     }
     for part in PARTS {
         let path = root().join("crates/asperity-web").join(part);
         copy(&path, &folder.join(path.file_name().unwrap_or_default()))?;
     }
-    let violations = links::violations(&pages, &[links::normal(&folder.join(template::EXPLORER))])?;
+    let explorer = normal(&page_folder.join("index.html"));
+    let violations = links::violations(&pages, &[explorer])?;
     ensure!(violations.is_empty(), "links of the guide:\n{}", violations.join("\n"));
     Ok(folder.join("index.html"))
 }
 
-/// Words with one space between them.
-fn plain(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// What can be found: a page, and the sections below it.
+fn entries_of(chapter: &Chapter, pieces: &[Piece]) -> Vec<Entry> {
+    let entry = |heading: &str, address: String, words: &str| {
+        let text = words.split_whitespace().collect::<Vec<_>>().join(" ");
+        Entry { page: chapter.title, heading: heading.into(), address, text }
+    };
+    let (mut leads, mut entries) = (String::new(), vec![]);
+    for piece in pieces {
+        let Piece::Text(_, _, lead, headings) = piece else { continue };
+        leads += lead;
+        let address = |id: &str| format!("{}#{id}", chapter.address());
+        entries.extend(headings.iter().map(|h| entry(&h.text, address(&h.id), &h.words)));
+    }
+    entries.insert(0, entry("", chapter.address(), &leads));
+    entries
+}
+
+/// Adds the html of a piece; laws stand before the range in which they are valid.
+fn add(
+    html: &mut String,
+    piece: &Piece,
+    chapter: &Chapter,
+    folder: &Path,
+    site: &mut Site,
+) -> Result<()> {
+    match piece {
+        Piece::Text(path, text, _, headings) => {
+            let resolve = |link: &str, is_picture| site.resolve(path, link, is_picture);
+            *html += &markdown::render(text, headings, resolve)?;
+        }
+        Piece::Drawn("list of models") => *html += &lists::models()?,
+        Piece::Drawn("list of figures") => *html += &lists::figures(site)?,
+        Piece::Drawn(laws) => {
+            let (svg, alt) = laws::draw(laws)?;
+            let name = format!("laws/{}.svg", chapter.slug);
+            save(&folder.join(&name), svg)?;
+            let range = "<h2 id=\"valid-for\">";
+            ensure!(html.contains(range), "no section \"Valid for\"");
+            *html = html.replacen(range, &(lists::figure(&name, &alt) + range), 1);
+        }
+    }
+    Ok(())
 }
 
 /// The documentation of the interfaces that does not stand beside the guide of a page.
@@ -103,42 +140,32 @@ pub fn missing_api(page_folder: &Path) -> Vec<&'static str> {
 }
 
 fn exists(folder: &Path, address: &str) -> bool {
-    links::normal(&folder.join(address)).is_file()
+    normal(&folder.join(address)).is_file()
 }
 
-/// The html of a chapter below its title.
-fn body(folder: &Path, site: &mut Site, chapter: &Chapter) -> Result<String> {
-    let mut body = site.render(chapter)?;
-    match chapter.extra {
-        Extra::None => {}
-        Extra::Models => body += &lists::models(),
-        Extra::Figures => body += &lists::figures(site)?,
-        Extra::Laws(laws) => {
-            let picture = laws.draw().with_context(|| format!("the laws of {}", chapter.slug))?;
-            let name = format!("laws/{}.svg", chapter.slug);
-            save(&folder.join(&name), picture.svg.as_bytes())?;
-            let figure = template::figure(&name, &picture.alt);
-            let range = "<h2 id=\"valid-for\">";
-            ensure!(body.contains(range), "{} has no section \"Valid for\"", chapter.parts[0].0);
-            body = body.replacen(range, &(figure + range), 1);
-        }
-    }
-    Ok(body)
-}
-
-fn save(path: &Path, bytes: &[u8]) -> Result<()> {
-    let folder = path.parent().unwrap_or(path);
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    fs::write(path, bytes).with_context(|| path.display().to_string())
-}
-
-fn copy(from: &Path, to: &Path) -> Result<()> {
-    save(to, &fs::read(from).with_context(|| from.display().to_string())?)
+/// Writes the documentation of the interfaces beside the guide: rustdoc and pdoc, which keep their
+/// own links and styles. The Python package must be installed in `target/python`, as `.ci/python`
+/// does; pdoc is installed there if it is missing.
+///
+/// # Errors
+/// A failure of cargo, pip or pdoc, a package that is not installed.
+pub fn write_api(page_folder: &Path) -> Result<()> {
+    let [rust, python] = ["rust", "python"].map(|name| page_folder.join(name));
+    remove(&rust)?;
+    copy(&docs::write()?.with_file_name(""), &rust)?;
+    remove(&python)?;
+    let interpreter = target_folder().join("python/bin/python");
+    ensure!(interpreter.is_file(), "target/python is missing: run .ci/python");
+    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "pdoc"];
+    run(Command::new(&interpreter).args(pip))?;
+    let pdoc = ["-m", "pdoc", "--docformat", "numpy", "asperity", "--output-directory"];
+    run(Command::new(&interpreter).args(pdoc).arg(&python))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     /// All files that end like this.
     fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {

@@ -3,28 +3,34 @@
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, ensure};
 
 use super::chapters::{self, Chapter};
 use super::links::{DOI, normal};
 use super::markdown::{self, Heading, Ids, Target};
-use super::source::{self, Fragment, Part};
+use crate::folder::root;
 
-/// The text of all chapters.
+/// What a chapter shows, one after the other.
+pub enum Piece {
+    /// A markdown text with the path of its file, from which its links start, the words before its
+    /// first heading, and its headings.
+    Text(PathBuf, String, String, Vec<Heading>),
+    /// A list or laws, by their name.
+    Drawn(&'static str),
+}
+
+/// A chapter with what it shows.
+pub type Shown = (&'static Chapter, Vec<Piece>);
+
+/// Pages of files and headings, and the files that pages link or show.
+#[derive(Default)]
 pub struct Site {
-    chapters: HashMap<&'static str, Vec<(Fragment, Vec<Heading>)>>,
     /// The page of a file.
     pages: HashMap<PathBuf, String>,
     /// The page and id of a heading of a file.
     anchors: HashMap<(PathBuf, String), String>,
-    /// Files that pages link or show, and where their copies are.
-    files: BTreeMap<PathBuf, String>,
-}
-
-/// The address of a chapter, within the guide.
-#[must_use]
-pub fn address(chapter: &Chapter) -> String {
-    format!("{}.html", chapter.slug)
+    /// The addresses of the copies of files.
+    pub files: BTreeMap<PathBuf, String>,
 }
 
 impl Site {
@@ -32,65 +38,34 @@ impl Site {
     ///
     /// # Errors
     /// A file or a section that does not exist.
-    pub fn read() -> Result<Self> {
-        let (mut texts, files) = (HashMap::new(), BTreeMap::new());
-        let (mut pages, mut anchors) = (HashMap::new(), HashMap::new());
+    pub fn read() -> Result<(Self, Vec<Shown>)> {
+        let (mut site, mut all) = (Self::default(), vec![]);
         for chapter in chapters::all() {
-            let page = address(chapter);
-            let (mut ids, mut fragments) = (Ids::default(), vec![]);
-            for (path, part) in chapter.parts {
-                let fragment = source::read(path, *part)?;
-                let headings = markdown::headings(&fragment.text, &mut ids);
+            let page = chapter.address();
+            let (mut ids, mut pieces) = (Ids::default(), vec![]);
+            for part in &chapter.parts {
+                let Some((path, text)) = chapters::markdown(part)? else {
+                    pieces.push(Piece::Drawn(part));
+                    continue;
+                };
+                let path = PathBuf::from(path);
+                let (lead, headings) = markdown::outline(&text, &mut ids);
                 for heading in &headings {
-                    let key = (fragment.path.clone(), heading.anchor.clone());
                     let address = format!("{page}#{}", heading.id);
-                    anchors.entry(key).or_insert(address);
+                    site.anchors.entry((path.clone(), heading.anchor.clone())).or_insert(address);
                 }
-                let is_page = matches!(part, Part::Whole | Part::Head);
-                if is_page || !pages.contains_key(&fragment.path) {
-                    pages.insert(fragment.path.clone(), page.clone());
+                // Of sections and code, none stands for the whole.
+                let is_whole = Path::new(part) == path;
+                if is_whole || !site.pages.contains_key(&path) {
+                    site.pages.insert(path.clone(), page.clone());
                 }
-                fragments.push((fragment, headings));
+                pieces.push(Piece::Text(path, text, lead, headings));
             }
-            texts.insert(chapter.slug, fragments);
+            all.push((chapter, pieces));
         }
-        // Of sections, none stands for the whole.
-        pages.insert("README.md".into(), "index.html".into());
-        pages.insert("figures".into(), "figures.html".into());
-        Ok(Self { chapters: texts, pages, anchors, files })
-    }
-
-    /// The headings of a chapter.
-    pub fn headings(&self, chapter: &Chapter) -> impl Iterator<Item = &Heading> {
-        self.chapters[chapter.slug].iter().flat_map(|(_, headings)| headings)
-    }
-
-    /// The words of a chapter before its first heading, and under each of its headings.
-    #[must_use]
-    pub fn words(&self, chapter: &Chapter) -> (String, Vec<String>) {
-        let (mut lead, mut under) = (String::new(), vec![]);
-        for (fragment, _) in &self.chapters[chapter.slug] {
-            let mut sections = markdown::sections(&fragment.text).into_iter();
-            lead += &sections.next().unwrap_or_default();
-            under.extend(sections);
-        }
-        (lead, under)
-    }
-
-    /// The html of a chapter's text.
-    ///
-    /// # Errors
-    /// A link that leads nowhere.
-    pub fn render(&mut self, chapter: &Chapter) -> Result<String> {
-        let fragments = self.chapters[chapter.slug].clone();
-        let mut html = String::new();
-        for (fragment, headings) in &fragments {
-            let with = chapter.equations;
-            html += &markdown::render(&fragment.text, headings, with, |link, is_picture| {
-                self.resolve(&fragment.path, link, is_picture)
-            })?;
-        }
-        Ok(html)
+        site.pages.insert("README.md".into(), "index.html".into());
+        site.pages.insert("figures".into(), "figures.html".into());
+        Ok((site, all))
     }
 
     /// The address of a copy of a file of the repository.
@@ -104,21 +79,17 @@ impl Site {
         address
     }
 
-    /// The files that pages link or show, and the addresses of their copies.
-    pub fn files(&self) -> impl Iterator<Item = (&Path, &str)> {
-        self.files.iter().map(|(path, address)| (path.as_path(), address.as_str()))
-    }
-
-    fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<Target> {
-        if link.starts_with(DOI) {
-            return Ok(Target::Address(link.into()));
-        }
+    /// Where a link of a file leads.
+    ///
+    /// # Errors
+    /// A link that leads nowhere.
+    pub fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<Target> {
         // The guide works where there is no network: an address is text.
-        if let Some((_, rest)) = link.split_once("://") {
+        if let Some((_, rest)) = link.split_once("://").filter(|_| !link.starts_with(DOI)) {
             return Ok(Target::Text(format!(" ({})", rest.trim_end_matches('/'))));
         }
         // To the pages themselves, from the chapters written for the guide.
-        if link.starts_with("../") && link.ends_with("index.html") {
+        if link.starts_with(DOI) || link.starts_with("../") && link.ends_with("index.html") {
             return Ok(Target::Address(link.into()));
         }
         let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
@@ -126,19 +97,17 @@ impl Site {
             "" => from.to_owned(),
             path => normal(&from.with_file_name("").join(path)),
         };
+        let from = || format!("{}: {link}", from.display());
         if !anchor.is_empty() {
-            let key = (path, anchor.to_owned());
-            return match self.anchors.get(&key) {
-                Some(address) => Ok(Target::Address(address.clone())),
-                None => bail!("{}: {link}: no page of the guide has this heading", from.display()),
-            };
+            let found = self.anchors.get(&(path, anchor.to_owned())).cloned();
+            let found =
+                found.with_context(|| format!("{}: no page of the guide has this heading", from()));
+            return found.map(Target::Address);
         }
         if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
             return Ok(Target::Address(page.clone()));
         }
-        if !source::root().join(&path).is_file() {
-            bail!("{}: {link}: no such file", from.display());
-        }
+        ensure!(root().join(&path).is_file(), "{}: no such file", from());
         Ok(Target::Address(self.file(&path)))
     }
 }
@@ -149,7 +118,7 @@ mod tests {
 
     #[test]
     fn links_between_files_become_links_between_pages() {
-        let mut site = Site::read().unwrap();
+        let (mut site, _) = Site::read().unwrap();
         let mut to = |from: &str, link: &str| site.resolve(Path::new(from), link, false);
         let address = |text: &str| Target::Address(text.into());
         let cli = "crates/asperity-cli/README.md";

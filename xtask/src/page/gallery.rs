@@ -1,17 +1,15 @@
 //! The gallery: the figures of the paper, each with links that open its scenes in the explorer.
 
-use std::fmt::Write as _;
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use asperity::Scene;
 use asperity_inputs::SceneFile;
 use asperity_web::Desk;
 use serde_json::{Value, json};
 
 use crate::figures::{FIGURES, FigureSpec, models, paper};
-use crate::folder::figures_folder;
+use crate::folder::{copy, figures_folder, read, write as save};
 use crate::html::escape;
 
 /// Where the figures go in the gallery's page.
@@ -19,8 +17,6 @@ const PLACE: &str = "<!-- figures -->";
 /// What the explorer draws in place of a quantity of two of the papers.
 const OTHER_STIFFNESS: &str =
     " (tangents; for Gao and AT the figure shows the papers' average of asperity stiffnesses)";
-/// The models of the paper that are drawn at once.
-const MODELS: &[&str] = &models::PAPER;
 
 /// A scene of a figure: what its link says, the scene, the models and the quantity.
 struct LinkedScene {
@@ -32,70 +28,54 @@ struct LinkedScene {
 
 /// Writes the pictures and fills the gallery's page.
 pub(super) fn write(folder: &Path) -> Result<()> {
-    let pictures = folder.join("gallery");
-    fs::create_dir_all(&pictures)?;
     let mut sections = String::new();
-    for figure in &FIGURES {
-        let scenes = scenes(figure.name)?;
-        if scenes.is_empty() {
-            continue;
-        }
+    for figure in FIGURES.iter().filter(|figure| figure.name.starts_with("fig")) {
         let file = format!("{}.svg", figure.name);
-        let from = figures_folder().join(&file);
-        fs::copy(&from, pictures.join(&file)).with_context(|| from.display().to_string())?;
-        let title = (figure.style)(&csv(figure)?)?.title;
-        let (title, mut links) = (escape(&title), String::new());
-        for one in scenes {
+        copy(&figures_folder().join(&file), &folder.join("gallery").join(&file))?;
+        let title = escape(&(figure.style)(&csv(figure)?)?.title);
+        let mut links = vec![];
+        for one in scenes(figure.name)? {
             let label = escape(&one.label).replace("_z", "<sub>z</sub>");
-            let link = link(&one)?;
-            write!(links, "<a href=\"index.html#s={link}\">{label}</a>, ")?;
+            links.push(format!("<a href=\"index.html#s={}\">{label}</a>", link(&one)?));
         }
-        let links = links.trim_end_matches(", ");
+        let links = links.join(", ");
         let other = if title.contains("stiffness") { OTHER_STIFFNESS } else { "" };
-        let number = figure.name.trim_start_matches("fig").split('-').next().unwrap_or_default();
-        let number = number.trim_start_matches('0');
-        writeln!(
-            sections,
+        let number = figure.name.trim_start_matches(['f', 'i', 'g', '0']).split('-').next();
+        let number = number.unwrap_or_default();
+        sections += &format!(
             "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}{other}</p>\
-             <figure><img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></figure></section>"
-        )?;
+             <figure><img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></figure></section>\n"
+        );
     }
     let path = folder.join("gallery.html");
-    let page = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-    fs::write(&path, page.replace(PLACE, &sections)).with_context(|| path.display().to_string())
+    save(&path, read(&path)?.replace(PLACE, &sections))
 }
 
 fn csv(figure: &FigureSpec) -> Result<String> {
-    let path = figures_folder().join(format!("{}.csv", figure.name));
-    fs::read_to_string(&path).with_context(|| path.display().to_string())
+    read(&figures_folder().join(format!("{}.csv", figure.name)))
 }
 
-/// The scenes of a figure; none for a figure that is not the curve of a scene.
+/// The scenes of a figure of the paper.
 fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
-    let of = |label: String, scene, models, view| LinkedScene { label, scene, models, view };
-    let kind = figure.split_once('-').map_or("", |(_, kind)| kind);
+    let mut words = figure.split('-').skip(1);
     // Loads lie on the explorer's axis, against which the force is the separation.
-    let view = match kind.split('-').next() {
+    let view = match words.next() {
         Some("force") => "separation",
         Some("area") => "area-fraction",
         _ => "tangent",
     };
-    Ok(match kind {
-        _ if !figure.starts_with("fig") => vec![],
-        "area-kucharski" => {
-            vec![of("Kucharski's steel".into(), models::kucharski()?, MODELS, view)]
-        }
-        _ if kind.ends_with("-models") => {
-            vec![of("nine models".into(), models::scene(paper::ROUGHNESS)?, MODELS, view)]
-        }
-        _ => paper::ROUGHNESSES
-            .iter()
-            .map(|std| {
-                let label = format!("σ_z = {:.1} µm", std * 1e6);
-                Ok(of(label, models::scene(*std)?, &["at"], view))
-            })
-            .collect::<Result<_>>()?,
-    })
+    let all = |label: &str, scene| {
+        vec![LinkedScene { label: label.into(), scene, models: &models::PAPER, view }]
+    };
+    let of_at = |(std, _, label): (f64, &str, &str)| {
+        let scene = models::scene(std)?;
+        Ok(LinkedScene { label: label.into(), scene, models: &["at"], view })
+    };
+    match words.next() {
+        Some("kucharski") => Ok(all("Kucharski's steel", models::kucharski()?)),
+        Some("models") => Ok(all("nine models", models::scene(paper::ROUGHNESS)?)),
+        _ => paper::ROUGHNESSES.into_iter().map(of_at).collect(),
+    }
 }
 
 /// The state of the explorer behind `#s=`.
@@ -106,7 +86,7 @@ fn link(opened: &LinkedScene) -> Result<String> {
     });
     let answer = Desk::default().call(&json!({ "call": "link", "state": state }).to_string());
     let answer: Value = serde_json::from_str(&answer)?;
-    answer["ok"].as_str().map(str::to_string).ok_or_else(|| anyhow!("{answer}"))
+    Ok(answer["ok"].as_str().with_context(|| answer.to_string())?.to_owned())
 }
 
 #[cfg(test)]
@@ -122,7 +102,9 @@ mod tests {
     #[test]
     fn the_scenes_of_the_links_give_the_curves_of_the_figures() {
         let mut compared = 0;
-        for figure in FIGURES.iter().filter(|figure| figure.name.contains("models")) {
+        for figure in
+            FIGURES.iter().filter(|f| f.name.starts_with("fig") && f.name.contains("models"))
+        {
             for opened in scenes(figure.name).unwrap() {
                 let mut desk = Desk::default();
                 let state =
@@ -160,9 +142,9 @@ mod tests {
     #[test]
     fn every_figure_of_the_paper_has_a_picture_and_links() {
         let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("gallery.html"), format!("<main>{PLACE}</main>")).unwrap();
+        save(&folder.path().join("gallery.html"), format!("<main>{PLACE}</main>")).unwrap();
         write(folder.path()).unwrap();
-        let page = fs::read_to_string(folder.path().join("gallery.html")).unwrap();
+        let page = read(&folder.path().join("gallery.html")).unwrap();
         assert_eq!(page.matches("<section>").count(), 7);
         assert_eq!(page.matches("index.html#s=").count(), 3 * 4 + 4);
         assert!(folder.path().join("gallery/fig10-area-kucharski.svg").is_file());

@@ -1,38 +1,97 @@
 //! The page: the explorer in `target/page` and the guide below it, with relative links only.
 
-mod copy;
 mod gallery;
-mod module;
 mod server;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 
 pub use server::serve;
 
-use crate::folder::figures_folder;
-use crate::guide;
+use crate::command::{cargo, run};
+use crate::folder::{copy, read, root, target_folder, write as save};
+use crate::{guide, html};
 
 /// The pages of the explorer.
 const PAGES: [&str; 3] = ["index.html", "gallery.html", "models.html"];
+const TARGET: &str = "wasm32-unknown-unknown";
+/// Two numbers at once: in Chrome since 91, Firefox 89, Safari 16.4.
+const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature=+simd128']";
 
-/// Writes the page and returns its folder; with `keep_module` without building the module again.
+/// Writes the page and returns its front page; with `keep_module` without building the module
+/// again.
 ///
 /// # Errors
 /// A failed build, files that cannot be read or written, and links that dangle or lead outside.
 pub fn write(keep_module: bool) -> Result<PathBuf> {
-    let root = figures_folder();
-    let root = root.parent().unwrap_or(&root);
-    let folder = root.join("target").join("page");
-    copy::write(root, &folder)?;
+    let folder = target_folder().join("page");
+    copy_files(&folder)?;
     gallery::write(&folder)?;
     if !keep_module {
-        module::write(root, &folder)?;
+        build(&folder)?;
     }
     guide::write(&folder)?;
     let pages = PAGES.map(|name| folder.join(name));
     let violations = guide::links::violations(&pages, &[])?;
     ensure!(violations.is_empty(), "links of the explorer:\n{}", violations.join("\n"));
-    Ok(folder)
+    Ok(folder.join(PAGES[0]))
+}
+
+/// Copies the page and the example scenes; html gets its head.
+fn copy_files(folder: &Path) -> Result<()> {
+    copy(&root().join("crates/asperity-web/www"), folder)?;
+    copy(&root().join("crates/asperity-inputs/examples"), &folder.join("examples"))?;
+    for path in PAGES.map(|name| folder.join(name)) {
+        let page = html::of_explorer(&read(&path)?);
+        let page = page.with_context(|| format!("{} lacks its head", path.display()))?;
+        save(&path, page)?;
+    }
+    Ok(())
+}
+
+/// Builds `asperity.js` and `asperity_bg.wasm` into a folder.
+fn build(folder: &Path) -> Result<()> {
+    let tools = target_folder().join("page-tools");
+    let cargo = || {
+        let mut command = cargo();
+        command.current_dir(root()).env("CARGO_TARGET_DIR", &tools);
+        command
+    };
+    // Of the same version as the crate wasm-bindgen, so that nothing has to be installed. Built
+    // beside the module, whose last steps have one thread.
+    let pack = ["build", "--quiet", "--release", "--manifest-path"];
+    let pack = cargo().args(pack).arg("crates/asperity-web/pack/Cargo.toml").spawn();
+    let mut pack = pack.context("cargo")?;
+    let module = ["--config", SIMD, "build", "--quiet", "--package", "asperity-web", "--lib"];
+    let built = run(cargo().args(module).args(["--profile", "page", "--target", TARGET]));
+    let packed = pack.wait().context("cargo")?;
+    built?;
+    ensure!(packed.success(), "the build of crates/asperity-web/pack failed: {packed}");
+    let module = tools.join(TARGET).join("page/asperity_web.wasm");
+    run(Command::new(tools.join("release/asperity-web-pack")).arg(module).arg(folder))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_is_copied_with_its_examples_and_links_inside() {
+        let folder = tempfile::tempdir().unwrap();
+        copy_files(folder.path()).unwrap();
+        let page = read(&folder.path().join("index.html")).unwrap();
+        assert!(folder.path().join("examples/ground-steel.toml").is_file());
+        for name in ["src=\"", "href=\""].iter().flat_map(|key| page.split(key).skip(1)) {
+            let name = name.split('"').next().unwrap_or_default();
+            let anchor = |id: &str| page.contains(&format!("id=\"{id}\""));
+            let inside = ["data:,", "guide/index.html"].contains(&name)
+                || name.strip_prefix('#').is_some_and(anchor)
+                || folder.path().join(name).is_file();
+            assert!(inside, "{name} is not a file of the page");
+        }
+        assert!(page.contains("script-src 'self' 'wasm-unsafe-eval'"));
+        assert!(!page.contains("unsafe-inline"));
+    }
 }

@@ -6,24 +6,20 @@ use std::path::{Component, Path, PathBuf};
 use anyhow::{Result, anyhow};
 use tiny_http::{Header, Response, Server};
 
-/// Serves a folder on 127.0.0.1 until it is stopped, and prints the address.
+/// Serves the folder of a page on 127.0.0.1 until it is stopped, and prints the address.
 ///
 /// # Errors
 /// A port that cannot be opened.
-pub fn serve(folder: &Path) -> Result<()> {
+pub fn serve(index: &Path) -> Result<()> {
     let server = Server::http("127.0.0.1:0").map_err(|error| anyhow!("127.0.0.1: {error}"))?;
     println!("http://{}/", server.server_addr());
     for request in server.incoming_requests() {
-        let found =
-            file_of(folder, request.url()).and_then(|path| Some((File::open(&path).ok()?, path)));
+        let path = file_of(&index.with_file_name(""), request.url());
         // A browser that went away needs no answer.
-        let _ = match found {
-            Some((file, path)) => {
-                let mut response = Response::from_file(file);
-                if let Ok(header) = Header::from_bytes("Content-Type", kind(&path)) {
-                    response.add_header(header);
-                }
-                request.respond(response)
+        let _ = match path.and_then(|path| Some((File::open(&path).ok()?, kind(&path)))) {
+            Some((file, kind)) => {
+                let header = Header::from_bytes("Content-Type", kind).into_iter();
+                request.respond(header.fold(Response::from_file(file), Response::with_header))
             }
             None => request.respond(Response::from_string("not found").with_status_code(404)),
         };
@@ -34,9 +30,8 @@ pub fn serve(folder: &Path) -> Result<()> {
 /// The file of an address, inside the folder.
 fn file_of(folder: &Path, url: &str) -> Option<PathBuf> {
     let name = url.split(['?', '#']).next()?.trim_start_matches('/');
-    let name = Path::new(if name.is_empty() { "index.html" } else { name });
-    let inside = name.components().all(|part| matches!(part, Component::Normal(_)));
-    let path = folder.join(name);
+    let path = folder.join(if name.is_empty() { "index.html" } else { name });
+    let inside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
     let path = if path.is_dir() { path.join("index.html") } else { path };
     (inside && path.is_file()).then_some(path)
 }

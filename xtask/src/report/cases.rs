@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use asperity::{HeightDistribution, Interface, Model, Quantity, Scene, Surface};
 use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::ours::Laws;
-use super::outcome::{Failure, Outcome};
-use super::problem::{ContactState, Problem, law_behind, tightest};
+use super::outcome::{Failure, NOT_FINITE, Outcome, ZERO};
+use super::problem::{Problem, tightest};
 use crate::figures::report_csv::ORDINARY;
-use crate::folder::figures_folder;
+use crate::folder::root;
 
 /// Ranges of d/σ_z and w_c/σ_z of the worst errors in `speed-vs-error`.
 const HARD_GRID: ([f64; 2], [f64; 2]) = ([-3.0, 40.0], [1e-8, 1e4]);
@@ -44,18 +44,14 @@ impl Case {
     pub fn error(&self, found: Result<Outcome, Failure>) -> Result<f64, Failure> {
         let found = found?;
         if !found.value.is_finite() {
-            return Err(Failure::NotFinite);
+            return Err(NOT_FINITE);
         }
         if found.value == 0.0 {
-            return Err(Failure::Zero);
+            return Err(ZERO);
         }
-        let relative = if found.scaled {
-            found.value / self.scaled - 1.0
-        } else {
-            // Compared with the reference as a double: the result is one.
-            found.value / self.value - 1.0
-        };
-        Ok(relative.abs() * (self.scaled / self.size).abs())
+        // A plain result is compared with the reference as a double: it is one.
+        let reference = if found.scaled { self.scaled } else { self.value };
+        Ok((found.value / reference - 1.0).abs() * (self.scaled / self.size).abs())
     }
 
     /// Whether it belongs to the grid of the speed table.
@@ -64,7 +60,7 @@ impl Case {
         let within = |[low, high]: [f64; 2], x: f64| (low..=high).contains(&x);
         self.family != ORDINARY
             && !self.problem.exponential()
-            && within(HARD_GRID.0, self.problem.contact_state.separation)
+            && within(HARD_GRID.0, self.problem.separation)
             && within(HARD_GRID.1, self.critical)
     }
 }
@@ -72,26 +68,16 @@ impl Case {
 /// The numbers of a scene.
 #[derive(Deserialize)]
 struct Numbers {
-    equivalent_modulus: f64,
-    equivalent_shear_modulus: f64,
-    poissons_ratio: f64,
-    hardness: f64,
-    pressure_factor: f64,
-    asperity_radius: f64,
-    asperity_density: f64,
-    asperity_height_std: f64,
+    #[serde(flatten)]
+    interface: Interface,
+    #[serde(flatten)]
+    surface: Surface,
     nominal_area: f64,
 }
 
 impl Numbers {
     fn scene(&self) -> Scene {
-        let mut interface =
-            Interface::new(self.equivalent_modulus, self.poissons_ratio, self.hardness);
-        interface.equivalent_shear_modulus = Some(self.equivalent_shear_modulus);
-        interface.pressure_factor = Some(self.pressure_factor);
-        let surface =
-            Surface::new(self.asperity_radius, self.asperity_density, self.asperity_height_std);
-        Scene::new(interface, surface, self.nominal_area)
+        Scene::new(self.interface, self.surface, self.nominal_area)
     }
 }
 
@@ -122,7 +108,7 @@ struct Named {
 }
 
 fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
-    let path = figures_folder().with_file_name("tests").join("reference").join(name);
+    let path = root().join("tests/reference").join(name);
     let rows = csv::Reader::from_path(&path).and_then(|mut csv| csv.deserialize().collect());
     rows.with_context(|| path.display().to_string())
 }
@@ -133,44 +119,46 @@ fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
 /// A table that is missing or malformed.
 pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
     let scenes: Vec<Named> = table("models_scenes.csv")?;
-    let mut rows: Vec<Row> = table("hard_cases.csv")?;
-    rows.extend(table::<Row>("models.csv")?);
-    let cases = rows.into_par_iter().filter_map(|row| {
+    let rows = [table("hard_cases.csv")?, table::<Row>("models.csv")?].into_iter().flatten();
+    let case = |row: Row| {
         // Rows of the lateral models with other options have other names and are left out.
         let wanted = |(model, quantity): &&(Model, Quantity)| {
             model.id() == row.model && quantity.to_string() == row.quantity
         };
-        let (model, quantity) = pairs.iter().find(wanted)?;
-        let named =
-            || scenes.iter().find(|named| named.case == row.case).map(|n| n.numbers.scene());
-        let Some(mut scene) = row.numbers.as_ref().map(Numbers::scene).or_else(named) else {
-            return Some(Err(anyhow!("scene {:?} is in no table", row.case)));
-        };
-        if row.heights == "exponential" {
-            scene.heights = HeightDistribution::Exponential;
-        }
-        Some(case(laws, row, scene, model.clone(), *quantity))
-    });
-    cases.collect()
+        let pair = pairs.iter().find(wanted)?;
+        let named = scenes.iter().find(|named| named.case == row.case).map(|named| &named.numbers);
+        let numbers = row.numbers.as_ref().or(named);
+        let numbers = numbers.with_context(|| format!("scene {:?} is in no table", row.case));
+        Some(numbers.map(Numbers::scene).and_then(|scene| case(laws, &row, scene, pair)))
+    };
+    rows.collect::<Vec<_>>().into_par_iter().filter_map(case).collect()
 }
 
-fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -> Result<Case> {
-    let Row { family, case: name, value, ln_value, separation_over_sigma: separation, .. } = row;
-    let family = if family.is_empty() { ORDINARY.into() } else { family };
-    let tolerance = tightest(&model);
-    let contact_state = ContactState { model, quantity, scene, separation };
-    let compiled = laws.scene(&contact_state, tolerance)?;
-    let ContactState { model, scene, .. } = &contact_state;
-    let law = Arc::new(law_behind(model, quantity, &scene.asperity()?, tolerance)?);
-    let evaluation = compiled.evaluate(quantity, separation)?;
-    let problem = Arc::new(Problem { contact_state, law });
-    let scaled = if ln_value.is_empty() {
-        value * (-problem.ln_scale()).exp()
-    } else {
-        value.signum() * over_scale(&ln_value, &problem)?
+fn case(
+    laws: &Laws,
+    row: &Row,
+    mut scene: Scene,
+    (model, quantity): &(Model, Quantity),
+) -> Result<Case> {
+    if row.heights == "exponential" {
+        scene.heights = HeightDistribution::Exponential;
+    }
+    let problem = Problem::new(model, *quantity, scene, row.separation_over_sigma)?;
+    let compiled = laws.scene(&problem, tightest(model))?;
+    let scaled = match row.ln_value.as_str() {
+        "" => row.value * (-problem.ln_scale()).exp(),
+        ln_value => row.value.signum() * over_scale(ln_value, &problem)?,
     };
-    let critical = problem.contact_state.scene.asperity()?.critical_interference()? / problem.std();
-    Ok(Case { family, name, problem, value, scaled, size: evaluation.size, critical })
+    let family = if row.family.is_empty() { ORDINARY } else { &row.family };
+    Ok(Case {
+        family: family.into(),
+        name: row.case.clone(),
+        value: row.value,
+        scaled,
+        size: compiled.evaluate(*quantity, problem.separation)?.size,
+        critical: problem.scene.asperity()?.critical_interference()? / problem.std(),
+        problem: Arc::new(problem),
+    })
 }
 
 /// exp of a logarithm in many digits, less that of the scale. At s = 1e6 a logarithm in double
@@ -180,7 +168,7 @@ fn over_scale(ln_value: &str, problem: &Problem) -> Result<f64> {
     let (whole, fraction) = digits.split_once('.').context("a logarithm with a point")?;
     let whole = sign * whole.parse::<f64>()?;
     let fraction = sign * format!("0.{fraction}").parse::<f64>()?;
-    let s = problem.contact_state.separation.max(0.0);
+    let s = problem.separation.max(0.0);
     let (high, low) = if problem.exponential() {
         (s, 0.0)
     } else {
@@ -204,9 +192,9 @@ mod tests {
         let found = |value, scaled| Ok(Outcome { value, scaled, evaluations: None });
         assert_eq!(case.error(found(3.0, true)), Ok(0.125));
         assert_eq!(case.error(found(1.5, false)), Ok(0.125));
-        assert_eq!(case.error(found(0.0, false)), Err(Failure::Zero));
-        assert_eq!(case.error(found(f64::NAN, true)), Err(Failure::NotFinite));
-        assert_eq!(case.error(Err(Failure::NotConverged)), Err(Failure::NotConverged));
+        assert_eq!(case.error(found(0.0, false)), Err(ZERO));
+        assert_eq!(case.error(found(f64::NAN, true)), Err(NOT_FINITE));
+        assert_eq!(case.error(Err("not-converged")), Err("not-converged"));
         Ok(())
     }
 }

@@ -4,16 +4,18 @@
 //! read it as numbers from standard input, which limits them to laws that are sums of powers.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail, ensure};
 use asperity::Formula;
 
-use super::outcome::{Failure, Outcome};
+use super::outcome::{Failure, NOT_CONVERGED, Outcome};
 use super::problem::Problem;
+use crate::command::output;
+use crate::folder::write as save;
 
 /// A library of this machine.
 pub struct External {
@@ -21,8 +23,8 @@ pub struct External {
     pub name: &'static str,
     /// Its description.
     pub what: String,
-    command: PathBuf,
-    arguments: Vec<String>,
+    /// The program with its arguments; the last is a file of ours.
+    command: Vec<PathBuf>,
 }
 
 /// A relative tolerance, how many times the problem is run to take the median (0 takes no time),
@@ -43,11 +45,10 @@ pub fn can_take(problem: &Problem) -> bool {
     problem.law.parts.iter().all(|part| matches!(part.form, Formula::Powers(_)))
 }
 
-/// The output of a command, split at blanks, if it succeeds.
+/// The words that a command prints, if it succeeds.
 fn output_of(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
-    let output = Command::new(command).args(arguments).stderr(Stdio::null()).output().ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    output.status.success().then(|| text.split_whitespace().map(str::to_owned).collect())
+    let printed = output(Command::new(command).args(arguments)).ok()?;
+    Some(printed.split_whitespace().map(str::to_owned).collect())
 }
 
 /// The libraries of this machine, with the files that they need in a folder.
@@ -58,36 +59,25 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
     let mut found = vec![];
     if let Some(version) = output_of("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
         let script = folder.join("quad.py");
-        std::fs::write(&script, include_str!("external/quad.py"))?;
+        save(&script, include_str!("external/quad.py"))?;
         found.push(External {
             name: "scipy",
             what: format!("scipy {} quad per branch, scaled", version.join(" ")),
-            command: "python3".into(),
-            arguments: vec![script.display().to_string()],
+            command: vec!["python3".into(), script],
         });
     }
-    let flags = output_of("pkg-config", &["--cflags", "--libs", "gsl"])
-        .or_else(|| output_of("gsl-config", &["--cflags", "--libs"]));
-    if let Some(flags) = flags {
-        let version = output_of("pkg-config", &["--modversion", "gsl"])
-            .or_else(|| output_of("gsl-config", &["--version"]))
-            .unwrap_or_default();
+    let either = |[config, pkg]: [&[&str]; 2]| {
+        output_of("pkg-config", pkg).or_else(|| output_of("gsl-config", config))
+    };
+    if let Some(flags) = either([&["--cflags", "--libs"], &["--cflags", "--libs", "gsl"]]) {
+        let version = either([&["--version"], &["--modversion", "gsl"]]).unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
-        std::fs::write(&source, include_str!("external/qag.c"))?;
-        let built = Command::new("cc")
-            .args(["-O2", "-o"])
-            .args([&program, &source])
-            .args(&flags)
-            .arg("-lm")
-            .output()
-            .context("GSL is installed, but cc is not")?;
-        let errors = String::from_utf8_lossy(&built.stderr);
-        ensure!(
-            built.status.success(),
-            "GSL is installed, but its program does not build: {errors}"
-        );
+        save(&source, include_str!("external/qag.c"))?;
+        let mut cc = Command::new("cc");
+        cc.args(["-O2", "-o"]).args([&program, &source]).args(&flags).arg("-lm");
+        output(&mut cc).context("GSL is installed, but its program does not build")?;
         let what = format!("GSL {} qag with 21 points per branch, scaled", version.join(" "));
-        found.push(External { name: "gsl", what, command: program, arguments: vec![] });
+        found.push(External { name: "gsl", what, command: vec![program] });
     }
     Ok(found)
 }
@@ -98,55 +88,35 @@ impl External {
     /// # Errors
     /// When the process fails or its output is malformed.
     pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
-        let mut input = String::new();
-        for (tolerance, repeats, problem) in tasks {
-            write!(input, "{tolerance:e} {repeats} ")?;
-            write_problem(&mut input, problem)?;
-        }
-        let mut process = Command::new(&self.command)
-            .args(&self.arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .with_context(|| self.name)?;
-        let mut stdin = process.stdin.take().context("no standard input")?;
-        // In another thread, to avoid a deadlock.
-        let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
-        let output = process.wait_with_output()?;
-        ensure!(output.status.success(), "{} failed: {}", self.name, output.status);
-        ensure!(matches!(writer.join(), Ok(Ok(()))), "{} did not read its input", self.name);
-        let text = String::from_utf8(output.stdout)?;
+        let [program, arguments @ ..] = &self.command[..] else { bail!("no program") };
+        let path = arguments.last().unwrap_or(program).with_extension("tasks");
+        save(&path, tasks.iter().map(line).collect::<Result<String>>()?)?;
+        let input = File::open(&path)?;
+        let text = output(Command::new(program).args(arguments).stdin(input))?;
         ensure!(text.lines().count() == tasks.len(), "{}: answers are missing", self.name);
         tasks.iter().zip(text.lines()).map(|(task, line)| answer(&task.2, line)).collect()
     }
 }
 
-/// One line: s, slope, exponential, scale, the breaks, the parts.
-fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
-    let flag = |flag: bool| u8::from(flag);
-    let (slope, exponential) = (flag(problem.slope()), flag(problem.exponential()));
-    write!(
-        out,
-        "{:e} {slope} {exponential} {:e}",
-        problem.contact_state.separation,
-        problem.scale()
-    )?;
-    let breaks = problem.breaks();
-    write!(out, " {}", breaks.len())?;
-    breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
-    write!(out, " {}", problem.law.parts.len())?;
+/// One line: tolerance, repeats, s, slope, exponential, scale, the breaks, the parts.
+fn line((tolerance, repeats, problem): &Task) -> Result<String> {
+    let [slope, exponential] = [problem.slope(), problem.exponential()].map(u8::from);
+    let (s, scale, breaks) = (problem.separation, problem.scale(), problem.breaks());
+    let mut line = format!("{tolerance:e} {repeats} {s:e} {slope} {exponential} {scale:e}");
+    write!(line, " {}", breaks.len())?;
+    breaks.iter().try_for_each(|t| write!(line, " {t:e}"))?;
+    write!(line, " {}", problem.law.parts.len())?;
     for part in &problem.law.parts {
         let Formula::Powers(powers) = &part.form else {
             bail!("a law that is not a sum of powers")
         };
-        let end = part.range.end.min(f64::MAX);
-        write!(out, " {:e} {end:e} {:e} {}", part.range.start, part.sign, powers.len())?;
+        let (start, end) = (part.range.start, part.range.end.min(f64::MAX));
+        write!(line, " {start:e} {end:e} {:e} {}", part.sign, powers.len())?;
         for power in powers {
-            write!(out, " {:e} {:e} {:e}", power.coefficient, power.origin, power.exponent)?;
+            write!(line, " {:e} {:e} {:e}", power.coefficient, power.origin, power.exponent)?;
         }
     }
-    writeln!(out)?;
-    Ok(())
+    Ok(line + "\n")
 }
 
 /// Reads a line: value, evaluations, 1 for converged, time.
@@ -155,6 +125,6 @@ fn answer(problem: &Problem, line: &str) -> Result<Answer> {
     let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
     let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
     let found = Outcome { value, scaled: true, evaluations };
-    let found = if converged == "1" { Ok(found) } else { Err(Failure::NotConverged) };
+    let found = if converged == "1" { Ok(found) } else { Err(NOT_CONVERGED) };
     Ok(Answer { found, ns: ns.parse()? })
 }

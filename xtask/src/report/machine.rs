@@ -1,37 +1,25 @@
 //! The machine and the date of the measured times.
 
-use std::fs;
 use std::process::Command;
+
+use crate::command::output;
 
 /// One line: processor, cores, compiler, build, date.
 #[must_use]
 pub fn description() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let build = if cfg!(debug_assertions) { "development build" } else { "release build" };
-    format!("{}, {cores} cores, {}, {build}, {}", processor(), compiler(), today())
-}
-
-fn processor() -> String {
-    let name = fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {
-        let line = text.lines().find(|line| line.starts_with("model name"))?;
-        Some(line.split_once(':')?.1.trim().to_owned())
-    });
-    format!(
-        "{} ({})",
-        name.unwrap_or_else(|| "unknown processor".into()),
-        std::env::consts::ARCH.replace('_', "-")
-    )
-}
-
-fn compiler() -> String {
-    let output = Command::new("rustc").arg("--version").output().ok();
-    let text = output.and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
-    let name: Vec<&str> = text.split_whitespace().take(2).collect();
-    if name.is_empty() { "unknown rustc".into() } else { name.join(" ") }
-}
-
-fn today() -> String {
-    jiff::Timestamp::now().strftime("%F").to_string()
+    let about = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = about.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
+    let name = name.map_or("unknown processor", |(_, name)| name.trim());
+    let arch = std::env::consts::ARCH.replace('_', "-");
+    let printed = |command: &str, argument: &str| {
+        let printed = output(Command::new(command).arg(argument));
+        printed.unwrap_or_else(|_| format!("unknown {command}"))
+    };
+    let (compiler, date) = (printed("rustc", "--version"), printed("date", "+%F"));
+    let compiler = compiler.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+    format!("{name} ({arch}), {cores} cores, {compiler}, {build}, {}", date.trim())
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::methods::{HARD_TOLERANCE, METHODS};
 use super::tables::significant;
 use super::throughput::Throughput;
 use crate::figures::report_csv::{Row, read};
+use crate::table::{markdown_head, markdown_row};
 
 const METHODS_END: &str = "| `build-law` | building the law of a quantity, with its tables |
 | `build-scene` | compiling a scene for eight separations from -1 to 6, law built before |
@@ -39,8 +40,10 @@ pub fn text(
     let rows = read(speed)?;
     let mut pairs: Vec<(&str, &str)> = rows.iter().map(|r| (&*r.model, &*r.quantity)).collect();
     pairs.dedup();
-    let mut columns: Vec<&str> = METHODS.iter().map(|method| method.1).collect();
-    columns.extend(libraries.iter().map(|library| library.name));
+    let mut methods: Vec<(&str, &str)> =
+        METHODS.iter().map(|(_, name, what)| (*name, *what)).collect();
+    methods.extend(libraries.iter().map(|library| (library.name, &*library.what)));
+    let heads: Vec<&str> = ["model", "quantity"].into_iter().chain(names(&methods)).collect();
     let mut text = format!(
         "# Speed against error
 
@@ -50,46 +53,49 @@ Written by `cargo xtask report`; measured on {machine}. Times are medians of one
 
 Tolerance {HARD_TOLERANCE:e}, for methods that have one.
 
-| model | quantity | {} |
-|---|---|{}
-",
-        columns.join(" | "),
-        "---|".repeat(columns.len())
+{}",
+        markdown_head(&heads, 0)
     );
-    for pair in &pairs {
-        write!(text, "| {} | {} |", pair.0, pair.1)?;
-        for method in &columns {
-            match entry(&rows, *pair, method) {
-                Some(row) => write!(text, " {}, {} |", duration(row)?, row.max_relative_error)?,
-                None => write!(text, " |")?,
-            }
+    for (model, quantity) in &pairs {
+        let mut cells = vec![(*model).to_owned(), (*quantity).to_owned()];
+        for method in names(&methods) {
+            cells.push(match entry(&rows, (model, quantity), method) {
+                Some(row) => format!("{}, {}", duration(row)?, row.max_relative_error),
+                None => String::new(),
+            });
         }
-        text.push('\n');
+        text += &markdown_row(&cells);
     }
     ratios(&mut text, &rows)?;
-    text += "\n## Building\n\n| model | quantity | law | scene, law sampled |\n|---|---|---|---|\n";
+    text += "\n## Building\n\n";
+    text += &markdown_head(&["model", "quantity", "law", "scene, law sampled"], 0);
     for pair in &pairs {
         let [law, scene] = ["build-law", "build-scene"].map(|build| entry(&rows, *pair, build));
         if let (Some(law), Some(scene)) = (law, scene) {
-            let (law, time) = (duration(law)?, duration(scene)?);
-            writeln!(text, "| {} | {} | {law} | {time}, {} |", pair.0, pair.1, scene.evaluations)?;
+            let samples = format!("{}, {}", duration(scene)?, scene.evaluations);
+            text += &markdown_row(&[pair.0, pair.1, &duration(law)?, &samples]);
         }
     }
-    text += "\n## Throughput\n\nTolerance 1e-10; the time includes building laws and rules. Each row ran in a separate process.\n\n| sweep | threads | million evaluations per second | peak memory of the process |\n|---|---|---|---|\n";
+    text += "\n## Throughput\n\nTolerance 1e-10; the time includes building laws and rules. Each row ran in a separate process.\n\n";
+    let heads = ["million evaluations per second", "peak memory of the process"];
+    text += &markdown_head(&["sweep", "threads", heads[0], heads[1]], 0);
     for line in throughput {
-        let millions = significant(line.per_second / 1e6);
         let memory = line.memory.map_or("–".into(), |bytes| format!("{:.0} MB", bytes / 1e6));
-        writeln!(text, "| {} | {} | {millions} | {memory} |", line.what, line.threads)?;
+        let (threads, millions) = (line.threads.to_string(), significant(line.per_second / 1e6));
+        text += &markdown_row(&[&*line.what, &threads, &millions, &memory]);
     }
-    text += "\n## Methods\n\n| method | description |\n|---|---|\n";
-    let own = METHODS.iter().map(|(_, name, what)| (*name, *what));
-    let others = libraries.iter().map(|library| (library.name, library.what.as_str()));
-    let missing = ["scipy", "gsl"].into_iter().filter(|name| !columns.contains(name));
+    text += &format!("\n## Methods\n\n{}", markdown_head(&["method", "description"], 0));
+    let known: Vec<&str> = names(&methods).collect();
+    let missing = ["scipy", "gsl"].into_iter().filter(|name| !known.contains(name));
     let missing = missing.map(|name| (name, "not found on this machine"));
-    for (name, what) in own.chain(others).chain(missing) {
-        writeln!(text, "| `{name}` | {what} |")?;
+    for (name, what) in methods.iter().copied().chain(missing) {
+        text += &markdown_row(&[&format!("`{name}`"), what]);
     }
     Ok(text + METHODS_END)
+}
+
+fn names<'m>(methods: &[(&'m str, &str)]) -> impl Iterator<Item = &'m str> {
+    methods.iter().map(|method| method.0)
 }
 
 /// Ratios of times in this run.

@@ -6,7 +6,7 @@ use anyhow::Result;
 use asperity_quadrature::{Point, TanhSinh, gauss_kronrod, legendre};
 
 use super::ours::{self, Laws};
-use super::outcome::{Failure, Job, Outcome};
+use super::outcome::{Failure, Job, NOT_FINITE, Outcome, failure};
 use super::problem::Problem;
 
 /// The setting of a method in one row of the table.
@@ -84,19 +84,16 @@ impl Method {
     /// What the library refuses.
     pub fn prepare(self, laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
         match (self, setting) {
-            (Self::Compiled, Setting::Tolerance(tolerance)) => {
-                ours::compiled(laws, problem, tolerance)
-            }
-            (Self::Rule, Setting::Tolerance(tolerance)) => ours::rule(laws, problem, tolerance),
-            (_, Setting::Points(points)) => Ok(self.classical(problem, 0.0, points)),
-            (_, Setting::Tolerance(tolerance)) => Ok(self.classical(problem, tolerance, 0)),
+            (Self::Compiled, Setting::Tolerance(t)) => ours::compiled(laws, problem, t),
+            (Self::Rule, Setting::Tolerance(t)) => ours::rule(laws, problem, t),
             (_, Setting::Fixed) => Ok(self.plain(problem)),
+            _ => Ok(self.classical(problem, setting)),
         }
     }
 
     /// Parts of different sign are integrated separately, so that a tolerance relative to each can
     /// be met where they cancel.
-    fn classical(self, problem: &Arc<Problem>, tolerance: f64, points: usize) -> Job {
+    fn classical(self, problem: &Arc<Problem>, setting: Setting) -> Job {
         let problem = problem.clone();
         let signs = match problem.signs()[..] {
             [a, b] if self == Self::GaussKronrod => vec![Some(a), Some(b)],
@@ -107,7 +104,7 @@ impl Method {
             let (mut sum, mut evaluations) = (0.0, 0);
             for sign in &signs {
                 let integrand = |t: f64| problem.law_at(t / scale, *sign) * problem.weight(t);
-                let (value, count) = self.between(&breaks, tolerance, points, integrand)?;
+                let (value, count) = between(&breaks, self, setting, integrand)?;
                 sum += value;
                 evaluations += count;
             }
@@ -116,43 +113,18 @@ impl Method {
         })
     }
 
-    fn between(
-        self,
-        breaks: &[f64],
-        tolerance: f64,
-        points: usize,
-        integrand: impl Fn(f64) -> f64,
-    ) -> Result<(f64, usize), Failure> {
-        if self == Self::GaussKronrod {
-            let found = gauss_kronrod(integrand, breaks, tolerance, LIMIT)?;
-            return Ok((found.value, found.evaluations));
-        }
-        let (mut sum, mut count) = (0.0, 0);
-        for ends in breaks.windows(2).filter(|ends| ends[1] > ends[0]) {
-            if self == Self::TanhSinh {
-                let at = |point: Point| integrand(point.x);
-                let found = TanhSinh::shared().integrate(ends[0], ends[1], tolerance, at);
-                sum += found.value;
-                count += found.evaluations;
-            } else {
-                let (rule, width) = (legendre(points), ends[1] - ends[0]);
-                let nodes = rule.nodes.iter().zip(&rule.weights);
-                let terms = nodes.map(|(x, w)| width * w * integrand(ends[0] + width * x));
-                sum += terms.sum::<f64>();
-                count += rule.nodes.len();
-            }
-        }
-        Ok((sum, count))
-    }
-
+    /// The method of a script: one rule on a fixed range, plain doubles.
     fn plain(self, problem: &Arc<Problem>) -> Job {
-        let rule = legendre(64);
-        let (sigmas, rule): (f64, Vec<(f64, f64)>) = match self {
+        let legendre = legendre(64);
+        let (sigmas, rule) = match self {
             Self::Trapezoid => (6.0, equal_steps(1000, |_| 1.0)),
             Self::Simpson => {
                 (6.0, equal_steps(200, |k| if k % 2 == 1 { 4.0 / 3.0 } else { 2.0 / 3.0 }))
             }
-            _ => (8.0, rule.nodes.iter().copied().zip(rule.weights.iter().copied()).collect()),
+            _ => {
+                let nodes = legendre.nodes.iter().zip(&legendre.weights);
+                (8.0, nodes.map(|(x, w)| (*x, *w)).collect())
+            }
         };
         let problem = problem.clone();
         Box::new(move || {
@@ -160,7 +132,7 @@ impl Method {
             let terms = rule.iter().map(|(x, w)| w * problem.plain_integrand(start + width * x));
             let value = problem.in_units(width * terms.sum::<f64>());
             let found = Outcome { value, scaled: false, evaluations: Some(rule.len()) };
-            if value.is_finite() { Ok(found) } else { Err(Failure::NotFinite) }
+            if value.is_finite() { Ok(found) } else { Err(NOT_FINITE) }
         })
     }
 
@@ -175,14 +147,47 @@ impl Method {
         problem: &Arc<Problem>,
         setting: Setting,
     ) -> Result<Option<usize>> {
-        match (self, setting) {
+        Ok(match (self, setting) {
             (Self::Compiled, Setting::Tolerance(t)) => {
-                ours::compiled_terms(laws, problem, t).map(Some)
+                Some(ours::compiled_terms(laws, problem, t)?)
             }
-            (Self::Rule, Setting::Tolerance(t)) => ours::rule_terms(laws, problem, t).map(Some),
-            _ => Ok(self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations)),
-        }
+            (Self::Rule, Setting::Tolerance(t)) => Some(ours::rule_terms(laws, problem, t)?),
+            _ => self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations),
+        })
     }
+}
+
+/// The integral between breaks, and the evaluations of its integrand.
+fn between(
+    breaks: &[f64],
+    method: Method,
+    setting: Setting,
+    integrand: impl Fn(f64) -> f64,
+) -> Result<(f64, usize), Failure> {
+    if let (Method::GaussKronrod, Setting::Tolerance(tolerance)) = (method, setting) {
+        let found = gauss_kronrod(integrand, breaks, tolerance, LIMIT).map_err(failure)?;
+        return Ok((found.value, found.evaluations));
+    }
+    let (mut sum, mut count) = (0.0, 0);
+    for ends in breaks.windows(2).filter(|ends| ends[1] > ends[0]) {
+        let (value, evaluations) = match setting {
+            Setting::Tolerance(tolerance) => {
+                let at = |point: Point| integrand(point.x);
+                let found = TanhSinh::shared().integrate(ends[0], ends[1], tolerance, at);
+                (found.value, found.evaluations)
+            }
+            Setting::Points(points) => {
+                let (rule, width) = (legendre(points), ends[1] - ends[0]);
+                let nodes = rule.nodes.iter().zip(&rule.weights);
+                let terms = nodes.map(|(x, w)| width * w * integrand(ends[0] + width * x));
+                (terms.sum(), rule.nodes.len())
+            }
+            Setting::Fixed => (f64::NAN, 0),
+        };
+        sum += value;
+        count += evaluations;
+    }
+    Ok((sum, count))
 }
 
 /// Points of [0, 1] with their weights, those of the ends half as large.

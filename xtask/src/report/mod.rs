@@ -26,11 +26,12 @@ use indicatif::ProgressBar;
 
 pub use scope::Scope;
 
-use ours::Laws;
-use tables::Run;
-
 use crate::figures::measured::pictures;
-use crate::folder::{figures_folder, save};
+use crate::folder::{figures_folder, read, root, save as save_all, write as save};
+use external::External;
+use ours::Laws;
+use readme::with_numbers;
+use tables::Run;
 
 /// Measures and writes; returns the paths written. Progress is shown on a terminal only.
 ///
@@ -38,33 +39,37 @@ use crate::folder::{figures_folder, save};
 /// A reference table or another library that does not work, a case that is refused, a file that
 /// cannot be written.
 pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
-    let bar = ProgressBar::new_spinner().with_message("references");
-    let tick = |what: &str| {
-        bar.set_message(format!("{} {what}", bar.position()));
-        bar.inc(1);
-    };
+    let bar = ProgressBar::new_spinner();
     let workshop = tempfile::tempdir()?;
     let libraries = external::find(workshop.path())?;
-    let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.pairs()?)?;
-    let run =
-        Run { scope, laws: &laws, cases: &cases, timed: true, libraries: &libraries, tick: &tick };
-    let (speed, hard) = (run.speed()?, run.hard()?);
+    let (speed, hard) = tables(scope, true, &libraries, bar)?;
     let throughput = throughput::measure(scope)?;
-    bar.finish_and_clear();
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first, because they take long and a picture can fail.
     let mut paths = vec![];
     if folder == figures_folder() {
-        let path = folder.with_file_name("README.md");
-        readme::write(&path, &speed)?;
+        let path = root().join("README.md");
+        save(&path, with_numbers(&read(&path)?, &speed)?)?;
         paths.push(path);
     }
     let tables =
         [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
-    paths.extend(save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?);
-    paths.extend(save(folder, pictures(folder)?)?);
+    paths.extend(save_all(folder, tables.map(|(name, text)| (name.to_owned(), text)))?);
+    paths.extend(save_all(folder, pictures(folder)?)?);
     Ok(paths)
+}
+
+/// `speed-vs-error.csv` and `hard-cases.csv`.
+fn tables(
+    scope: Scope,
+    timed: bool,
+    libraries: &[External],
+    bar: ProgressBar,
+) -> Result<(String, String)> {
+    let laws = Laws::default();
+    let cases = cases::read(&laws, &scope.pairs()?)?;
+    let run = Run { scope, laws: &laws, cases: &cases, timed, libraries, bar };
+    Ok((run.speed()?, run.hard()?))
 }
 
 /// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
@@ -81,11 +86,7 @@ pub fn errors_agree(a: f64, b: f64) -> bool {
 /// # Errors
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
-    let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.pairs()?)?;
-    let run =
-        Run { scope, laws: &laws, cases: &cases, timed: false, libraries: &[], tick: &|_| {} };
-    Ok((run.speed()?, run.hard()?))
+    tables(scope, false, &[], ProgressBar::hidden())
 }
 
 #[cfg(test)]

@@ -6,15 +6,13 @@ use std::hint::black_box;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::Result;
-use asperity::{
-    Contact, ContactError, HeightDistribution, Law, Model, Quantity, Request, Tolerance,
-};
+use asperity::{Contact, HeightDistribution, Law, Model, Quantity, Request, Tolerance};
 use asperity_quadrature::{AnyScale, QuadratureError};
 
 use super::effort::Effort;
-use super::outcome::{Failure, Job, Outcome};
+use super::outcome::{Job, NOT_CONVERGED, Outcome};
 use super::points::{SEPARATIONS, scenes};
-use super::problem::{ContactState, Problem, is_slope, law_behind};
+use super::problem::{Problem, is_slope, law_behind};
 
 /// Compiled scenes and rules, by everything they depend on.
 #[derive(Debug, Default)]
@@ -47,10 +45,10 @@ impl Laws {
     ///
     /// # Errors
     /// Those of [`asperity::ContactModel::compile`], as below.
-    pub fn scene(&self, contact_state: &ContactState, tolerance: f64) -> Result<Arc<dyn Contact>> {
-        let ContactState { model, quantity, scene, .. } = contact_state;
+    pub fn scene(&self, problem: &Problem, tolerance: f64) -> Result<Arc<dyn Contact>> {
+        let Problem { model, scene, .. } = problem;
         let law_of = |quantity| if is_slope(model, quantity) { Quantity::Force } else { quantity };
-        let law = law_of(*quantity);
+        let law = law_of(problem.quantity);
         let key = format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?);
         let built = find_or(&self.scenes, key.clone(), || {
             let all = [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
@@ -62,11 +60,8 @@ impl Laws {
     }
 
     /// The rules of the problem's law for any scale.
-    ///
-    /// # Errors
-    /// When the model refuses the asperity.
-    pub fn rules(&self, contact_state: &ContactState, tolerance: f64) -> Result<Arc<AnyScale>> {
-        let ContactState { model, quantity, scene, .. } = contact_state;
+    fn rules(&self, problem: &Problem, tolerance: f64) -> Result<Arc<AnyScale>> {
+        let Problem { model, quantity, scene, .. } = problem;
         let key = format!("{model} {quantity} {tolerance:e} {:?}", scene.asperity()?);
         find_or(&self.rules, key, || {
             let law = law_behind(model, *quantity, &scene.asperity()?, tolerance)?;
@@ -80,51 +75,43 @@ impl Laws {
 /// # Errors
 /// When the model refuses the scene, as all below.
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
-    let (quantity, separation) = (problem.contact_state.quantity, problem.contact_state.separation);
-    let compiled = laws.scene(&problem.contact_state, tolerance)?;
-    Ok(Box::new(move || outcome(compiled.evaluate(quantity, separation))))
+    let (quantity, separation) = (problem.quantity, problem.separation);
+    let compiled = laws.scene(problem, tolerance)?;
+    Ok(Box::new(move || {
+        let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;
+        Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
+    }))
 }
 
 /// A value on a scene that is not compiled, as in sweeps.
-pub fn rule(laws: &Laws, problem: &Arc<Problem>, tolerance: f64) -> Result<Job> {
-    let contact_state = &problem.contact_state;
-    if !matches!(contact_state.scene.heights, HeightDistribution::Gaussian) {
+pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
+    if !matches!(problem.scene.heights, HeightDistribution::Gaussian) {
         return compiled(laws, problem, tolerance);
     }
-    let (rules, scale, s) =
-        (laws.rules(contact_state, tolerance)?, problem.scale(), contact_state.separation);
-    let slope = is_slope(&contact_state.model, contact_state.quantity);
-    let mut factor = contact_state.scene.asperities() * problem.law.value_unit;
-    if slope {
-        factor /= problem.std();
-    }
+    let rules = laws.rules(problem, tolerance)?;
+    let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
+    let factor = problem.scene.asperities() * problem.law.value_unit;
+    let factor = if slope { factor / problem.std() } else { factor };
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
-        let found = found.map_err(|_| Failure::NotConverged)?;
+        let found = found.map_err(|_| NOT_CONVERGED)?;
         let value = factor * if slope { found.slope } else { found.value };
         Ok(Outcome { value, scaled: true, evaluations: None })
     }))
 }
 
-fn outcome(found: Result<asperity::Evaluation, ContactError>) -> Result<Outcome, Failure> {
-    let found = found.map_err(|_| Failure::NotConverged)?;
-    Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
-}
-
 /// Terms of a value; exponential heights have one integral for all separations.
 pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let quantity = problem.contact_state.quantity;
+    let quantity = problem.quantity;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
-    let compiled = laws.scene(&problem.contact_state, tolerance)?;
-    let plan = compiled.plan(&request.at([problem.contact_state.separation]))?;
+    let plan = laws.scene(problem, tolerance)?.plan(&request.at([problem.separation]))?;
     let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
     Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
 }
 
 /// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
 pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let separation = problem.contact_state.separation;
-    let rules = laws.rules(&problem.contact_state, tolerance)?;
+    let (rules, separation) = (laws.rules(problem, tolerance)?, problem.separation);
     match rules.terms(separation, problem.scale())? {
         0 => {
             let before = rules.evaluations();

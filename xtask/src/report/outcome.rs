@@ -13,35 +13,21 @@ pub struct Outcome {
     pub evaluations: Option<usize>,
 }
 
-/// The reason for a missing number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Failure {
-    /// The method reports that it missed its tolerance.
-    NotConverged,
-    /// A value was infinite or NaN.
-    NotFinite,
-    /// The result is 0 for a value other than 0.
-    Zero,
-}
+/// The reason for a missing number, as it stands in a table.
+pub type Failure = &'static str;
 
-impl Failure {
-    /// Its name in a table.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NotConverged => "not-converged",
-            Self::NotFinite => "not-finite",
-            Self::Zero => "zero",
-        }
-    }
-}
+/// The method reports that it missed its tolerance.
+pub const NOT_CONVERGED: Failure = "not-converged";
+/// A value was infinite or NaN.
+pub const NOT_FINITE: Failure = "not-finite";
+/// The result is 0 for a value other than 0.
+pub const ZERO: Failure = "zero";
 
-impl From<QuadratureError> for Failure {
-    fn from(error: QuadratureError) -> Self {
-        match error {
-            QuadratureError::NotConverged { .. } => Self::NotConverged,
-            _ => Self::NotFinite,
-        }
+/// The reason for which a rule has no number.
+pub fn failure(error: QuadratureError) -> Failure {
+    match error {
+        QuadratureError::NotConverged { .. } => NOT_CONVERGED,
+        _ => NOT_FINITE,
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use anyhow::Result;
 use asperity::{Model, Quantity, Scene, Surface};
 
-use super::problem::{ContactState, Problem, law_behind, tightest};
+use super::problem::Problem;
 use crate::figures::models::{NOMINAL_AREA, interface};
 
 /// w_c/σ_z at which times are taken.
@@ -31,13 +31,12 @@ pub fn scenes() -> Result<Vec<Scene>> {
 /// What the model refuses.
 pub fn points(model: &Model, quantity: Quantity) -> Result<Vec<Arc<Problem>>> {
     let scenes = scenes()?;
-    let law = Arc::new(law_behind(model, quantity, &scenes[0].asperity()?, tightest(model))?);
+    let first = Problem::new(model, quantity, scenes[0].clone(), SEPARATIONS[0])?;
     let count = scenes.len() * SEPARATIONS.len();
     let point = |k: usize| {
         let scene = scenes[k / SEPARATIONS.len()].clone();
         let separation = SEPARATIONS[k % SEPARATIONS.len()];
-        let contact_state = ContactState { model: model.clone(), quantity, scene, separation };
-        Arc::new(Problem { contact_state, law: law.clone() })
+        Arc::new(Problem { scene, separation, ..first.clone() })
     };
     // 23 and 56 have no common factor, so every point occurs once.
     Ok((0..count).map(|k| point(k * 23 % count)).collect())
@@ -51,11 +50,9 @@ mod tests {
     #[test]
     fn the_points_are_the_whole_grid_each_once() -> Result<()> {
         let points = points(&"jg".parse()?, Quantity::Force)?;
-        let critical = points[0].contact_state.scene.asperity()?.critical_interference()?;
-        let mut seen: Vec<String> = points
-            .iter()
-            .map(|p| format!("{:.1e} {}", critical / p.std(), p.contact_state.separation))
-            .collect();
+        let critical = points[0].scene.asperity()?.critical_interference()?;
+        let mut seen: Vec<String> =
+            points.iter().map(|p| format!("{:.1e} {}", critical / p.std(), p.separation)).collect();
         seen.sort();
         seen.dedup();
         assert!(seen.len() == 56, "{}", seen.len());

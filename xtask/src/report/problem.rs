@@ -13,9 +13,9 @@ const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 /// Densities below exp(-CUT) of their largest value are left out, as in the engine.
 const CUT: f64 = 46.0;
 
-/// A model's quantity in a scene at one separation.
+/// A model's quantity in a scene at one separation, with its law.
 #[derive(Debug, Clone)]
-pub struct ContactState {
+pub struct Problem {
     /// The model.
     pub model: Model,
     /// The quantity.
@@ -24,13 +24,6 @@ pub struct ContactState {
     pub scene: Scene,
     /// d/σ_z.
     pub separation: f64,
-}
-
-/// A model's quantity with its law.
-#[derive(Debug, Clone)]
-pub struct Problem {
-    /// Model, quantity, scene and separation.
-    pub contact_state: ContactState,
     /// The law behind the quantity; that of the force for a tangent.
     pub law: Arc<Law>,
 }
@@ -67,6 +60,15 @@ pub fn tightest(model: &Model) -> f64 {
 }
 
 impl Problem {
+    /// A problem with the tightest tolerance of its model.
+    ///
+    /// # Errors
+    /// When the model refuses the asperity.
+    pub fn new(model: &Model, quantity: Quantity, scene: Scene, separation: f64) -> Result<Self> {
+        let law = law_behind(model, quantity, &scene.asperity()?, tightest(model))?;
+        Ok(Self { model: model.clone(), quantity, scene, separation, law: Arc::new(law) })
+    }
+
     /// Interference unit over σ_z.
     #[must_use]
     pub fn scale(&self) -> f64 {
@@ -76,31 +78,28 @@ impl Problem {
     /// σ_z \[m\].
     #[must_use]
     pub fn std(&self) -> f64 {
-        self.contact_state.scene.surface.asperity_height_std
+        self.scene.surface.asperity_height_std
     }
 
     /// Whether the integrand has the factor of a slope.
     #[must_use]
     pub fn slope(&self) -> bool {
-        is_slope(&self.contact_state.model, self.contact_state.quantity)
+        is_slope(&self.model, self.quantity)
     }
 
     /// Whether heights are exponential; otherwise they are Gaussian.
     #[must_use]
     pub fn exponential(&self) -> bool {
-        matches!(self.contact_state.scene.heights, HeightDistribution::Exponential)
+        matches!(self.scene.heights, HeightDistribution::Exponential)
     }
 
     /// The law over its unit at x = w over the interference unit: the parts of one sign, or all.
     #[must_use]
     pub fn law_at(&self, x: f64, sign: Option<f64>) -> f64 {
-        let mut total = 0.0;
-        for part in self.law.parts.iter().filter(|p| p.range.contains(&x)) {
-            if sign.is_none_or(|sign| sign * part.sign > 0.0) {
-                total += part.sign * part_at(part, x);
-            }
-        }
-        total
+        let wanted = |part: &&Part| {
+            part.range.contains(&x) && sign.is_none_or(|sign| sign * part.sign > 0.0)
+        };
+        self.law.parts.iter().filter(wanted).map(|part| part.sign * part_at(part, x)).sum()
     }
 
     /// The signs that occur among the parts of the law.
@@ -114,7 +113,7 @@ impl Problem {
     /// and, below d = 0, the peak of the density between.
     #[must_use]
     pub fn breaks(&self) -> Vec<f64> {
-        let s = self.contact_state.separation;
+        let s = self.separation;
         let (low, high) = match (self.exponential(), s >= 0.0) {
             (false, _) => ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s)),
             (true, true) => (0.0, CUT),
@@ -132,7 +131,7 @@ impl Problem {
     /// slope.
     #[must_use]
     pub fn weight(&self, t: f64) -> f64 {
-        let s = self.contact_state.separation;
+        let s = self.separation;
         if self.exponential() {
             return (-(t + s.min(0.0))).exp();
         }
@@ -145,16 +144,14 @@ impl Problem {
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
-        let interference = z - self.contact_state.separation * std;
-        if interference <= 0.0 {
+        let (interference, zeta) = (z - self.separation * std, z / std);
+        if interference <= 0.0 || self.exponential() && zeta < 0.0 {
             return 0.0;
         }
-        let zeta = z / std;
-        let density = if self.exponential() {
-            if zeta < 0.0 { 0.0 } else { (-zeta).exp() }
-        } else {
-            let density = (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI;
-            if self.slope() { density * zeta } else { density }
+        let density = match (self.exponential(), self.slope()) {
+            (true, _) => (-zeta).exp(),
+            (false, true) => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI * zeta,
+            (false, false) => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI,
         };
         self.law_at(interference / self.law.interference_unit, None) * density / std
     }
@@ -162,7 +159,7 @@ impl Problem {
     /// Lower end of the plain integral \[m\].
     #[must_use]
     pub fn plain_start(&self) -> f64 {
-        let start = self.contact_state.separation * self.std();
+        let start = self.separation * self.std();
         if self.exponential() { start.max(0.0) } else { start }
     }
 
@@ -170,20 +167,22 @@ impl Problem {
     /// lowest asperity, and the law's value there is subtracted from the slope.
     #[must_use]
     pub fn in_units(&self, integral: f64) -> f64 {
-        let lowest = if self.slope() && self.exponential() && self.contact_state.separation < 0.0 {
-            self.law_at(-self.contact_state.separation / self.scale(), None)
+        let unit = self.scene.asperities() * self.law.value_unit;
+        if !self.slope() {
+            return unit * integral;
+        }
+        let lowest = if self.exponential() && self.separation < 0.0 {
+            self.law_at(-self.separation / self.scale(), None)
         } else {
             0.0
         };
-        let per_height = if self.slope() { self.std() } else { 1.0 };
-        self.contact_state.scene.asperities() * self.law.value_unit * (integral - lowest)
-            / per_height
+        unit * (integral - lowest) / self.std()
     }
 
     /// Logarithm of the scale, -max(s,0)²/2 or -max(s,0).
     #[must_use]
     pub fn ln_scale(&self) -> f64 {
-        let s = self.contact_state.separation.max(0.0);
+        let s = self.separation.max(0.0);
         if self.exponential() { -s } else { -0.5 * s * s }
     }
 }

@@ -1,11 +1,8 @@
 //! The numbers of speed in the README of the project, from the text of `speed-vs-error.csv`.
 
-use std::fs;
-use std::path::Path;
-
 use anyhow::{Context, Result};
 
-use crate::figures::report_csv::{Row, read};
+use crate::figures::report_csv::{Row, read as of_csv};
 
 const MARKS: [&str; 2] = ["<!-- speed -->\n", "<!-- /speed -->"];
 /// Model, quantity and tolerance that are shown.
@@ -16,50 +13,38 @@ const SHOWN: (&str, &str, f64) = ("ke", "force", 1e-10);
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`, a method without its row, a README without marks.
 pub fn with_numbers(readme: &str, csv: &str) -> Result<String> {
-    let rows = read(csv)?;
+    let (model, quantity, tolerance) = SHOWN;
+    let rows = of_csv(csv)?;
     let of = |method: &str| {
         let shown = |row: &&Row| {
-            (row.model.as_str(), row.quantity.as_str()) == (SHOWN.0, SHOWN.1)
-                && row.method == method
-                && row.requested() == Some(SHOWN.2)
+            (&*row.model, &*row.quantity, &*row.method) == (model, quantity, method)
+                && row.requested() == Some(tolerance)
         };
         rows.iter().find(shown).with_context(|| format!("no row of {method} for {SHOWN:?}"))
     };
     let time = |method| -> Result<f64> { Ok(of(method)?.median_ns.parse()?) };
     let error: f64 = of("compiled")?.max_relative_error.parse()?;
     let ns = time("compiled")?;
-    let ratio = |method| time(method).map(|other| other / ns);
+    let [kronrod, scipy] = ["gauss-kronrod", "scipy"].map(|method| time(method).map(|t| t / ns));
     let text = format!(
-        "KE's force at a tolerance of {:e}, medians of one run: a value of a compiled scene takes {ns:.0} ns with an error of {error:.0e}; adaptive Gauss-Kronrod 21, split at the kinks, takes {:.0} times as long, scipy's `quad` {:.0} times.\n",
-        SHOWN.2,
-        ratio("gauss-kronrod")?,
-        ratio("scipy")?,
+        "KE's force at a tolerance of {tolerance:e}, medians of one run: a value of a compiled scene takes {ns:.0} ns with an error of {error:.0e}; adaptive Gauss-Kronrod 21, split at the kinks, takes {:.0} times as long, scipy's `quad` {:.0} times.\n",
+        kronrod?, scipy?,
     );
     let (before, rest) = readme.split_once(MARKS[0]).context("README.md: no <!-- speed -->")?;
     let (_, after) = rest.split_once(MARKS[1]).context("README.md: no <!-- /speed -->")?;
     Ok([before, MARKS[0], &text, MARKS[1], after].concat())
 }
 
-/// Writes the numbers of a csv into a README.
-///
-/// # Errors
-/// Those of [`with_numbers`], and files that cannot be read or written.
-pub fn write(readme: &Path, csv: &str) -> Result<()> {
-    let name = || readme.display().to_string();
-    let text = with_numbers(&fs::read_to_string(readme).with_context(name)?, csv)?;
-    fs::write(readme, text).with_context(name)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::folder::figures_folder;
+    use crate::folder::{read, root};
 
     /// Written anew by `cargo xtask report`.
     #[test]
     fn the_readme_has_the_numbers_of_the_committed_report() {
         let [readme, csv] = ["README.md", "figures/speed-vs-error.csv"]
-            .map(|name| fs::read_to_string(figures_folder().with_file_name(name)).unwrap());
+            .map(|name| read(&root().join(name)).unwrap());
         assert_eq!(readme, with_numbers(&readme, &csv).unwrap());
     }
 }

@@ -1,5 +1,6 @@
 //! The extent of a run: models, quantities, tolerances, times.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::Result;
@@ -8,6 +9,7 @@ use asperity::{Model, Quantity};
 use super::effort::Effort;
 use super::methods::{Method, Setting};
 use super::problem::tightest;
+use crate::folder::{figures_folder, target_folder};
 
 /// The quantities that are one integral of one law; the others follow from these.
 const INTEGRALS: [Quantity; 4] =
@@ -55,6 +57,12 @@ impl Scope {
     pub fn settings(self, method: Method, model: &Model) -> Vec<Setting> {
         let points: &[usize] = if self == Self::Full { &[16, 32, 64, 128] } else { &[16, 128] };
         method.settings(&self.tolerances(model), points)
+    }
+
+    /// The folder of its files.
+    #[must_use]
+    pub fn folder(self) -> PathBuf {
+        if self == Self::Full { figures_folder() } else { target_folder().join("report") }
     }
 
     /// The measuring time of each row.

@@ -6,28 +6,29 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use asperity::{Model, Quantity};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use super::cases::Case;
 use super::external::{self, External};
-use super::methods::{HARD_TOLERANCE, METHODS, Setting};
+use super::methods::{HARD_TOLERANCE, METHODS, Method, Setting};
 use super::ours::{self, Laws};
-use super::outcome::{Failure, Job};
+use super::outcome::{Failure, Job, ZERO};
 use super::points::points;
-use super::problem::{ContactState, Problem, is_slope};
+use super::problem::{Problem, is_slope};
 use super::scope::Scope;
 use crate::figures::report_csv::{BEFORE, Row};
 
 /// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
 
+/// Time \[ns\], worst error and mean number of evaluations of a setting.
+type Measured = (Option<f64>, Option<Worst>, Option<f64>);
+
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
-    let number = |worst: Worst| if worst == Err(Failure::Zero) { Ok(1.0) } else { worst };
-    match (number(a), number(b)) {
-        (Ok(a), Ok(b)) => Ok(a.max(b)),
-        (Err(failure), _) | (_, Err(failure)) => Err(failure),
-    }
+    let number = |worst: Worst| if worst == Err(ZERO) { Ok(1.0) } else { worst };
+    Ok(number(a)?.max(number(b)?))
 }
 
 impl Row {
@@ -35,9 +36,7 @@ impl Row {
         (model, quantity): &(Model, Quantity),
         method: &str,
         setting: Setting,
-        time: Option<f64>,
-        worst: Option<Worst>,
-        evaluations: Option<f64>,
+        (time, worst, evaluations): Measured,
     ) -> Self {
         let (model, quantity, method) = (model.id().into(), quantity.to_string(), method.into());
         let tolerance = match setting {
@@ -69,8 +68,8 @@ pub struct Run<'a> {
     pub timed: bool,
     /// Other libraries.
     pub libraries: &'a [External],
-    /// Called with the name of each finished row.
-    pub tick: &'a dyn Fn(&str),
+    /// Counts the finished rows.
+    pub bar: ProgressBar,
 }
 
 impl Run<'_> {
@@ -80,13 +79,8 @@ impl Run<'_> {
     /// When the library refuses a case, or another library's process fails.
     pub fn speed(&self) -> Result<String> {
         let mut csv = csv::Writer::from_writer(vec![]);
-        let pairs = self.scope.pairs()?;
-        let others = self.libraries.iter().map(|library| self.external(library, &pairs));
-        let others = others.collect::<Result<Vec<_>>>()?.concat();
-        for pair in &pairs {
-            let own = |row: &&Row| row.model == pair.0.id() && row.quantity == pair.1.to_string();
-            let rows = [self.own(pair)?, self.builds(pair)?].concat();
-            rows.iter().chain(others.iter().filter(own)).try_for_each(|row| csv.serialize(row))?;
+        for pair in self.scope.pairs()? {
+            self.rows(&pair)?.iter().try_for_each(|row| csv.serialize(row))?;
         }
         Ok(String::from_utf8(csv.into_inner()?)?)
     }
@@ -97,82 +91,69 @@ impl Run<'_> {
         let slope = |quantity: Quantity| is_slope(model, quantity);
         let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
         let wanted = |case: &&Case| {
-            let state = &case.problem.contact_state;
-            case.on_hard_grid() && state.model.id() == model.id() && same(state.quantity)
+            let problem = &case.problem;
+            case.on_hard_grid() && problem.model.id() == model.id() && same(problem.quantity)
         };
         self.cases.iter().filter(wanted).collect()
     }
 
-    fn own(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
+    /// The rows of our methods, of building, and of other libraries, for the laws that they can
+    /// integrate.
+    fn rows(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
+        let mut add = |name, setting, found: Measured| {
+            self.bar.inc(1);
+            rows.push(Row::new(pair, name, setting, found));
+        };
         for (method, name, _) in METHODS {
             for setting in self.scope.settings(method, &pair.0) {
-                let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
-                let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
-                // The time of a failure counts as well.
-                let all = || {
-                    jobs.iter().for_each(|job| {
-                        let _ = black_box(black_box(job)());
-                    });
-                };
-                let time =
-                    self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
-                let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
-                let errors = errors.collect::<Result<Vec<Worst>>>()?;
-                let worst = errors.into_iter().fold(Ok(0.0), worse);
-                let count = |point| method.evaluations(self.laws, point, setting);
-                let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
-                let counts = mean(counts.into_iter().flatten());
-                rows.push(Row::new(pair, name, setting, time, Some(worst), counts));
-                (self.tick)(name);
+                add(name, setting, self.own(method, setting, &points, &grid)?);
             }
         }
-        Ok(rows)
-    }
-
-    /// The cost of building.
-    fn builds(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
-        let (mut rows, effort) = (vec![], self.scope.effort());
-        for tolerance in self.scope.tolerances(&pair.0).into_iter().filter(|_| self.timed) {
-            let setting = Setting::Tolerance(tolerance);
+        let (tolerances, effort) = (self.scope.tolerances(&pair.0), self.scope.effort());
+        for &tolerance in tolerances.iter().filter(|_| self.timed) {
             let law = ours::build_law(&pair.0, pair.1, tolerance, effort)?;
             let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
-            rows.push(Row::new(pair, "build-law", setting, Some(law), None, None));
-            rows.push(Row::new(pair, "build-scene", setting, Some(scene), None, Some(samples)));
-            (self.tick)("build");
+            add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
+            add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
+        }
+        let can_take = points.iter().all(|point| external::can_take(point));
+        for library in self.libraries.iter().filter(|_| can_take) {
+            for &tolerance in &tolerances {
+                let found = external(library, tolerance, &points, &grid)?;
+                add(library.name, Setting::Tolerance(tolerance), found);
+            }
         }
         Ok(rows)
     }
 
-    /// The rows of another library, for the laws that it can integrate.
-    fn external(&self, library: &External, pairs: &[(Model, Quantity)]) -> Result<Vec<Row>> {
-        let (mut requests, mut tasks) = (vec![], vec![]);
-        for pair in pairs {
-            let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
-            for tolerance in self.scope.tolerances(&pair.0) {
-                if points.iter().all(|point| external::can_take(point)) {
-                    let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
-                    let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
-                    tasks.extend(timed.chain(errors));
-                    requests.push((pair, tolerance, points.len(), grid.clone()));
-                }
-            }
-        }
-        let mut answers = library.run(&tasks)?.into_iter();
-        let mut rows = vec![];
-        for (pair, tolerance, count, grid) in requests {
-            let timed: Vec<_> = answers.by_ref().take(count).collect();
-            let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / count as f64;
-            let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
-            let errors = grid.iter().zip(&mut answers).map(|(case, a)| case.error(a.found));
-            let worst = errors.fold(Ok(0.0), worse);
-            let setting = Setting::Tolerance(tolerance);
-            rows.push(Row::new(pair, library.name, setting, Some(time), Some(worst), mean(counts)));
-            (self.tick)(library.name);
-        }
-        Ok(rows)
+    fn own(
+        &self,
+        method: Method,
+        setting: Setting,
+        points: &[Arc<Problem>],
+        grid: &[&Case],
+    ) -> Result<Measured> {
+        let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
+        let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
+        // The time of a failure counts as well.
+        let all = || {
+            jobs.iter().for_each(|job| {
+                let _ = black_box(black_box(job)());
+            });
+        };
+        let time = self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
+        let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
+        let errors = errors.collect::<Result<Vec<Worst>>>()?;
+        let count = |point| method.evaluations(self.laws, point, setting);
+        let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
+        Ok((
+            time,
+            Some(errors.into_iter().fold(Ok(0.0), worse)),
+            mean(counts.into_iter().flatten()),
+        ))
     }
 
     /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
@@ -203,20 +184,30 @@ impl Run<'_> {
         let mut csv = csv::Writer::from_writer(vec![]);
         csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
         for (k, case) in self.cases.iter().enumerate() {
-            let ContactState { model, quantity, scene, separation } = &case.problem.contact_state;
-            let (quantity, separation) = (quantity.to_string(), separation.to_string());
-            let cells = [
-                &case.family,
-                &case.name,
-                scene.heights.name(),
-                model.id(),
-                &quantity,
-                &separation,
-            ];
+            let Problem { model, quantity, scene, separation, .. } = &*case.problem;
+            let [quantity, separation] = [quantity.to_string(), separation.to_string()];
+            let heights = scene.heights.name();
+            let cells = [&*case.family, &case.name, heights, model.id(), &quantity, &separation];
             csv.write_record(cells.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
         }
         Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
     }
+}
+
+fn external(
+    library: &External,
+    tolerance: f64,
+    points: &[Arc<Problem>],
+    grid: &[&Case],
+) -> Result<Measured> {
+    let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
+    let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
+    let answers = library.run(&timed.chain(errors).collect::<Vec<_>>())?;
+    let (timed, solved) = answers.split_at(points.len());
+    let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / points.len() as f64;
+    let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
+    let errors = grid.iter().zip(solved).map(|(case, answer)| case.error(answer.found));
+    Ok((Some(time), Some(errors.fold(Ok(0.0), worse)), mean(counts)))
 }
 
 /// The mean; `None` without numbers.
@@ -234,7 +225,7 @@ pub fn significant(number: f64) -> String {
 
 /// Two digits, or the name of a failure.
 fn error_text(error: Worst) -> String {
-    error.map_or_else(|failure| failure.name().into(), |error| format!("{error:.1e}"))
+    error.map_or_else(Into::into, |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]
@@ -243,8 +234,8 @@ mod tests {
 
     #[test]
     fn a_failure_is_worse_than_any_number_and_zero_is_an_error_of_one() {
-        assert_eq!(worse(Ok(1e-3), Err(Failure::Zero)), Ok(1.0));
-        assert_eq!(worse(Ok(3.0), Err(Failure::Zero)), Ok(3.0));
-        assert_eq!(worse(Ok(3.0), Err(Failure::NotFinite)), Err(Failure::NotFinite));
+        assert_eq!(worse(Ok(1e-3), Err(ZERO)), Ok(1.0));
+        assert_eq!(worse(Ok(3.0), Err(ZERO)), Ok(3.0));
+        assert_eq!(worse(Ok(3.0), Err("not-finite")), Err("not-finite"));
     }
 }

@@ -11,6 +11,7 @@ use asperity::{Case, Model, Quantity, Request, Scene, Sweep, Tolerance, linspace
 
 use super::points::scenes;
 use super::scope::Scope;
+use crate::command::output;
 
 /// The task of `xtask` that runs one sweep; not for users.
 pub const TASK: &str = "report-throughput";
@@ -50,19 +51,14 @@ pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
     for (model, kind, full, what) in SWEEPS {
         let count = if scope == Scope::Full { full } else { full / 10 };
         for threads in [1, 2] {
-            let arguments = [TASK, model, kind, &count.to_string(), &threads.to_string()];
-            let output = Command::new(&program).args(arguments).output()?;
-            ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-            let text = String::from_utf8(output.stdout)?;
-            let mut numbers = text.split_whitespace().map(str::parse::<f64>);
-            let what = format!("{model} force, {count} {what}");
-            let per_second = numbers.next().context("no rate")??;
-            lines.push(Throughput {
-                what,
-                threads,
-                per_second,
-                memory: numbers.next().transpose()?,
-            });
+            let sweep = [TASK, model, kind, &count.to_string(), &threads.to_string()];
+            let text = output(Command::new(&program).args(sweep))?;
+            let numbers: Vec<f64> =
+                text.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
+            let per_second = *numbers.first().context("no rate")?;
+            let (what, memory) =
+                (format!("{model} force, {count} {what}"), numbers.get(1).copied());
+            lines.push(Throughput { what, threads, per_second, memory });
         }
     }
     Ok(lines)

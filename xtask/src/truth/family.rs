@@ -2,9 +2,10 @@
 
 use anyhow::Result;
 use asperity::bem::RandomSurface;
-use asperity::{Evidence, Interface, Scene, Surface};
+use asperity::{At, Compared, Evidence, EvidenceCase, Interface, Scene, Surface};
 
 use crate::figures::truth::PIXELS_PER_WAVE;
+use crate::figures::truth_ranges::equal;
 
 /// Root mean square gradient. E g is the unit of pressures, so that neither E nor g changes a
 /// result.
@@ -53,6 +54,22 @@ const ISOTROPIC: Family = Family {
 /// Skewed surfaces take ten times as long to make.
 const SKEWED: Family = Family { most_pixels: 1024, ..ISOTROPIC };
 
+/// The mean pressure of a load.
+#[must_use]
+pub fn pressure(load: f64) -> At {
+    At::Pressure(load * MODULUS * GRADIENT)
+}
+
+/// The unit of a quantity on a scene with this Sq \[m\].
+#[must_use]
+pub fn unit(quantity: Compared, scene: &Scene, sq: f64) -> f64 {
+    match quantity {
+        Compared::Area => 1.0,
+        Compared::MeanGap => sq,
+        _ => MODULUS * scene.nominal_area / sq,
+    }
+}
+
 /// Every family of the evidence: bandwidths, skewnesses, lays.
 pub const FAMILIES: [Family; 10] = [
     ISOTROPIC,
@@ -93,6 +110,20 @@ impl Family {
         Ok(of((broad * narrow).sqrt()))
     }
 
+    /// The cases of the family in some evidence.
+    ///
+    /// # Errors
+    /// Waves that the pixels cannot carry.
+    pub fn cases<'e>(&self, evidence: &'e Evidence) -> Result<Vec<&'e EvidenceCase>> {
+        let alpha = self.surface(self.pixels)?.moments().bandwidth();
+        let own = |case: &&EvidenceCase| {
+            equal(case.skewness, self.skewness)
+                && equal(case.slope_ratio, self.slope_ratio)
+                && (case.alpha / alpha - 1.0).abs() < 1e-3
+        };
+        Ok(evidence.cases().iter().filter(own).collect())
+    }
+
     /// The surface on n x n pixels; a seed determines its heights.
     ///
     /// # Errors
@@ -123,11 +154,6 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
         scene.interface.hardness = Some(1e9 * scene.plasticity_index()? / index);
     }
     Ok(scene)
-}
-
-/// Numbers of the table are equal digit by digit.
-pub fn equal(a: f64, b: f64) -> bool {
-    a.total_cmp(&b).is_eq()
 }
 
 /// Whether a load is well below the hardness.

@@ -1,16 +1,17 @@
 //! Three ways of giving skewed surfaces and those with a lay to models of isotropic surfaces.
 
-use std::fmt::Write as _;
-
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::bem::HeightMap;
 use asperity::{
-    At, Compared, ContactModel, Evidence, EvidenceCase, HeightDistribution, Model, ProfileMoments,
-    Quantity, Request, Scene, Surface, TabulatedHeights,
+    Compared, Evidence, EvidenceCase, HeightDistribution, Model, ProfileMoments, Quantity, Scene,
+    Surface, TabulatedHeights, Tolerance,
 };
 use asperity_topography::Topography;
 
-use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
+use super::family::{FAMILIES, Family, pressure, scene};
+use super::rows::compiled;
+use crate::figures::truth_ranges::{NOTHING, ends, equal};
+use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared: one law without and two with yielding, and the whole surface.
 const SHOWN: [&str; 5] = ["gw", "ke", "jg", "jg-random", "persson-fudge"];
@@ -28,17 +29,13 @@ enum Way {
     Measured,
 }
 
+const WAYS: [(Way, &str); 3] = [
+    (Way::Mean, "mean of all directions"),
+    (Way::Across, "across the lay"),
+    (Way::Measured, "mean, measured heights"),
+];
+
 impl Way {
-    const ALL: [Self; 3] = [Self::Mean, Self::Across, Self::Measured];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Mean => "mean of all directions",
-            Self::Across => "across the lay",
-            Self::Measured => "mean, measured heights",
-        }
-    }
-
     /// The scene that a user makes; its hardness is that of the family.
     fn scene(self, family: &Family, index: f64) -> Result<Scene> {
         let surface = family.surface(family.pixels)?;
@@ -82,27 +79,16 @@ fn across(map: &HeightMap) -> ProfileMoments {
     }
 }
 
-/// Deviations of the area over the loads: lowest, highest.
-type Ends = Option<[f64; 2]>;
-
-fn deviations(family: &Family, index: f64, way: Way, cases: &[&EvidenceCase]) -> Result<Vec<Ends>> {
-    let scene = way.scene(family, index)?;
-    let places = cases.iter().map(|case| At::Pressure(case.load * MODULUS * GRADIENT));
-    let request = Request::new([Quantity::AreaFraction]).at(places);
-    let of = |id: &str| -> Result<Ends> {
-        let model: Model = id.parse()?;
-        // Random asperities are Gaussian.
-        let Ok(contact) = model.compile(&scene, &request) else { return Ok(None) };
-        let mut ends: Ends = None;
-        for (case, at) in cases.iter().zip(&request.at) {
-            let bem = case.bem.value(Compared::Area).context("an area")?;
-            let Ok(found) = contact.evaluate(Quantity::AreaFraction, *at) else { continue };
-            let off = 100.0 * (found.value() / bem - 1.0);
-            ends = Some(ends.map_or([off; 2], |[low, high]| [low.min(off), high.max(off)]));
-        }
-        Ok(ends)
+/// Deviations of the area of a model on a scene from those of the cases.
+fn deviations(model: &Model, scene: &Scene, cases: &[&EvidenceCase]) -> String {
+    let known = [Quantity::AreaFraction];
+    // Random asperities are Gaussian.
+    let contact = compiled(model, scene, &known, 1, Tolerance::default());
+    let off = |case: &&EvidenceCase| {
+        let found = contact.as_ref()?.evaluate(known[0], pressure(case.load)).ok()?.value();
+        Some(100.0 * (found / case.bem.value(Compared::Area)? - 1.0))
     };
-    SHOWN.iter().map(|id| of(id)).collect()
+    ends(cases.iter().filter_map(off))
 }
 
 /// A table of the ways for each material: rows are models and ways, columns families.
@@ -113,44 +99,38 @@ pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
     let mut out = String::new();
     for (index, material) in [(0.0, "elastic"), (2.0, "psi 2")] {
-        let mut heads = vec![];
-        let mut columns: Vec<[Vec<Ends>; 3]> = vec![];
+        let (mut heads, mut columns) = (vec!["area, % off".to_owned()], vec![]);
         for family in FAMILIES.iter().filter(|f| !equal(f.skewness, 0.0) || f.slope_ratio > 1.0) {
-            let same = |case: &&EvidenceCase| {
-                equal(case.skewness, family.skewness)
-                    && equal(case.slope_ratio, family.slope_ratio)
-                    && equal(case.plasticity_index, index)
-            };
-            let cases: Vec<&EvidenceCase> = evidence.cases().iter().filter(same).collect();
+            let mut cases = family.cases(&evidence)?;
+            cases.retain(|case| equal(case.plasticity_index, index));
             if cases.is_empty() {
                 continue;
             }
-            heads.push(match family.slope_ratio > 1.0 {
+            let lay = family.slope_ratio > 1.0;
+            heads.push(match lay {
                 true => format!("lay {}", family.slope_ratio),
                 false => format!("skewness {:+}", family.skewness),
             });
-            let [a, b, c] = Way::ALL.map(|way| match (way, family.slope_ratio > 1.0) {
-                // Without a lay all directions are alike.
-                (Way::Across, false) => Ok(vec![None; SHOWN.len()]),
-                _ => deviations(family, index, way, &cases),
-            });
-            columns.push([a?, b?, c?]);
+            // Without a lay all directions are alike.
+            let scene = |(way, _): (Way, &str)| {
+                (lay || way != Way::Across).then(|| way.scene(family, index))
+            };
+            let [a, b, c] = WAYS.map(|way| scene(way).transpose());
+            columns.push((cases, [a?, b?, c?]));
         }
-        writeln!(
-            out,
-            "{material}, by what models are given:\n\n| area, % off | {} |",
-            heads.join(" | ")
-        )?;
-        writeln!(out, "|---|{}", "---:|".repeat(heads.len()))?;
-        for (k, id) in SHOWN.iter().enumerate() {
-            for (w, way) in Way::ALL.into_iter().enumerate() {
-                let ends = |column: &[Vec<Ends>; 3]| match column[w][k] {
-                    Some([low, high]) => format!("{low:+.0} to {high:+.0}"),
-                    None => "–".into(),
-                };
-                let row: Vec<String> = columns.iter().map(ends).collect();
-                if row.iter().any(|cell| cell != "–") {
-                    writeln!(out, "| `{id}`, {} | {} |", way.name(), row.join(" | "))?;
+        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let head = markdown_head(&heads, columns.len());
+        out += &format!("{material}, by what models are given:\n\n{head}");
+        for id in SHOWN {
+            let model: Model = id.parse()?;
+            for (w, (_, way)) in WAYS.iter().enumerate() {
+                let mut row = vec![format!("`{id}`, {way}")];
+                row.extend(columns.iter().map(|(cases, scenes)| match &scenes[w] {
+                    Some(scene) => deviations(&model, scene, cases),
+                    None => NOTHING.into(),
+                }));
+                if row[1..].iter().any(|cell| cell != NOTHING) {
+                    out += &markdown_row(&row);
                 }
             }
         }

@@ -4,14 +4,15 @@
 //! Sq/E.
 
 use std::fs;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use asperity::{Evidence, EvidenceCase};
+use serde::{Deserialize, Serialize};
 
-use super::family::{FAMILIES, Family, equal};
+use super::family::{FAMILIES, Family};
 use super::plan::Case;
+use crate::figures::truth_ranges::equal;
 
 /// Patches behind a row, if the most seeds give as many.
 const ENOUGH_PATCHES: f64 = 200.0;
@@ -19,7 +20,7 @@ const ENOUGH_PATCHES: f64 = 200.0;
 const MERGED: f64 = 0.05;
 
 /// The contact of one surface under one load.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Contact {
     /// p/(E g).
     pub load: f64,
@@ -37,29 +38,6 @@ pub struct Contact {
     pub patches: f64,
     /// Pixels in contact.
     pub pixels: f64,
-}
-
-const HEAD: &str = "load,area,plastic_area,gap,stiffness,unloading_stiffness,patches,pixels";
-
-impl Contact {
-    fn line(&self) -> String {
-        let Self { load, area, plastic_area, gap, stiffness, .. } = self;
-        let Self { unloading_stiffness, patches, pixels, .. } = self;
-        format!(
-            "{load:e},{area:.8e},{plastic_area:.8e},{gap:.8e},{stiffness:.8e},{unloading_stiffness:.8e},{patches},{pixels}"
-        )
-    }
-
-    fn parse(line: &str) -> Option<Self> {
-        let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
-        match numbers.ok()?[..] {
-            [load, area, plastic_area, gap, stiffness, unloading_stiffness, patches, pixels] => {
-                let solid = Self { load, area, plastic_area, gap, stiffness, ..Self::default() };
-                Some(Self { unloading_stiffness, patches, pixels, ..solid })
-            }
-            _ => None,
-        }
-    }
 }
 
 /// Cases in a folder: a file for a surface and a material, a line for a load.
@@ -86,13 +64,8 @@ impl Kept {
     /// A family without moments.
     pub fn with_rows(mut self, table: &Evidence) -> Result<Self> {
         for family in &FAMILIES {
-            let alpha = family.surface(family.pixels)?.moments().bandwidth();
-            let same = |case: &&EvidenceCase| {
-                equal(case.skewness, family.skewness)
-                    && equal(case.slope_ratio, family.slope_ratio)
-                    && (case.alpha / alpha - 1.0).abs() < 1e-3
-            };
-            self.rows.extend(table.cases().iter().filter(same).cloned().map(|c| (family.name, c)));
+            let cases = family.cases(table)?;
+            self.rows.extend(cases.into_iter().map(|case| (family.name, case.clone())));
         }
         Ok(self)
     }
@@ -112,19 +85,12 @@ impl Kept {
         self.folder.join(format!("{}-{pixels}-psi{index}-seed{seed}.csv", family.name))
     }
 
-    /// The contacts of a surface and a material that are kept.
-    #[must_use]
-    pub fn contacts(&self, family: &Family, pixels: usize, index: f64, seed: u64) -> Vec<Contact> {
-        let text = fs::read_to_string(self.path(family, pixels, index, seed)).unwrap_or_default();
-        text.lines().filter_map(Contact::parse).collect()
-    }
-
     /// The contacts of seeds 1, 2, ... under a load, as far as they are kept.
     #[must_use]
     pub fn seeds(&self, case: &Case) -> Vec<Contact> {
         let pixels = case.family.pixels_for(case.load);
         let of = |seed| {
-            let all = self.contacts(&case.family, pixels, case.index, seed);
+            let all = contacts(&self.path(&case.family, pixels, case.index, seed));
             all.into_iter().find(|contact| (contact.load / case.load - 1.0).abs() < 1e-9)
         };
         (1..=case.seeds[1]).map_while(of).collect()
@@ -153,12 +119,18 @@ impl Kept {
         pixels: usize,
         index: f64,
         seed: u64,
-        all: &[Contact],
+        new: &[Contact],
     ) -> Result<()> {
         let path = self.path(family, pixels, index, seed);
-        let mut text = fs::read_to_string(&path).unwrap_or_else(|_| format!("{HEAD}\n"));
-        all.iter().for_each(|contact| text += &format!("{}\n", contact.line()));
-        let mut file = fs::File::create(&path).with_context(|| path.display().to_string())?;
-        Ok(file.write_all(text.as_bytes())?)
+        let known = contacts(&path);
+        let mut csv = csv::Writer::from_path(&path)?;
+        known.iter().chain(new).try_for_each(|contact| csv.serialize(contact))?;
+        Ok(csv.flush()?)
     }
+}
+
+/// The contacts of a file; none, if it is missing.
+fn contacts(path: &Path) -> Vec<Contact> {
+    let csv = csv::Reader::from_path(path);
+    csv.map_or_else(|_| vec![], |csv| csv.into_deserialize().filter_map(Result::ok).collect())
 }

@@ -17,48 +17,35 @@ pub mod yielded;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::Evidence;
 
 pub use plan::{FULL, QUICK, SMALL, Scope};
 pub use rows::evidence;
 
-use crate::figures::truth::{Shown, style, table};
+use crate::figures::truth::{SHOWN, style, table};
 use crate::figures::truth_ranges::table as markdown;
-use crate::folder::{figures_folder, save};
+use crate::folder::{figures_folder, read, root, save, target_folder};
 use kept::Kept;
 use solve::solve;
 
-/// The committed evidence, in the crate that includes it.
-#[must_use]
-pub fn evidence_file() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("crates/asperity/data/truth.csv")
-}
-
-/// The folder of solved cases.
-#[must_use]
-pub fn kept_folder() -> PathBuf {
-    figures_folder().with_file_name("target").join("truth")
-}
+/// The folder of the committed evidence, in the crate that includes it.
+const DATA: &str = "crates/asperity/data";
 
 /// Solves the cases that are not kept, or none of them, and writes the evidence and its figures;
 /// returns the paths.
 ///
 /// # Errors
 /// A case that cannot be solved, a file that cannot be written.
-pub fn write(figures: &Path, solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
-    let path = evidence_file();
-    let folder = path.parent().context("a folder")?;
-    let mut kept = Kept::in_folder(&kept_folder())?;
+pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
+    let mut kept = Kept::in_folder(&target_folder().join("truth"))?;
     if !anew {
         kept = kept.with_rows(&Evidence::parse(&committed()?)?)?;
     }
     if solve_missing {
-        solve(&FULL, &kept)?;
+        solve(FULL, &kept)?;
     }
-    let mut paths = save(folder, [("truth.csv".to_owned(), evidence(&FULL, &kept)?)])?;
-    paths.extend(draw(figures, solve_missing)?);
-    Ok(paths)
+    draw(evidence(FULL, &kept)?, solve_missing)
 }
 
 /// Solves a sketch in two minutes and writes its evidence and table to target/truth-quick.
@@ -66,10 +53,8 @@ pub fn write(figures: &Path, solve_missing: bool, anew: bool) -> Result<Vec<Path
 /// # Errors
 /// Those of [`write()`].
 pub fn write_quick() -> Result<Vec<PathBuf>> {
-    let folder = kept_folder().with_file_name("truth-quick");
-    let kept = Kept::in_folder(&folder.join("kept"))?;
-    solve(&QUICK, &kept)?;
-    let text = evidence(&QUICK, &kept)?;
+    let folder = target_folder().join("truth-quick");
+    let text = solved(QUICK, &folder.join("kept"))?;
     let table = markdown(&text)?;
     save(&folder, [("truth.csv".to_owned(), text), ("truth.md".to_owned(), table)])
 }
@@ -79,8 +64,7 @@ pub fn write_quick() -> Result<Vec<PathBuf>> {
 /// # Errors
 /// Those of [`write()`].
 pub fn write_small() -> Result<Vec<PathBuf>> {
-    let folder = figures_folder().with_file_name("tests").join("reference");
-    save(&folder, [("truth_small.csv".to_owned(), small()?)])
+    save(&root().join("tests/reference"), [("truth_small.csv".to_owned(), small()?)])
 }
 
 /// The small case as csv, solved anew.
@@ -88,23 +72,21 @@ pub fn write_small() -> Result<Vec<PathBuf>> {
 /// # Errors
 /// Those of [`write()`].
 pub fn small() -> Result<String> {
-    let folder = tempfile::tempdir()?;
-    let kept = Kept::in_folder(folder.path())?;
-    solve(&SMALL, &kept)?;
-    evidence(&SMALL, &kept)
+    solved(SMALL, tempfile::tempdir()?.path())
+}
+
+fn solved(scope: Scope, folder: &Path) -> Result<String> {
+    let kept = Kept::in_folder(folder)?;
+    solve(scope, &kept)?;
+    evidence(scope, &kept)
 }
 
 /// Evaluates the models of the committed evidence anew, keeps its boundary elements, and draws it.
 ///
 /// # Errors
 /// Evidence that is missing or cannot be read.
-pub fn update_models(figures: &Path) -> Result<Vec<PathBuf>> {
-    let path = evidence_file();
-    let folder = path.parent().context("a folder")?;
-    let text = with_new_models(&committed()?)?;
-    let mut paths = save(folder, [("truth.csv".to_owned(), text)])?;
-    paths.extend(draw(figures, false)?);
-    Ok(paths)
+pub fn update_models() -> Result<Vec<PathBuf>> {
+    draw(with_new_models(&committed()?)?, false)
 }
 
 /// The rows of a full table with the models evaluated anew and its boundary elements unchanged.
@@ -112,36 +94,35 @@ pub fn update_models(figures: &Path) -> Result<Vec<PathBuf>> {
 /// # Errors
 /// A text that is not evidence, a model that fails.
 pub fn with_new_models(text: &str) -> Result<String> {
-    evidence(&FULL, &Kept::default().with_rows(&Evidence::parse(text)?)?)
+    evidence(FULL, &Kept::default().with_rows(&Evidence::parse(text)?)?)
 }
 
 fn committed() -> Result<String> {
-    let path = evidence_file();
-    std::fs::read_to_string(&path).with_context(|| path.display().to_string())
+    read(&root().join(DATA).join("truth.csv"))
 }
 
-/// Draws the committed evidence. The table of ordinary scenes stays as it is if their solutions are
-/// not kept and none may be solved.
-fn draw(figures: &Path, solve_missing: bool) -> Result<Vec<PathBuf>> {
-    let text = committed()?;
+/// Writes evidence and draws it. The tables of ordinary scenes and unseen surfaces stay as they are
+/// if their solutions are not kept and none may be solved.
+fn draw(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
+    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text.clone())])?;
+    let kept = |name: &str| target_folder().join("truth").join(name);
     let mut drawn = vec![("truth.md".to_owned(), markdown(&text)?)];
-    for shown in Shown::ALL {
+    for shown in &SHOWN {
         let csv = table(&text, shown)?.into_text();
         let svg = asperity_plot::draw(&style(&csv, shown)?, &csv)?;
-        drawn.extend([
-            (format!("{}.csv", shown.name()), csv),
-            (format!("{}.svg", shown.name()), svg),
-        ]);
+        drawn.push((format!("{}.csv", shown.name), csv));
+        drawn.push((format!("{}.svg", shown.name), svg));
     }
-    let ordinary = ordinary::table(&text, &kept_folder().join("ordinary"), solve_missing)?;
-    drawn.extend([
-        ("truth-shapes.md".to_owned(), feeding::table(&text)?),
-        ("truth-yielded.md".to_owned(), yielded::table(&text)?),
-    ]);
-    drawn.extend(ordinary.map(|table| ("truth-ordinary.md".to_owned(), table)));
-    let unseen = unseen::table(&text, &kept_folder().join("unseen"), solve_missing)?;
-    drawn.extend(unseen.map(|table| ("truth-unseen.md".to_owned(), table)));
-    save(figures, drawn)
+    for (name, table) in [
+        ("ordinary", ordinary::table(&text, &kept("ordinary"), solve_missing)?),
+        ("shapes", Some(feeding::table(&text)?)),
+        ("yielded", Some(yielded::table(&text)?)),
+        ("unseen", unseen::table(&text, &kept("unseen"), solve_missing)?),
+    ] {
+        drawn.extend(table.map(|table| (format!("truth-{name}.md"), table)));
+    }
+    paths.extend(save(&figures_folder(), drawn)?);
+    Ok(paths)
 }
 
 #[cfg(test)]

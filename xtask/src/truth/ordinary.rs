@@ -3,7 +3,6 @@
 //!
 //! They are not in the table: they show what its advice is worth between solved families.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -15,7 +14,9 @@ use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
 use super::kept::Kept;
 use super::plan::{Case, LEAST_SEEDS};
 use super::rows::Bem;
-use super::solve::solve_family;
+use super::solve::are_kept;
+use crate::figures::truth_ranges::NOTHING;
+use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared.
 const SHOWN: [&str; 5] = ["gw", "zmc", "ke", "jg", "persson-fudge"];
@@ -72,7 +73,7 @@ fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
 
 /// The contacts of a scene that are kept in this folder.
 fn kept(folder: &Path, name: &str) -> Result<Kept> {
-    Kept::in_folder(&folder.join(name.split(' ').collect::<Vec<_>>().join("-")))
+    Kept::in_folder(&folder.join(name.replace(' ', "-")))
 }
 
 /// The table of the scenes beside the evidence of a text. Cases that this folder does not hold are
@@ -82,50 +83,39 @@ fn kept(folder: &Path, name: &str) -> Result<Kept> {
 /// A text that is not evidence, a case that cannot be solved, a model that fails.
 pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
     let evidence = Evidence::parse(text)?;
-    let heads: Vec<String> = SHOWN.iter().map(|id| format!("`{id}`")).collect();
-    let mut out = format!(
-        "| scene | α | ψ | MPa | p/(E g) | area, % | yielded, % | {} | area by the table, % |\n",
-        heads.join(" | ")
-    );
-    writeln!(out, "|---|{}", "---:|".repeat(7 + SHOWN.len()))?;
+    let ids = SHOWN.map(|id| format!("`{id}`"));
+    let mut heads = vec!["scene", "α", "ψ", "MPa", "p/(E g)", "area, %", "yielded, %"];
+    heads.extend(ids.iter().map(String::as_str).chain(["area by the table, %"]));
+    let mut out = markdown_head(&heads, heads.len() - 1);
     for (name, actual, pressures) in scenes()? {
         let (cases, kept) = (cases(&actual, &pressures)?, kept(folder, name)?);
-        if solve_missing {
-            solve_family(&cases, &kept, |surface| {
-                eprintln!("{name}: {surface}");
-                Ok(())
-            })?;
-        } else if !cases.iter().all(|case| kept.is_done(case)) {
+        if !are_kept(&cases, &kept, solve_missing)? {
             return Ok(None);
         }
         for (case, pressure) in cases.iter().zip(&pressures) {
             let bem = Bem::of_seeds(&kept.seeds(case));
             let [area, error] = bem.numbers[0];
-            let at = At::Pressure(*pressure);
-            let request = Request::new([Quantity::AreaFraction]).at([at]);
-            let off = |id: &str| -> Result<String> {
-                let contact = id.parse::<Model>()?.compile(&actual, &request)?;
-                let found = contact.evaluate(Quantity::AreaFraction, at)?.value();
-                Ok(format!("{:+.0}", 100.0 * (found / area - 1.0)))
-            };
-            let off: Vec<String> = SHOWN.iter().map(|id| off(id)).collect::<Result<_>>()?;
+            let mut row = vec![
+                name.to_owned(),
+                format!("{:.1}", actual.surface.moments().bandwidth()),
+                format!("{:.1}", actual.plasticity_index()?),
+                (pressure / 1e6).to_string(),
+                format!("{:.1e}", case.load),
+                format!("{} ± {:.1} %", percent(area), 100.0 * error / area),
+                format!("{:.0}", 100.0 * bem.plastic_share),
+            ];
+            for id in SHOWN {
+                let request = Request::new([Quantity::AreaFraction]).at([At::Pressure(*pressure)]);
+                let found = id.parse::<Model>()?.compile(&actual, &request)?;
+                let found = found.evaluate(Quantity::AreaFraction, request.at[0])?.value();
+                row.push(format!("{:+.0}", 100.0 * (found / area - 1.0)));
+            }
             let expected = evidence.expected(&actual, None, *pressure, None).ok();
             let expected = expected.and_then(|found| found.estimate(Compared::Area));
-            let expected = expected.map_or("–".into(), |found| {
+            row.push(expected.map_or(NOTHING.into(), |found| {
                 format!("{} to {}", percent(found.low), percent(found.high))
-            });
-            writeln!(
-                out,
-                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {} ± {:.1} % | {:.0} | {} | {expected} |",
-                actual.surface.moments().bandwidth(),
-                actual.plasticity_index()?,
-                pressure / 1e6,
-                case.load,
-                percent(area),
-                100.0 * error / area,
-                100.0 * bem.plastic_share,
-                off.join(" | ")
-            )?;
+            }));
+            out += &markdown_row(&row);
         }
     }
     Ok(Some(out))

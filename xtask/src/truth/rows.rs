@@ -1,15 +1,15 @@
 //! Rows of the evidence: boundary elements averaged over surfaces, and the models beside them.
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use asperity::{
-    At, Compared, Contact, ContactError, ContactModel, Datum, Evidence, EvidenceCase, Model,
-    Quantity, Request, SeparationUnit,
+    At, Compared, Contact, ContactError, ContactModel, Evidence, EvidenceCase, Model,
+    ProfileMoments, Quantity, Request, Scene, Tolerance,
 };
 
-use super::family::{Family, GRADIENT, MODULUS, scene};
+use super::family::{Family, GRADIENT, MODULUS, scene, unit};
 use super::kept::{self, Kept};
-use super::plan::{Case, Scope};
-use crate::figures::truth_ranges::models;
+use super::plan::{Case, Scope, cases};
+use crate::figures::truth_ranges::{equal, models};
 
 /// Mean and standard error of the surfaces, in the order of [`Compared::ALL`].
 pub struct Bem {
@@ -46,24 +46,29 @@ impl Bem {
     }
 
     /// Of a row of the table.
-    fn of_row(known: &EvidenceCase) -> Result<Self> {
-        let number = |quantity| {
-            let [mean, error] = [known.bem.value(quantity), known.bem.error(quantity)];
-            Ok([mean.context("a number of bem")?, error.context("an error of bem")?])
-        };
-        let numbers: Vec<[f64; 2]> =
-            Compared::ALL.into_iter().map(number).collect::<Result<_>>()?;
+    fn of_row(known: &EvidenceCase) -> Option<Self> {
+        let mut numbers = [[0.0; 2]; 4];
+        for (number, quantity) in numbers.iter_mut().zip(Compared::ALL) {
+            *number = [known.bem.value(quantity)?, known.bem.error(quantity)?];
+        }
         let (patches, plastic_share) = (known.patches as f64, known.plastic_share);
-        let numbers = numbers.try_into().map_err(|_| anyhow::anyhow!("four quantities"))?;
-        Ok(Self { surfaces: known.surfaces, patches, plastic_share, numbers })
+        Some(Self { surfaces: known.surfaces, patches, plastic_share, numbers })
+    }
+
+    /// Of a case, unless fewer surfaces than required are kept.
+    fn of(case: &Case, kept: &Kept) -> Option<Self> {
+        if let Some(known) = kept.row(case) {
+            return Self::of_row(known);
+        }
+        let seeds = kept.seeds(case);
+        (seeds.len() as u64 >= case.seeds[0]).then(|| Self::of_seeds(&seeds))
     }
 }
 
 /// The models on a scene.
 struct ModelContacts {
     models: Vec<Option<Box<dyn Contact>>>,
-    /// Sq \[m\].
-    sq: f64,
+    moments: ProfileMoments,
 }
 
 impl ModelContacts {
@@ -72,100 +77,52 @@ impl ModelContacts {
     fn new(family: &Family, index: f64) -> Result<Self> {
         let surface = family.surface(family.pixels)?;
         let scene = scene(&surface, index)?;
-        let compiled = |model: Model| {
-            let known = [Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
-            // Some have no contact radii.
-            [&known[..], &known[..2]].iter().find_map(|known| {
-                let request = Request::new(known.iter().copied());
-                model.compile(&scene, &request.at([At::Pressure(1.0)])).ok()
-            })
-        };
-        let models = models().into_iter().map(compiled).collect();
-        Ok(Self { models, sq: surface.moments().m0.sqrt() })
+        let known = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+        // Some have no contact radii.
+        let models = models()
+            .iter()
+            .map(|model| compiled(model, &scene, &known, 2, Tolerance::default()))
+            .collect();
+        Ok(Self { models, moments: surface.moments() })
     }
 
     /// Area, stiffness, unloading stiffness and mean gap of a model.
     fn numbers(&self, contact: &dyn Contact, load: f64) -> Result<[Option<f64>; 4]> {
-        let at = At::Pressure(load * MODULUS * GRADIENT);
-        let unit = MODULUS * contact.scene().nominal_area / self.sq;
-        let gap = contact.separation(at).and_then(|separation| {
-            let (metres, mean) = (SeparationUnit::Metres, Datum::SurfaceMean);
-            separation.measured_in(metres, mean, contact.scene())
-        });
-        let value = |quantity| match contact.evaluate(quantity, at) {
-            Ok(found) => Ok(Some(found.value())),
-            // Gao and AT miss their tolerance at some loads, and have no contact radii.
-            Err(
-                ContactError::Integral { .. }
-                | ContactError::NotRequested { .. }
-                | ContactError::Unsupported { .. },
-            ) => Ok(None),
-            Err(error) => bail!("{} at p/(E g) = {load}: {error}", contact.model()),
-        };
-        Ok([
-            value(Quantity::AreaFraction)?,
-            value(Quantity::Tangent)?.map(|stiffness| stiffness / unit),
-            value(Quantity::UnloadingStiffness)?.map(|stiffness| stiffness / unit),
-            gap.ok().map(|gap| gap.value / self.sq),
-        ])
-    }
-}
-
-/// A number with four significant digits.
-fn short(number: f64) -> String {
-    written(format!("{number:.3e}").parse().unwrap_or(number))
-}
-
-/// An error with two.
-fn shorter(error: f64) -> String {
-    written(format!("{error:.1e}").parse().unwrap_or(error))
-}
-
-fn written(number: f64) -> String {
-    match number.abs() {
-        small if small > 0.0 && small < 1e-3 => format!("{number:e}"),
-        _ => number.to_string(),
-    }
-}
-
-/// Rows of evidence, case by case.
-struct Text {
-    text: String,
-    contacts: Option<((&'static str, u64), ModelContacts)>,
-}
-
-impl Text {
-    fn new() -> Self {
-        let mut head: Vec<String> = Evidence::COLUMNS.map(Into::into).to_vec();
-        for model in models() {
-            let id = model.id().to_string();
-            head.push(id.clone());
-            head.extend(["stiffness", "unloading", "gap"].map(|what| format!("{id}_{what}")));
+        let (pressure, sq) = (load * MODULUS * GRADIENT, self.moments.m0.sqrt());
+        let mut numbers = [None; 4];
+        for (number, quantity) in numbers.iter_mut().zip(Compared::ALL) {
+            *number = match quantity.of_contact(contact, pressure) {
+                Ok(found) => Some(found / unit(quantity, contact.scene(), sq)),
+                // Gao and AT miss their tolerance at some loads, and have no contact radii.
+                Err(
+                    ContactError::Integral { .. }
+                    | ContactError::NotRequested { .. }
+                    | ContactError::Unsupported { .. },
+                ) => None,
+                Err(_) if quantity == Compared::MeanGap => None,
+                Err(error) => bail!("{} at p/(E g) = {load}: {error}", contact.model()),
+            };
         }
-        Self { text: head.join(",") + "\n", contacts: None }
+        Ok(numbers)
     }
 
-    fn push(&mut self, case: &Case, bem: &Bem) -> Result<()> {
+    /// The line of a case. Models are relative to the numbers in it, so that it can be written
+    /// again from itself.
+    fn line(&self, case: &Case, bem: &Bem) -> Result<String> {
         let Case { family, index, load, .. } = *case;
-        let key = (family.name, index.to_bits());
-        let contacts = match self.contacts.take() {
-            Some((known, contacts)) if known == key => contacts,
-            _ => ModelContacts::new(&family, index)?,
-        };
-        let alpha = family.surface(family.pixels)?.moments().bandwidth();
+        let four = |number| short(number, 3);
+        let alpha = self.moments.bandwidth();
         let mut row: Vec<String> =
-            [alpha, family.skewness, family.slope_ratio, index, load].map(short).to_vec();
+            [alpha, family.skewness, family.slope_ratio, index, load].map(four).to_vec();
         row.extend([bem.surfaces.to_string(), bem.patches.round().to_string()]);
-        row.push(short((1e3 * bem.plastic_share).round() / 1e3));
+        row.push(four((1e3 * bem.plastic_share).round() / 1e3));
         for [mean, error] in bem.numbers {
-            row.extend([short(mean), shorter(error)]);
+            row.extend([four(mean), short(error, 1)]);
         }
-        // Models are relative to the numbers in the row, so that it can be written again from
-        // itself.
-        let in_row = bem.numbers.map(|[mean, _]| short(mean).parse().unwrap_or(mean));
-        for contact in &contacts.models {
+        let in_row = bem.numbers.map(|[mean, _]| four(mean).parse().unwrap_or(mean));
+        for contact in &self.models {
             let found = match contact {
-                Some(contact) => contacts.numbers(contact.as_ref(), load)?,
+                Some(contact) => self.numbers(contact.as_ref(), load)?,
                 None => [None; 4],
             };
             for ((quantity, found), bem) in Compared::ALL.iter().zip(found).zip(in_row) {
@@ -173,10 +130,42 @@ impl Text {
                 row.push(relative.map_or_else(String::new, |x| x.round().to_string()));
             }
         }
-        self.text += &(row.join(",") + "\n");
-        self.contacts = Some((key, contacts));
-        Ok(())
+        Ok(row.join(",") + "\n")
     }
+}
+
+/// A model compiled for quantities, or for the first of them if it does not have the others.
+pub fn compiled(
+    model: &Model,
+    scene: &Scene,
+    known: &[Quantity],
+    first: usize,
+    tolerance: Tolerance,
+) -> Option<Box<dyn Contact>> {
+    [known, &known[..first]].iter().find_map(|known| {
+        let request = Request::new(known.iter().copied()).within(tolerance);
+        model.compile(scene, &request.at([At::Pressure(1.0)])).ok()
+    })
+}
+
+/// A number with so many decimals of its first digit.
+fn short(number: f64, decimals: usize) -> String {
+    let number: f64 = format!("{number:.decimals$e}").parse().unwrap_or(number);
+    match number.abs() {
+        small if small > 0.0 && small < 1e-3 => format!("{number:e}"),
+        _ => number.to_string(),
+    }
+}
+
+/// The head of the evidence.
+fn head() -> String {
+    let mut head: Vec<String> = Evidence::COLUMNS.map(Into::into).to_vec();
+    for model in models() {
+        head.extend(
+            ["", "_stiffness", "_unloading", "_gap"].map(|end| format!("{}{end}", model.id())),
+        );
+    }
+    head.join(",") + "\n"
 }
 
 /// The evidence of a scope from the kept cases, as csv; cases with fewer surfaces than required are
@@ -184,23 +173,25 @@ impl Text {
 ///
 /// # Errors
 /// A model that fails.
-pub fn evidence(scope: &Scope, kept: &Kept) -> Result<String> {
-    let mut text = Text::new();
-    for case in scope.cases()? {
-        let seeds = kept.seeds(&case);
-        if let Some(known) = kept.row(&case) {
-            text.push(&case, &Bem::of_row(known)?)?;
-        } else if seeds.len() as u64 >= case.seeds[0] {
-            text.push(&case, &Bem::of_seeds(&seeds))?;
+pub fn evidence(scope: Scope, kept: &Kept) -> Result<String> {
+    let (mut text, all) = (head(), cases(scope)?);
+    for group in all.chunk_by(|a, b| a.family == b.family && equal(a.index, b.index)) {
+        let rows = group.iter().filter_map(|case| Some((case, Bem::of(case, kept)?)));
+        let rows: Vec<(&Case, Bem)> = rows.collect();
+        if let Some((Case { family, index, .. }, _)) = rows.first() {
+            let contacts = ModelContacts::new(family, *index)?;
+            let lines = rows.iter().map(|(case, bem)| contacts.line(case, bem));
+            text += &lines.collect::<Result<String>>()?;
         }
     }
-    Ok(text.text)
+    Ok(text)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::family::FAMILIES;
     use super::*;
+    use anyhow::Context;
 
     #[test]
     fn a_row_is_written_again_from_itself() -> Result<()> {
@@ -214,18 +205,16 @@ mod tests {
             ..kept::Contact::default()
         };
         let case = Case { family: FAMILIES[0], index: 2.0, load: 0.03, seeds: [2, 2] };
-        let mut text = Text::new();
-        let mut written = |bem: &Bem| -> Result<String> {
-            text.push(&case, bem)?;
-            Ok(text.text.lines().last().unwrap_or_default().to_owned())
-        };
-        let head = Text::new().text;
+        let contacts = ModelContacts::new(&case.family, case.index)?;
+        let head = head();
         // Of some of these pairs the mean is far from its four digits.
         for third in 0..8 {
             let area = 0.100_04 + 1e-5 * f64::from(third);
-            let row = written(&Bem::of_seeds(&[contact(area), contact(area + 1e-5)]))?;
-            let read = Evidence::parse(&format!("{head}{row}\n"))?;
-            assert_eq!(written(&Bem::of_row(&read.cases()[0])?)?, row);
+            let bem = Bem::of_seeds(&[contact(area), contact(area + 1e-5)]);
+            let row = contacts.line(&case, &bem)?;
+            let read = Evidence::parse(&format!("{head}{row}"))?;
+            let again = Bem::of_row(&read.cases()[0]).context("a row")?;
+            assert_eq!(contacts.line(&case, &again)?, row);
         }
         Ok(())
     }

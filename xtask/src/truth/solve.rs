@@ -2,15 +2,17 @@
 //! pixels as unknowns.
 
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use anyhow::{Result, anyhow, bail};
-use asperity::bem::{BemError, BoundaryElements, HeightMap, LoadCase, Solution};
-use indicatif::{ProgressBar, ProgressStyle};
+use asperity::bem::{
+    BemError, BoundaryElements, HeightMap, LightContact, LoadCase, Progress, Solution,
+};
 
-use super::family::{GRADIENT, LIGHT, MODULUS, equal, scene};
+use super::family::{GRADIENT, LIGHT, MODULUS, scene};
 use super::kept::{Contact, Kept};
-use super::plan::{Case, Scope};
+use super::plan::{Case, Scope, cases};
+use crate::figures::truth_ranges::equal;
 
 /// Patches of fewer pixels do not count.
 const LEAST_PATCH: usize = 12;
@@ -23,48 +25,44 @@ const HEAVY_TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// A case that cannot be solved or kept.
-pub fn solve(scope: &Scope, kept: &Kept) -> Result<()> {
-    let total = scope.cases()?.len();
-    let done =
-        || -> Result<usize> { Ok(scope.cases()?.iter().filter(|case| kept.is_done(case)).count()) };
-    let bar = ProgressBar::new(total as u64);
-    bar.set_style(ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {eta} left, {msg}")?);
-    let (before, start) = (done()?, Instant::now());
-    bar.set_position(before as u64);
-    for part in scope.parts {
+pub fn solve(scope: Scope, kept: &Kept) -> Result<()> {
+    let all = cases(scope)?;
+    let done = || all.iter().filter(|case| kept.is_done(case)).count();
+    let (total, before, start) = (all.len(), done(), Instant::now());
+    for part in scope {
         for family in part.families {
             solve_family(&part.cases_of(*family)?, kept, |surface| {
-                let done = done()?;
-                bar.set_position(done as u64);
-                bar.set_message(surface.to_owned());
-                if bar.is_hidden() {
-                    let left = match done - before.min(done) {
-                        0 => String::new(),
-                        new => {
-                            let each = start.elapsed().as_secs_f64() / new as f64;
-                            let left = Duration::from_secs_f64(each * (total - done) as f64);
-                            format!(", about {} s left", left.as_secs())
-                        }
-                    };
-                    eprintln!("{done} of {total} cases{left}: {surface}");
-                }
-                Ok(())
+                let done = done();
+                let left = match done - before.min(done) {
+                    0 => String::new(),
+                    new => {
+                        let all = start.elapsed().as_secs_f64() * (total - done) as f64;
+                        format!(", about {:.0} s left", all / new as f64)
+                    }
+                };
+                eprintln!("{done} of {total} cases{left}: {surface}");
             })?;
         }
     }
-    bar.finish_and_clear();
     Ok(())
+}
+
+/// Whether all cases of a family are kept, after solving those that are not if they may be.
+///
+/// # Errors
+/// A case that cannot be solved or kept.
+pub fn are_kept(cases: &[Case], kept: &Kept, solve_missing: bool) -> Result<bool> {
+    if solve_missing {
+        solve_family(cases, kept, |surface| eprintln!("{surface}"))?;
+    }
+    Ok(cases.iter().all(|case| kept.is_done(case)))
 }
 
 /// Solves what cases of one family still need, surface by surface; `progress` gets a line for each.
 ///
 /// # Errors
 /// A case that cannot be solved or kept.
-pub fn solve_family(
-    cases: &[Case],
-    kept: &Kept,
-    mut progress: impl FnMut(&str) -> Result<()>,
-) -> Result<()> {
+fn solve_family(cases: &[Case], kept: &Kept, progress: impl Fn(&str)) -> Result<()> {
     let Some(Case { family, .. }) = cases.first() else { return Ok(()) };
     let mut sizes: Vec<usize> = cases.iter().map(|case| family.pixels_for(case.load)).collect();
     sizes.sort_unstable();
@@ -87,16 +85,15 @@ pub fn solve_family(
                 if loads.is_empty() {
                     continue;
                 }
-                progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name))?;
+                progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name));
                 let map: &HeightMap = match &mut map {
                     Some(map) => map,
                     none => none.insert(surface.seed(seed).heights(pixels)?),
                 };
-                let elements = BoundaryElements::new(map.clone(), MODULUS)?;
-                let elements = match scene(&surface, index)?.interface.hardness {
-                    Some(hardness) => elements.hardness(hardness)?,
-                    None => elements,
-                };
+                let mut elements = BoundaryElements::new(map.clone(), MODULUS)?;
+                if let Some(hardness) = scene(&surface, index)?.interface.hardness {
+                    elements = elements.hardness(hardness)?;
+                }
                 let sq = surface.moments().m0.sqrt();
                 let (light, heavy): (Vec<f64>, Vec<f64>) =
                     loads.iter().partition(|load| **load <= LIGHT);
@@ -111,71 +108,57 @@ pub fn solve_family(
 
 /// The pressures to solve for each load: for stiffnesses of first loading also to either side;
 /// elastic contacts unload as they load.
-fn around(elements: &BoundaryElements) -> &'static [f64] {
-    match elements.limit() {
+fn pressures(elements: &BoundaryElements, loads: &[f64]) -> Vec<f64> {
+    let around: &[f64] = match elements.limit() {
         None => &[1.0],
         Some(_) => &[1.0 - STEP, 1.0, 1.0 + STEP],
-    }
+    };
+    let of = |load| around.iter().map(move |k| k * load * MODULUS * GRADIENT);
+    loads.iter().flat_map(of).collect()
 }
 
-fn pressures(loads: &[f64], around: &[f64]) -> Vec<f64> {
-    let of = |load: &f64| around.iter().map(move |k| k * load * MODULUS * GRADIENT).collect();
-    loads.iter().flat_map(|load| -> Vec<f64> { of(load) }).collect()
-}
-
-fn count_patches(sizes: &[usize]) -> f64 {
-    sizes.iter().filter(|size| **size >= LEAST_PATCH).count() as f64
+/// A contact without its load and stiffness, in SI units.
+fn contact(areas: [f64; 2], gap: f64, unloading_stiffness: f64, patches: &[usize]) -> Contact {
+    let [area, plastic_area] = areas;
+    let count = patches.iter().filter(|size| **size >= LEAST_PATCH).count() as f64;
+    let pixels = patches.iter().sum::<usize>() as f64;
+    let solid = Contact { area, plastic_area, gap, unloading_stiffness, ..Contact::default() };
+    Contact { patches: count, pixels, ..solid }
 }
 
 /// Contacts with the highest pixels as unknowns.
 fn light_contacts(elements: &BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<Contact>> {
-    let around = around(elements);
-    let solved = match elements.solve_light(&pressures(loads, around)) {
+    let solved = match elements.solve_light(&pressures(elements, loads)) {
         Err(BemError::NotLight { .. }) => return heavy_contacts(elements.clone(), loads, sq),
         solved => solved?,
     };
-    let solved = solved.iter().map(|found| Contact {
-        area: found.area,
-        plastic_area: found.plastic_area,
-        gap: found.mean_gap,
-        unloading_stiffness: found.unloading_stiffness,
-        patches: count_patches(&found.patches),
-        pixels: found.pressures.len() as f64,
-        ..Contact::default()
-    });
-    dimensionless(loads, &solved.collect::<Vec<_>>(), sq)
+    let of = |found: &LightContact| {
+        let areas = [found.area, found.plastic_area];
+        let pixels = found.pressures.len() as f64;
+        let found = contact(areas, found.mean_gap, found.unloading_stiffness, &found.patches);
+        Contact { pixels, ..found }
+    };
+    dimensionless(loads, &solved.iter().map(of).collect::<Vec<_>>(), sq)
 }
 
 /// Contacts of the whole map.
 fn heavy_contacts(elements: BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<Contact>> {
-    let around = around(&elements);
     let elements = elements.tolerance(HEAVY_TOLERANCE)?;
-    let pressures = pressures(loads, around);
-    let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
+    let given = pressures(&elements, loads).into_iter().map(LoadCase::MeanPressure);
+    let given: Vec<LoadCase> = given.collect();
+    let around = given.len() / loads.len().max(1);
     let of = |found: &Solution, middle: bool| -> Result<Contact> {
         let fixed = if middle { elements.fixed_contact(found)?.stiffness } else { 0.0 };
-        Ok(Contact {
-            area: found.area,
-            plastic_area: found.plastic_area,
-            gap: found.mean_gap,
-            unloading_stiffness: fixed,
-            patches: count_patches(&found.patches),
-            pixels: found.patches.iter().sum::<usize>() as f64,
-            ..Contact::default()
-        })
+        Ok(contact([found.area, found.plastic_area], found.mean_gap, fixed, &found.patches))
     };
     let mut solved: Vec<Result<Contact>> =
         given.iter().map(|_| Err(anyhow!("a load was not solved"))).collect();
-    elements.solve_each(
-        &given,
-        |_| ControlFlow::Continue(()),
-        |at, found| {
-            let middle = at % around.len() == around.len() / 2;
-            solved[at] = found.map_err(Into::into).and_then(|found| of(&found, middle));
-        },
-    );
-    let solved: Vec<Contact> = solved.into_iter().collect::<Result<_>>()?;
-    dimensionless(loads, &solved, sq)
+    let go_on = |_: &Progress| ControlFlow::Continue(());
+    elements.solve_each(&given, go_on, |at, found| {
+        let middle = at % around == around / 2;
+        solved[at] = found.map_err(Into::into).and_then(|found| of(&found, middle));
+    });
+    dimensionless(loads, &solved.into_iter().collect::<Result<Vec<_>>>()?, sq)
 }
 
 /// The contacts of the loads from the solutions around each.

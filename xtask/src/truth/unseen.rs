@@ -1,7 +1,6 @@
 //! How often the intervals of the evidence hold contacts of surfaces that had no part in it: other
 //! bandwidths, Hurst exponents, skewnesses, lays and plasticity indices.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::Result;
@@ -10,11 +9,13 @@ use asperity::{
     usual_reference,
 };
 
-use super::family::{Family, GRADIENT, MODULUS, is_carried, scene};
+use super::family::{Family, GRADIENT, MODULUS, scene, unit};
 use super::kept::{Contact, Kept};
-use super::plan::Case;
+use super::plan::{Case, carried};
 use super::rows::Bem;
-use super::solve::solve_family;
+use super::solve::are_kept;
+use crate::figures::truth_ranges::NOTHING;
+use crate::table::{markdown_head, markdown_row};
 
 /// Surfaces of a case.
 const SEEDS: u64 = 6;
@@ -72,34 +73,21 @@ impl Count {
                 100.0 * *inside as f64 / *answered as f64,
                 100.0 * half
             ),
-            None => "–".into(),
+            None => NOTHING.into(),
         }
     }
 }
 
-/// The families with their materials and loads.
+/// The families with their groups, materials and loads.
 fn cases() -> Result<Vec<(usize, Family, Vec<Case>)>> {
-    let mut all = vec![];
-    for (name, alpha, hurst, skewness, slope_ratio, pixels) in FAMILIES {
+    let of = |(name, alpha, hurst, skewness, slope_ratio, pixels)| {
         let plain = Family::of_bandwidth(alpha, hurst, pixels)?;
-        let most_pixels = 1024;
-        let family = Family { name, skewness, slope_ratio, most_pixels, ..plain };
-        let (group, indices) = match (skewness.abs() > 0.0, slope_ratio > 1.0) {
-            (false, false) if alpha < 40.0 => (0, &INDICES[..]),
-            (false, false) => (0, &FEW_INDICES[..]),
-            (true, _) => (1, &FEW_INDICES[..]),
-            (false, true) => (2, &FEW_INDICES[..]),
-        };
-        let surface = family.surface(pixels)?;
-        let mut cases = vec![];
-        for &index in indices {
-            let hardness = scene(&surface, index)?.interface.hardness;
-            let carried = LOADS.iter().filter(|load| is_carried(hardness, **load));
-            cases.extend(carried.map(|&load| Case { family, index, load, seeds: [SEEDS; 2] }));
-        }
-        all.push((group, family, cases));
-    }
-    Ok(all)
+        let family = Family { name, skewness, slope_ratio, most_pixels: 1024, ..plain };
+        let group = if slope_ratio > 1.0 { 2 } else { usize::from(f64::abs(skewness) > 0.0) };
+        let indices = if group == 0 && alpha < 40.0 { &INDICES[..] } else { &FEW_INDICES };
+        Ok((group, family, carried(family, indices, &LOADS, [SEEDS; 2])?))
+    };
+    FAMILIES.into_iter().map(of).collect()
 }
 
 /// The number of contacts that the usual reference counts, as in advice.
@@ -125,22 +113,16 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
     let (evidence, kept) = (Evidence::parse(text)?, Kept::in_folder(folder)?);
     let mut counts: [[[Count; 2]; 4]; GROUPS.len()] = Default::default();
     for (group, family, cases) in cases()? {
-        if solve_missing {
-            solve_family(&cases, &kept, |surface| {
-                eprintln!("{surface}");
-                Ok(())
-            })?;
-        } else if !cases.iter().all(|case| kept.is_done(case)) {
+        if !are_kept(&cases, &kept, solve_missing)? {
             return Ok(None);
         }
         for case in cases {
             let seeds = kept.seeds(&case);
-            let patches: f64 = seeds.iter().map(|contact| contact.patches).sum();
-            if patches < LEAST_PATCHES {
+            if seeds.iter().map(|contact| contact.patches).sum::<f64>() < LEAST_PATCHES {
                 continue;
             }
             let surface = family.surface(family.pixels_for(case.load))?;
-            let scene = scene(&surface, case.index)?;
+            let (scene, sq) = (scene(&surface, case.index)?, surface.moments().m0.sqrt());
             let pressure = case.load * MODULUS * GRADIENT;
             let shape = SurfaceShape::new(family.skewness, [family.slope_ratio, 1.0]);
             let number = contacts(&scene, pressure)?;
@@ -149,13 +131,8 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
             let means = (number * seeds.len() as f64, vec![mean(&seeds)]);
             for (which, (number, solved)) in [means, (number, singles)].into_iter().enumerate() {
                 let expected = evidence.expected(&scene, Some(shape), pressure, Some(number)).ok();
-                let sq = surface.moments().m0.sqrt();
                 for (k, quantity) in Compared::ALL.into_iter().enumerate() {
-                    let unit = match quantity {
-                        Compared::Area => 1.0,
-                        Compared::MeanGap => sq,
-                        _ => MODULUS * scene.nominal_area / sq,
-                    };
+                    let unit = unit(quantity, &scene, sq);
                     let found = expected.as_ref().and_then(|all| all.estimate(quantity));
                     let found = found.map(|e| [e.value, e.low, e.high].map(|x| x / unit));
                     solved.iter().for_each(|solved| counts[group][k][which].add(found, solved[k]));
@@ -163,13 +140,11 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
             }
         }
     }
-    let mut out = String::from(
-        "| surfaces | quantity | means of 6 surfaces | single surfaces |\n|---|---|---:|---:|\n",
-    );
+    let heads = ["surfaces", "quantity", "means of 6 surfaces", "single surfaces"];
+    let mut out = markdown_head(&heads, 2);
     for (group, mut counts) in GROUPS.into_iter().zip(counts) {
         for (quantity, [mean, single]) in Compared::ALL.into_iter().zip(&mut counts) {
-            let (mean, single) = (mean.cell(), single.cell());
-            writeln!(out, "| {group} | {} | {mean} | {single} |", quantity.name())?;
+            out += &markdown_row(&[group, quantity.name(), &mean.cell(), &single.cell()]);
         }
     }
     Ok(Some(out))

@@ -5,15 +5,14 @@
 //! that pixels at the hardness carry in boundary elements.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 use anyhow::Result;
-use asperity::{
-    At, Compared, Contact, ContactModel, Evidence, EvidenceCase, Model, Quantity, Request, Scene,
-    Tolerance,
-};
+use asperity::{At, Compared, Contact, Evidence, EvidenceCase, Model, Quantity, Scene, Tolerance};
 
-use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
+use super::family::{FAMILIES, Family, GRADIENT, MODULUS, pressure, scene};
+use super::rows::compiled;
+use crate::figures::truth_ranges::{ends, is_plain};
+use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared.
 const SHOWN: [&str; 5] = ["ceb", "zmc", "ke", "jg", "ke-random"];
@@ -39,26 +38,22 @@ impl Hardnesses<'_> {
     /// The area and the share of the force on yielding asperities.
     fn answer(&mut self, step: i32, at: At) -> Option<[f64; 2]> {
         let Self { model, scene, contacts } = self;
-        let compiled = || {
+        let at_hardness = || {
             let mut here = scene.clone();
-            here.interface.hardness =
-                scene.interface.hardness.map(|hardness| hardness * (STEP * f64::from(step)).exp());
+            let factor = (STEP * f64::from(step)).exp();
+            here.interface.hardness = scene.interface.hardness.map(|hardness| hardness * factor);
             let known = [Quantity::AreaFraction, Quantity::ElasticShare];
             // Random asperities have shares beyond an interference only.
-            [&known[..], &known[..1]].iter().find_map(|known| {
-                let request = Request::new(known.iter().copied());
-                let request = request.within(Tolerance::new(TOLERANCE).ok()?);
-                model.compile(&here, &request.at([At::Pressure(1.0)])).ok()
-            })
+            compiled(model, &here, &known, 1, Tolerance::new(TOLERANCE).ok()?)
         };
-        let contact = contacts.entry(step).or_insert_with(compiled).as_ref()?;
-        let area = contact.evaluate(Quantity::AreaFraction, at).ok()?.value();
+        let contact = contacts.entry(step).or_insert_with(at_hardness).as_ref()?;
+        let value = |quantity| Some(contact.evaluate(quantity, at).ok()?.value());
         // Asperities of different radii yield at different interferences.
         let yielded = match contact.shares_beyond(at, &[1.0]).ok()? {
             Some(shares) => *shares.first()?,
-            None => 1.0 - contact.evaluate(Quantity::ElasticShare, at).ok()?.value(),
+            None => 1.0 - value(Quantity::ElasticShare)?,
         };
-        Some([area, yielded])
+        Some([value(Quantity::AreaFraction)?, yielded])
     }
 
     /// The area at the hardness of ψ = `index`, and at the one with this yielded share.
@@ -82,12 +77,6 @@ impl Hardnesses<'_> {
     }
 }
 
-/// The share of the force on pixels at the hardness.
-fn yielded(case: &EvidenceCase, hardness: f64) -> Option<f64> {
-    let area = case.bem.value(Compared::Area)?;
-    Some(case.plastic_share * area * hardness / (case.load * MODULUS * GRADIENT))
-}
-
 /// Areas of a model over those of boundary elements, at equal ψ and at an equal yielded share, in
 /// the cases of a family.
 fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec<[f64; 2]>> {
@@ -95,13 +84,12 @@ fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec
     let hardness = scene.interface.hardness.unwrap_or(f64::INFINITY);
     let mut of_model = Hardnesses { model, scene, contacts: BTreeMap::new() };
     let ratio = |case: &&EvidenceCase| {
-        let at = At::Pressure(case.load * MODULUS * GRADIENT);
-        // ψ is inversely proportional to the hardness.
-        let share = yielded(case, hardness / case.plasticity_index);
-        let share = share.filter(|share| SHARES.contains(share))?;
-        let areas = of_model.areas(case.plasticity_index, share, at)?;
         let bem = case.bem.value(Compared::Area)?;
-        Some(areas.map(|area| area / bem))
+        // The share of the force on pixels at the hardness; ψ is inversely proportional to it.
+        let share = case.plastic_share * bem * hardness
+            / (case.plasticity_index * case.load * MODULUS * GRADIENT);
+        let at = SHARES.contains(&share).then(|| pressure(case.load))?;
+        Some(of_model.areas(case.plasticity_index, share, at)?.map(|area| area / bem))
     };
     Ok(cases.iter().filter_map(ratio).collect())
 }
@@ -112,29 +100,17 @@ fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec
 /// A text that is not evidence, a scene that cannot be made.
 pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
-    let mut out = String::from(
-        "| area, % off | at equal ψ | at an equal yielded share of the force | cases |\n|---|---:|---:|---:|\n",
-    );
+    let heads = ["area, % off", "at equal ψ", "at an equal yielded share of the force", "cases"];
+    let mut out = markdown_head(&heads, 3);
     for id in SHOWN {
-        let model: Model = id.parse()?;
-        let mut found: Vec<[f64; 2]> = vec![];
-        for family in FAMILIES.iter().filter(|f| equal(f.skewness, 0.0) && f.slope_ratio <= 1.0) {
-            let alpha = family.surface(family.pixels)?.moments().bandwidth();
-            let of_family = |case: &&EvidenceCase| {
-                (case.alpha / alpha - 1.0).abs() < 1e-3
-                    && equal(case.skewness, 0.0)
-                    && case.slope_ratio <= 1.0
-                    && case.plasticity_index > 0.0
-            };
-            let cases: Vec<&EvidenceCase> = evidence.cases().iter().filter(of_family).collect();
+        let (model, mut found): (Model, Vec<[f64; 2]>) = (id.parse()?, vec![]);
+        for family in &FAMILIES {
+            let mut cases = family.cases(&evidence)?;
+            cases.retain(|case| is_plain(case) && case.plasticity_index > 0.0);
             found.extend(ratios(family, &cases, &model)?);
         }
-        let ends = |k: usize| {
-            let off = found.iter().map(|pair| 100.0 * (pair[k] - 1.0));
-            let low = off.clone().fold(f64::INFINITY, f64::min);
-            format!("{low:+.0} to {:+.0}", off.fold(f64::NEG_INFINITY, f64::max))
-        };
-        writeln!(out, "| `{id}` | {} | {} | {} |", ends(0), ends(1), found.len())?;
+        let ends = |k: usize| ends(found.iter().map(|pair| 100.0 * (pair[k] - 1.0)));
+        out += &markdown_row(&[format!("`{id}`"), ends(0), ends(1), found.len().to_string()]);
     }
     Ok(out)
 }
@@ -142,6 +118,7 @@ pub fn table(text: &str) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::{ContactModel, Request};
 
     /// Where boundary elements have a model's own yielded share, the hardness is found again.
     #[test]

@@ -9,14 +9,14 @@ from scipy.integrate import quad
 def read_task(line):
     cells = iter(line.split())
     number = lambda: float(next(cells))
-    tolerance, repeats = number(), int(next(cells))
-    s, slope, exponential, scale = number(), number() > 0, number() > 0, number()
-    breaks = [number() for _ in range(int(next(cells)))]
+    numbers = lambda count: [number() for _ in range(count)]
+    tolerance, repeats, (s, slope, exponential, scale) = number(), int(next(cells)), numbers(4)
+    breaks = numbers(int(next(cells)))
     parts = []
     for _ in range(int(next(cells))):
-        start, end, sign = number(), number(), number()
-        parts.append((start, end, sign, [(number(), number(), number()) for _ in range(int(next(cells)))]))
-    return tolerance, repeats, breaks, integrand(s, slope, exponential, scale, parts)
+        start, end, sign = numbers(3)
+        parts.append((start, end, sign, [numbers(3) for _ in range(int(next(cells)))]))
+    return tolerance, repeats, breaks, integrand(s, slope > 0, exponential > 0, scale, parts)
 
 
 def integrand(s, slope, exponential, scale, parts):
