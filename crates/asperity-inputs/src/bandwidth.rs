@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity::ContactError;
 
 use crate::Roughness;
-use crate::slopes::angle_hint;
+use crate::likely::angle_hint;
 
 /// The alternative to the radius, with the standard deviation of the surface and the density.
 pub(crate) const MEAN_SLOPE: &str = "mean_slope";

@@ -1,7 +1,7 @@
 //! Cells of a csv: its delimiter, its numbers, and how else to write those that are refused.
 
 use crate::document::shorten;
-use crate::notation::with_decimal_point;
+use crate::likely::with_decimal_point;
 
 /// The beginning of a text in quotes, with its narrow blanks as they are.
 pub(crate) fn quoted(text: &str) -> String {

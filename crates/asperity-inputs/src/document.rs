@@ -1,27 +1,26 @@
-//! The text of a scene file: its keys and their places.
+//! The text of a scene file: its values in SI units, and their places.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::ContactError;
-use serde::Deserialize;
+use asperity::{ContactError, nearest_name};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
-use toml::{Table, Value};
+use toml::{Spanned, Table, Value};
 
-use crate::in_si::{QuantityError, Reason, in_si};
-use crate::notation::notation_hint;
-use crate::template::{counterface_keys, joined, keys_of};
-use crate::{Place, SceneError};
+use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
+use crate::likely::{notation_hint, plain_number};
+use crate::quantity::in_si;
+use crate::{Needed, Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
-/// The largest depth of a key: `body[2].hardness`, `options.displacement.zeta`.
-const DEEPEST: usize = 3;
+/// Lists inside this many sections have no places for their items.
+const DEEPEST: usize = 2;
 
 /// Files that a scene may name, by name: their bytes.
 pub type HandedFiles = BTreeMap<String, Vec<u8>>;
@@ -37,32 +36,18 @@ pub(crate) enum Files<'a> {
     Handed(&'a HandedFiles),
 }
 
-/// A text in TOML with the places of its keys.
+/// A text in TOML, parsed once.
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
     file: Option<&'a Path>,
     files: Files<'a>,
-    /// The text with plain numbers instead of numbers with units.
-    pub(crate) text: Cow<'a, str>,
-    /// Every key with its range; a table comes before its keys.
-    pub(crate) keys: Vec<(String, Range<usize>)>,
+    text: &'a str,
+    /// The values, with numbers in SI units instead of those with units.
+    pub(crate) table: Table,
     /// The keys of numbers with a unit.
     pub(crate) stated: Vec<String>,
-}
-
-/// The keys of `[surface]` used by one module.
-#[derive(Deserialize)]
-struct InSurface<T> {
-    surface: T,
-}
-
-/// The section of the second of two rough surfaces.
-pub(crate) const COUNTERFACE: &str = "surface.counterface";
-
-/// The keys of the second surface used by one module.
-#[derive(Deserialize)]
-struct OfCounterface<T> {
-    counterface: T,
+    /// Every key with the range of it and its value, and that of the value.
+    places: BTreeMap<String, [Range<usize>; 2]>,
 }
 
 impl<'a> Document<'a> {
@@ -72,94 +57,226 @@ impl<'a> Document<'a> {
         files: Files<'a>,
         text: &'a str,
     ) -> Result<Self, SceneError> {
-        let mut document = Self { file, files, text: text.into(), keys: vec![], stated: vec![] };
+        let (table, stated, places) = (Table::new(), vec![], BTreeMap::new());
+        let mut document = Self { file, files, text, table, stated, places };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
-        let (span, table) = (root.span(), root.into_inner());
-        let in_si = in_si(text, &table);
-        document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
-        let (in_si, stated) = in_si.map_err(|QuantityError { path, found, reason }| {
-            let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
-            match reason {
-                Reason::Notation(hint) => SceneError::Notation { at, found, hint },
-                Reason::Unit { near, needed } => {
-                    SceneError::Value { at, found, near, needed: needed.into() }
-                }
-            }
-        })?;
-        document.stated = stated;
-        if in_si != text {
-            // The ranges of the keys in the rewritten text.
-            document.keys.clear();
-            document.text = in_si.into();
-            let text = document.text.clone();
-            let root = DeTable::parse(&text).map_err(|error| document.toml_error(&error))?;
-            document.index(String::new(), root.span(), &DeValue::Table(root.into_inner()), DEEPEST);
-        }
+        document.places.insert(String::new(), [root.span(), root.span()]);
+        document.index(root.get_ref(), "");
+        document.table = document.in_si(root.get_ref(), "")?;
         Ok(document)
     }
 
-    /// The keys of `T` at the top of the text; other keys are ignored.
-    pub(crate) fn keys<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::from_str(&self.text).map_err(|error| self.explain(&error))
-    }
-
-    /// The keys of `T` in `[surface]`; other keys are ignored.
-    pub(crate) fn surface<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        self.keys::<InSurface<T>>().map(|keys| keys.surface)
-    }
-
-    /// The keys of `T` of the surface described in `section`; other keys are ignored.
-    pub(crate) fn rough<T: DeserializeOwned>(&self, section: &str) -> Result<T, SceneError> {
-        match section == COUNTERFACE {
-            true => self.surface::<OfCounterface<T>>().map(|keys| keys.counterface),
-            false => self.surface(),
+    /// The places of the keys of a section.
+    fn index(&mut self, table: &DeTable<'_>, section: &str) {
+        for (key, value) in table {
+            let (a, b) = (key.span(), value.span());
+            let path = joined(section, &shorten(key.get_ref()));
+            self.index_value(value, &path);
+            self.places.insert(path, [a.start.min(b.start)..a.end.max(b.end), b]);
         }
     }
 
-    /// The whole text. An unknown key at the top or of a surface is refused here, in other sections
-    /// by serde, because each is one struct.
-    pub(crate) fn table(&self) -> Result<Table, SceneError> {
-        let table: Table = self.keys()?;
-        let surface = table.get("surface").and_then(Value::as_table);
-        let counterface = surface.and_then(|keys| keys.get("counterface")?.as_table());
-        let sections = [
-            ("", Some(&table), keys_of("")),
-            ("surface", surface, keys_of("surface")),
-            (COUNTERFACE, counterface, counterface_keys()),
-        ];
-        for (section, keys, known) in sections {
-            let unknown = keys.into_iter().flat_map(Table::keys);
-            let unknown = unknown.filter(|name| !known.contains(&name.as_str()));
-            let unknown: HashSet<String> =
-                unknown.map(|name| joined(section, &shorten(name))).collect();
-            let unknown = self.keys.iter().filter(|(path, _)| unknown.contains(path));
-            if let Some((path, _)) = unknown.min_by_key(|(_, range)| range.start) {
-                return Err(self.unknown(path, &known));
-            }
-        }
-        Ok(table)
-    }
-
-    fn index(&mut self, path: String, span: Range<usize>, value: &DeValue<'_>, deep: usize) {
-        match value {
-            DeValue::Table(table) if deep > 0 => {
-                for (key, value) in table {
-                    let (a, b) = (key.span(), value.span());
-                    let (path, span) = (
-                        joined(&path, &shorten(key.get_ref())),
-                        a.start.min(b.start)..a.end.max(b.end),
-                    );
-                    self.index(path, span, value.get_ref(), deep - 1);
-                }
-            }
-            DeValue::Array(items) if deep > 0 => {
-                for (item, number) in items.iter().zip(1..) {
-                    self.index(format!("{path}[{number}]"), item.span(), item.get_ref(), deep - 1);
+    fn index_value(&mut self, value: &Spanned<DeValue<'_>>, path: &str) {
+        match value.get_ref() {
+            DeValue::Table(inner) => self.index(inner, path),
+            DeValue::Array(items) if path.matches('.').count() < DEEPEST => {
+                for (item, k) in items.iter().zip(1..) {
+                    let path = format!("{path}[{k}]");
+                    self.index_value(item, &path);
+                    self.places.insert(path, [item.span(), item.span()]);
                 }
             }
             _ => {}
         }
-        self.keys.push((path, span));
+    }
+
+    /// The values of a section, with numbers in SI units instead of texts with a unit.
+    fn in_si(&mut self, table: &DeTable<'_>, section: &str) -> Result<Table, SceneError> {
+        let value = |(key, value): (&Spanned<_>, &Spanned<_>)| {
+            let name: &Cow<'_, str> = key.get_ref();
+            let path = joined(section, name);
+            Ok((name.clone().into_owned(), self.value_in_si(value, &path)?))
+        };
+        table.iter().map(value).collect()
+    }
+
+    fn value_in_si(
+        &mut self,
+        value: &Spanned<DeValue<'_>>,
+        path: &str,
+    ) -> Result<Value, SceneError> {
+        Ok(match value.get_ref() {
+            DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
+                Some(units) => {
+                    let number = in_si(text, section_and_name(path).1, units);
+                    let found = format!("{:?}", shorten(text));
+                    let number = number.map_err(|odd| odd.error(self.place(path), found))?;
+                    self.stated.push(path.into());
+                    Value::Float(number)
+                }
+                None => Value::String(text.clone().into_owned()),
+            },
+            DeValue::Integer(digits) => {
+                match i64::from_str_radix(digits.as_str(), digits.radix()) {
+                    Ok(number) => Value::Integer(number),
+                    Err(_) => Value::Float(self.float(digits.as_str(), path)?),
+                }
+            }
+            DeValue::Float(digits) => Value::Float(self.float(digits.as_str(), path)?),
+            DeValue::Boolean(value) => Value::Boolean(*value),
+            DeValue::Datetime(value) => Value::Datetime(*value),
+            DeValue::Array(items) => {
+                let item = |(item, k)| self.value_in_si(item, &format!("{path}[{k}]"));
+                Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
+            }
+            DeValue::Table(inner) => Value::Table(self.in_si(inner, path)?),
+        })
+    }
+
+    fn float(&self, digits: &str, path: &str) -> Result<f64, SceneError> {
+        let is_number = |number: &f64| number.is_finite() || digits.contains(['i', 'n']);
+        let number = digits.parse().ok().filter(is_number);
+        number.ok_or_else(|| self.wrong(path, "a number of at most 1.8e308"))
+    }
+
+    /// The value of a key.
+    pub(crate) fn value(&self, path: &str) -> Option<&Value> {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        let (name, k) = first.trim_end_matches(']').split_once('[').unwrap_or((first, ""));
+        let mut found = self.table.get(name)?;
+        if let Ok(k) = k.parse::<usize>() {
+            found = found.get(k.checked_sub(1)?)?;
+        }
+        rest.split('.')
+            .filter(|name| !name.is_empty())
+            .try_fold(found, |found, name| found.get(name))
+    }
+
+    /// The number of a key.
+    pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
+        match self.value(path) {
+            None => Ok(None),
+            Some(Value::Float(number)) => Ok(Some(*number)),
+            Some(Value::Integer(number)) => Ok(Some(*number as f64)),
+            Some(_) => Err(self.wrong(path, "f64")),
+        }
+    }
+
+    /// The number of a key that a scene must have.
+    pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
+        let (section, name) = section_and_name(path);
+        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(section, name)))
+    }
+
+    /// Sets the numbers of a section that are given.
+    pub(crate) fn read_numbers<T>(
+        &self,
+        section: &str,
+        fields: &[Field<T>],
+        into: &mut T,
+    ) -> Result<(), SceneError> {
+        for Field { name, set, .. } in fields {
+            if let Some(number) = self.number(&joined(section, name))? {
+                set(into, number);
+            }
+        }
+        Ok(())
+    }
+
+    /// The value of a key as one of the types of the library.
+    pub(crate) fn get<T: DeserializeOwned>(&self, path: &str) -> Result<Option<T>, SceneError> {
+        let Some(value) = self.value(path) else { return Ok(None) };
+        let found = value.clone().try_into();
+        found.map(Some).map_err(|error| self.wrong(path, error.message()))
+    }
+
+    /// [`get`](Self::get), or the default of the type.
+    pub(crate) fn get_or_default<T: DeserializeOwned + Default>(
+        &self,
+        path: &str,
+    ) -> Result<T, SceneError> {
+        Ok(self.get(path)?.unwrap_or_default())
+    }
+
+    /// The error for a value of the wrong kind, by the message of serde, whose end is what was
+    /// expected.
+    pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
+        let (section, name) = section_and_name(path);
+        let meaning = Key::meaning(section, name);
+        let span = self.places.get(path).map(|[_, value]| value.clone());
+        let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
+        let found = shorten(found).replace(char::is_control, " ");
+        let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
+        let text = found.strip_prefix('"').and_then(|found| found.strip_suffix('"'));
+        let length = text.filter(|_| expected.starts_with("a length "));
+        if let Some(hint) = length.and_then(notation_hint) {
+            return SceneError::Notation { at: self.place(path), found, hint };
+        }
+        let needed = match expected {
+            "f64" => match text.and_then(|text| plain_number(name, text)) {
+                Some(number) => number.into(),
+                None => Needed::Number(meaning),
+            },
+            "a boolean" => "true or false".into(),
+            "a sequence" if path == "body" => {
+                format!("a list ({meaning}), each written [[body]],").into()
+            }
+            "a sequence" => format!("a list ({meaning})").into(),
+            "path string" => format!("the path of a file, in quotes ({meaning}),").into(),
+            "string only" => "a name in quotes".into(),
+            names => names.replace('`', "\"").into(),
+        };
+        let allowed = needed.to_string();
+        // A number in quotes is an example, not a name.
+        let names = allowed.split('"').skip(1).step_by(2);
+        let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
+        let near = nearest_name(found.trim_matches('"'), names);
+        let near = near.map(Into::into).or_else(|| near_table(&found, &allowed));
+        SceneError::Value { at: self.place(path), found, near, needed }
+    }
+
+    /// Refuses the first key of a section that it does not have.
+    pub(crate) fn check_keys(&self, section: &str, known: &[&str]) -> Result<(), SceneError> {
+        let table = match (section, self.value(section)) {
+            ("", _) => &self.table,
+            (_, None) => return Ok(()),
+            (_, Some(Value::Table(table))) => table,
+            _ => return Err(self.wrong(section, &format!("a table, [{section}],"))),
+        };
+        let unknown = table.keys().filter(|name| !known.contains(&name.as_str()));
+        let unknown = unknown.map(|name| joined(section, &shorten(name)));
+        let start = |path: &String| self.places.get(path).map(|[key, _]| key.start);
+        unknown.min_by_key(start).map_or(Ok(()), |path| Err(self.unknown(&path, known)))
+    }
+
+    /// Refuses unknown keys everywhere but in the options.
+    pub(crate) fn check_sections(&self) -> Result<(), SceneError> {
+        for section in ["", "surface", COUNTERFACE, "interface"] {
+            self.check_keys(section, &keys_of(section))?;
+        }
+        let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);
+        (1..=bodies).try_for_each(|k| self.check_keys(&format!("body[{k}]"), &keys_of("body")))
+    }
+
+    /// The error for an unknown key of a section.
+    fn unknown(&self, path: &str, keys: &[&str]) -> SceneError {
+        let (section, name) = section_and_name(path);
+        let mut allowed = format!("the keys here are {}", keys.join(", "));
+        let mut elsewhere = Key::find(section, name);
+        let mut near = match elsewhere {
+            None => nearest_name(name, keys.iter().copied()),
+            Some(_) => None,
+        };
+        if let Some((other, difference)) = Key::synonym(name) {
+            near = Some(other);
+            // A single body has no work of adhesion.
+            elsewhere = Key::find("", other).filter(|_| !keys.contains(&other));
+            allowed = format!("{difference}{allowed}");
+        }
+        if let Some(key) = elsewhere {
+            allowed = format!("it belongs to {}; {allowed}", key.home());
+        }
+        SceneError::UnknownKey { at: self.place(path), near: near.map(Into::into), allowed }
     }
 
     /// An error of TOML syntax.
@@ -206,20 +323,15 @@ impl<'a> Document<'a> {
         })
     }
 
-    fn range(&self, path: &str) -> Option<&Range<usize>> {
-        self.keys.iter().find(|(key, _)| key == path).map(|(_, range)| range)
-    }
-
     pub(crate) fn has(&self, path: &str) -> bool {
-        self.range(path).is_some()
+        self.places.contains_key(path)
     }
 
     /// The place of a key; a missing key has the line of its section.
     pub(crate) fn place(&self, path: &str) -> Box<Place> {
-        let section =
-            || self.range(path.rsplit_once(['.', '[']).map_or("", |(section, _)| section));
-        let range = self.range(path).or_else(section);
-        self.at(path, range.map_or(0, |range| range.start))
+        let section = path.rsplit_once(['.', '[']).map_or("", |(section, _)| section);
+        let place = self.places.get(path).or_else(|| self.places.get(section));
+        self.at(path, place.map_or(0, |[key, _]| key.start))
     }
 
     /// Converts an error of the library to an error at the key of a section.
@@ -235,6 +347,18 @@ impl<'a> Document<'a> {
         let (at, other) = (self.place(one), self.place(other));
         SceneError::Conflict { at, other, needed: needed.into() }
     }
+}
+
+/// The first key of the allowed tables, such as `{ skewness = -0.5 }`, that begins like the key
+/// found or is similar to it.
+fn near_table(found: &str, needed: &str) -> Option<String> {
+    let key = |text: &str| Some(text.split_once('=')?.0.trim().to_string());
+    let given = key(found.trim_start().strip_prefix('{')?)?;
+    let keys: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
+    let begun = keys.iter().find(|keys| given.len() > 2 && keys.starts_with(&given));
+    let near = || nearest_name(&given, keys.iter().map(String::as_str));
+    let near = begun.map(String::as_str).or_else(near);
+    near.filter(|near| *near != given).map(Into::into)
 }
 
 /// Advice for a line whose number is written in another notation, or whose quotes are curly.

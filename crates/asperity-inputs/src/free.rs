@@ -3,7 +3,7 @@
 use asperity::fit::Role;
 use asperity::short;
 
-use crate::units::UNITS;
+use crate::quantity::UNITS;
 use crate::{key_of_input, quantity, quantity_of, unit_of};
 
 /// Bounds that are farther from the scene's value than this factor may be in another unit.

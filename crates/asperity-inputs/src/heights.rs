@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, Datum, Finding, TabulatedHeights};
+use asperity::{ContactError, Finding, TabulatedHeights};
 use serde::Deserialize;
 
 use crate::document::{Document, SAVE_AS_CSV, read_text, shorten};
@@ -16,17 +16,6 @@ const MOST_POINTS: usize = 10_000;
 /// Relative difference of the standard deviations above which there is a warning; the bins of a
 /// histogram alone cause some per cent.
 const DIFFERENT: f64 = 0.05;
-
-/// The keys of `[surface]` for the heights and the datum of separations.
-#[derive(Debug, Deserialize)]
-#[serde(expecting = "a table, [surface],")]
-pub(crate) struct HeightKeys {
-    #[serde(default)]
-    pub(crate) heights: HeightsKey,
-    #[serde(default)]
-    pub(crate) separation_from: Datum,
-    pub(crate) mean_plane_offset: Option<f64>,
-}
 
 /// `heights`.
 #[derive(Debug, Default, Deserialize)]

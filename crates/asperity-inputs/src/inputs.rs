@@ -7,41 +7,8 @@ use asperity::{
     Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_name,
 };
 
-use crate::hints::synonym;
+use crate::keys::{BODY, Field, INTERFACE, Key, SURFACE};
 use crate::{SceneError, SceneFile};
-
-/// A number field of a struct: its key, and functions that read and set it.
-type Field<T> = (&'static str, fn(&T) -> Option<f64>, fn(&mut T, f64));
-
-macro_rules! fields {
-    ($($field:ident),+) => {
-        &[$((stringify!($field), |of| Option::from(of.$field), |of, value| of.$field = value.into())),+]
-    };
-}
-
-const OF_INTERFACE: &[Field<Interface>] = fields![
-    equivalent_modulus,
-    poissons_ratio,
-    hardness,
-    yield_strength,
-    equivalent_shear_modulus,
-    pressure_factor,
-    thermal_conductivity,
-    electrical_resistivity,
-    work_of_adhesion,
-    tangent_modulus
-];
-const OF_SURFACE: &[Field<Surface>] =
-    fields![asperity_radius, asperity_density, asperity_height_std];
-const OF_BODY: &[Field<Body>] = fields![
-    youngs_modulus,
-    poissons_ratio,
-    hardness,
-    yield_strength,
-    thermal_conductivity,
-    electrical_resistivity,
-    tangent_modulus
-];
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy)]
@@ -84,18 +51,18 @@ impl SceneFile {
         let described = keys.map(|(name, place)| (*name, Input::Roughness(place)));
         let of_body = |body: usize| {
             let name = move |key: &str| format!("body{}_{key}", body + 1);
-            OF_BODY.iter().map(move |field| (name(field.0), Input::Body(body, *field)))
+            BODY.iter().map(move |field| (name(field.name), Input::Body(body, *field)))
         };
         let modulus = |body: &Body| body.youngs_modulus.to_bits();
         let alike = self.bodies.windows(2).all(|two| modulus(&two[0]) == modulus(&two[1]));
-        let of_all = OF_BODY.iter().filter(|field| field.0 == YOUNGS_MODULUS);
+        let of_all = BODY.iter().filter(|field| field.name == YOUNGS_MODULUS);
         let of_all = of_all.filter(|_| alike && !self.bodies.is_empty());
         let skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
         let offset = self.scene.mean_plane_offset.filter(|_| self.table.is_none());
         // Radius and density beside the standard deviation of the surface heights come first.
         described
-            .chain(OF_INTERFACE.iter().map(|field| (field.0, Input::Interface(*field))))
-            .chain(OF_SURFACE.iter().map(|field| (field.0, Input::Surface(*field))))
+            .chain(INTERFACE.iter().map(|field| (field.name, Input::Interface(*field))))
+            .chain(SURFACE.iter().map(|field| (field.name, Input::Surface(*field))))
             .chain(once(("nominal_area", Input::NominalArea)))
             .chain([
                 ("plasticity_index", Input::PlasticityIndex),
@@ -103,7 +70,7 @@ impl SceneFile {
             ])
             .chain(offset.map(|_| ("mean_plane_offset", Input::MeanPlaneOffset)))
             .chain(skewed.then_some(("skewness", Input::Skewness)))
-            .chain(of_all.map(|field| (field.0, Input::Bodies(*field))))
+            .chain(of_all.map(|field| (field.name, Input::Bodies(*field))))
             .map(|(name, input)| (name.to_string(), input))
             .chain((0..self.bodies.len()).flat_map(of_body))
             .map(|(name, input)| (name, SceneInput(input)))
@@ -155,7 +122,7 @@ impl SceneFile {
             }
             _ => "",
         };
-        let synonym = synonym(name).filter(|(key, _)| names.contains(key));
+        let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
         // What tells the input from the name that was meant.
         let difference = synonym.and_then(|(key, differs)| {
             let differs = differs.strip_prefix("it ")?;
@@ -175,10 +142,10 @@ impl SceneFile {
     pub fn value_of(&self, input: SceneInput) -> Option<f64> {
         let scene = &self.scene;
         match input.0 {
-            Input::Interface((_, get, _)) => get(&scene.interface),
-            Input::Surface((_, get, _)) => get(&scene.surface),
-            Input::Body(place, (_, get, _)) => self.bodies.get(place).and_then(get),
-            Input::Bodies((_, get, _)) => self.bodies.first().and_then(get),
+            Input::Interface(Field { get, .. }) => get(&scene.interface),
+            Input::Surface(Field { get, .. }) => get(&scene.surface),
+            Input::Body(place, Field { get, .. }) => self.bodies.get(place).and_then(get),
+            Input::Bodies(Field { get, .. }) => self.bodies.first().and_then(get),
             Input::Roughness(place) => self.roughness?.numbers().get(place).copied(),
             Input::NominalArea => Some(scene.nominal_area),
             Input::PlasticityIndex => scene.plasticity_index().ok(),
@@ -205,10 +172,12 @@ impl SceneFile {
         let (mut new_bodies, mut new_roughness) = (false, false);
         for (SceneInput(input), value) in &numbers {
             match input {
-                Input::Body(place, (.., set)) => {
+                Input::Body(place, Field { set, .. }) => {
                     bodies.get_mut(*place).into_iter().for_each(|body| set(body, *value));
                 }
-                Input::Bodies((.., set)) => bodies.iter_mut().for_each(|body| set(body, *value)),
+                Input::Bodies(Field { set, .. }) => {
+                    bodies.iter_mut().for_each(|body| set(body, *value))
+                }
                 Input::Roughness(place) => {
                     let number = roughness.as_mut().and_then(|numbers| numbers.get_mut(*place));
                     number.into_iter().for_each(|number| *number = *value);
@@ -231,8 +200,8 @@ impl SceneFile {
         for (SceneInput(input), value) in numbers {
             match input {
                 Input::Body(..) | Input::Bodies(_) | Input::Roughness(_) => {}
-                Input::Interface((.., set)) => set(&mut scene.interface, value),
-                Input::Surface((.., set)) => set(&mut scene.surface, value),
+                Input::Interface(Field { set, .. }) => set(&mut scene.interface, value),
+                Input::Surface(Field { set, .. }) => set(&mut scene.surface, value),
                 Input::NominalArea => scene.nominal_area = value,
                 Input::PlasticityIndex => index = Some(value),
                 Input::RoughnessParameter => parameter = Some(value),

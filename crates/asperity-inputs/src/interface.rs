@@ -1,122 +1,95 @@
 //! `[interface]`, or the bodies from which it follows.
 
 use asperity::{Body, Interface};
-use serde::Deserialize;
+use toml::Value;
 
 use crate::SceneError;
 use crate::document::{Document, shorten};
+use crate::keys::{BODY, INTERFACE};
 use crate::materials::{named, suggestion};
-use crate::template::key;
-
-/// The keys of the bodies in contact.
-#[derive(Deserialize)]
-pub(crate) struct InterfaceKeys {
-    rigid_counterface: Option<bool>,
-    work_of_adhesion: Option<f64>,
-    interface: Option<Interface>,
-    #[serde(default)]
-    body: Vec<BodyKeys>,
-}
-
-/// The keys of `[[body]]`: a material of the list, or its numbers.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct BodyKeys {
-    material: Option<String>,
-    youngs_modulus: Option<f64>,
-    poissons_ratio: Option<f64>,
-    hardness: Option<f64>,
-    yield_strength: Option<f64>,
-    tangent_modulus: Option<f64>,
-    thermal_conductivity: Option<f64>,
-    electrical_resistivity: Option<f64>,
-}
-
-impl BodyKeys {
-    /// The body, with the numbers of its material unless it has its own.
-    fn body(&self, document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
-        let path = |name: &str| format!("{section}.{name}");
-        let mut body = match &self.material {
-            Some(id) => {
-                let given = [
-                    ("youngs_modulus", self.youngs_modulus),
-                    ("poissons_ratio", self.poissons_ratio),
-                    ("hardness", self.hardness),
-                    ("yield_strength", self.yield_strength),
-                ];
-                if let Some((name, _)) = given.into_iter().find(|(_, value)| value.is_some()) {
-                    let needed = "the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed,";
-                    return Err(document.conflict(&path("material"), &path(name), needed));
-                }
-                named(id).map(|material| material.body).ok_or_else(|| {
-                    let (near, needed) = suggestion(id);
-                    SceneError::Value {
-                        at: document.place(&path("material")),
-                        found: format!("{:?}", shorten(id)),
-                        near: near.map(Into::into),
-                        needed: needed.into(),
-                    }
-                })?
-            }
-            None => {
-                let required = |name: &str, value: Option<f64>| {
-                    let meaning = || key("body", name).map_or("", |key| key.meaning);
-                    value.ok_or_else(|| document.missing(&path(name), meaning()))
-                };
-                let modulus = required("youngs_modulus", self.youngs_modulus)?;
-                Body::elastic(modulus, required("poissons_ratio", self.poissons_ratio)?)
-            }
-        };
-        body.hardness = self.hardness.or(body.hardness);
-        body.yield_strength = self.yield_strength.or(body.yield_strength);
-        body.tangent_modulus = self.tangent_modulus;
-        body.thermal_conductivity = self.thermal_conductivity.or(body.thermal_conductivity);
-        body.electrical_resistivity = self.electrical_resistivity.or(body.electrical_resistivity);
-        Ok(body)
-    }
-}
 
 const EITHER: &str = "either [interface] with the equivalent properties, or the two bodies as [[body]] (one with rigid_counterface = true)";
 
 /// The interface of a scene, its section, and its bodies.
 pub(crate) fn interface(
     document: &Document<'_>,
-    keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str, Vec<Body>), SceneError> {
-    let bodies = keys.body.iter().zip(1..);
-    let bodies: Result<Vec<Body>, _> =
-        bodies.map(|(body, k)| body.body(document, &format!("body[{k}]"))).collect();
-    let bodies = bodies?;
-    let (mut found, section) = from_section_or_bodies(document, keys, &bodies)?;
-    if keys.work_of_adhesion.is_some() {
-        if keys.interface.is_some() {
+    let count = match document.value("body") {
+        None => 0,
+        Some(Value::Array(bodies)) => bodies.len(),
+        Some(_) => return Err(document.wrong("body", "a sequence")),
+    };
+    let bodies = (1..=count).map(|k| body(document, &format!("body[{k}]")));
+    let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+    let (mut found, section) = from_section_or_bodies(document, &bodies)?;
+    if let Some(adhesion) = document.number("work_of_adhesion")? {
+        if document.has("interface") {
             let needed = "work_of_adhesion in [interface], or above the bodies,";
             return Err(document.conflict("work_of_adhesion", "interface", needed));
         }
         // The work of adhesion is a property of the pair.
-        found.work_of_adhesion = keys.work_of_adhesion;
+        found.work_of_adhesion = Some(adhesion);
         found.check().map_err(document.refused(""))?;
     }
     Ok((found, section, bodies))
 }
 
+/// A body, with the numbers of its material unless it has its own.
+fn body(document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
+    let path = |name: &str| format!("{section}.{name}");
+    let mut body = match document.get::<String>(&path("material"))? {
+        Some(id) => {
+            let mechanical = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
+            if let Some(name) = mechanical.into_iter().find(|name| document.has(&path(name))) {
+                let needed = "the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed,";
+                return Err(document.conflict(&path("material"), &path(name), needed));
+            }
+            named(&id).map(|material| material.body).ok_or_else(|| {
+                let (near, needed) = suggestion(&id);
+                SceneError::Value {
+                    at: document.place(&path("material")),
+                    found: format!("{:?}", shorten(&id)),
+                    near: near.map(Into::into),
+                    needed: needed.into(),
+                }
+            })?
+        }
+        None => {
+            let modulus = document.needed_number(&path("youngs_modulus"))?;
+            Body::elastic(modulus, document.needed_number(&path("poissons_ratio"))?)
+        }
+    };
+    document.read_numbers(section, BODY, &mut body)?;
+    Ok(body)
+}
+
+/// The properties in `[interface]`.
+fn equivalent(document: &Document<'_>) -> Result<Option<Interface>, SceneError> {
+    if document.value("interface").is_none() {
+        return Ok(None);
+    }
+    let modulus = document.needed_number("interface.equivalent_modulus")?;
+    let ratio = document.needed_number("interface.poissons_ratio")?;
+    let mut interface = Interface::elastic(modulus, ratio);
+    document.read_numbers("interface", INTERFACE, &mut interface)?;
+    interface.check().map_err(document.refused("interface"))?;
+    Ok(Some(interface))
+}
+
 fn from_section_or_bodies(
     document: &Document<'_>,
-    keys: &InterfaceKeys,
     bodies: &[Body],
 ) -> Result<(Interface, &'static str), SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     // Each body is checked alone, so that the error names the body.
     let alone = |body, section| Interface::against_rigid(body).map_err(document.refused(section));
-    match (&keys.interface, bodies, keys.rigid_counterface) {
+    let rigid: Option<bool> = document.get("rigid_counterface")?;
+    match (equivalent(document)?, bodies, rigid) {
         (Some(_), [_, ..], _) => conflict("interface", "body", EITHER),
         (Some(_), [], Some(_)) => {
             conflict("rigid_counterface", "interface", "rigid_counterface with one [[body]] only")
         }
-        (Some(interface), [], None) => {
-            interface.check().map_err(document.refused("interface"))?;
-            Ok((*interface, "interface"))
-        }
+        (Some(interface), [], None) => Ok((interface, "interface")),
         (None, [], _) => Err(document.missing("interface", EITHER)),
         (None, [body], Some(true)) => Ok((alone(body, "body[1]")?, "body[1]")),
         (None, [_], _) => {

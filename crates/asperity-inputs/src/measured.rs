@@ -8,8 +8,9 @@ use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
 
-use crate::document::{COUNTERFACE, Document};
+use crate::document::Document;
 use crate::heights::HeightsKey;
+use crate::keys::COUNTERFACE;
 use crate::measured_keys::MeasuredKeys;
 use crate::scan::open_seam;
 use crate::small_scan::long_wavelength;
@@ -71,10 +72,10 @@ struct Scan {
 impl Scan {
     /// The scan as its keys prepare it.
     fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let (path, options) = (document.path(&self.path), self.keys.read_options());
+        let (path, options) = (document.path(&self.path), &self.keys.options);
         let read = match document.handed(&self.at, &self.path)? {
-            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &options),
-            None => read(&path, &options),
+            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
+            None => read(&path, options),
         };
         let prepared = read.and_then(|read| self.keys.prepare(read));
         prepared.map_err(|error| self.refused(document, error))
@@ -113,7 +114,7 @@ fn scans(document: &Document<'_>, asked: Asked) -> Result<Vec<Scan>, SceneError>
     let mut scans = vec![];
     let sections = ["surface", COUNTERFACE].into_iter().filter(|section| document.has(section));
     for section in sections {
-        let mut keys: MeasuredKeys = document.rough(section)?;
+        let mut keys = MeasuredKeys::read(document, section)?;
         keys.periodic |= asked == Asked::Scan { periodic: true };
         if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
             let needed = "a value of smooth below filter, which keeps some wavelengths,";
@@ -166,7 +167,7 @@ pub(crate) fn measured(
         [first, rest @ ..] => (first, rest.first()),
     };
     let pair = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
-    let alignment = document.rough::<MeasuredKeys>("surface")?.aligned.alignment();
+    let alignment = MeasuredKeys::read(document, "surface")?.aligned;
     let is_pair = second.is_some() || other.is_some();
     if alignment.is_some() && second.is_none() {
         let needed = "two scans, files or a file and counterface.file,";

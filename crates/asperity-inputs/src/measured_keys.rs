@@ -3,51 +3,35 @@
 use std::path::PathBuf;
 
 use asperity_topography::{
-    Alignment, Distance, Estimator, LengthUnit, Level, ReadOptions, Topography, TopographyError,
+    Alignment, Distance, Estimator, Level, ReadOptions, Topography, TopographyError,
 };
 use serde::Deserialize;
 
+use crate::SceneError;
+use crate::document::Document;
+
 /// The keys for measured files of `[surface]` or its counterface.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct MeasuredKeys {
     pub(crate) file: Option<PathBuf>,
     pub(crate) files: Option<Vec<PathBuf>>,
-    pub(crate) unit: Option<LengthUnit>,
-    pub(crate) pixel_size: Option<PixelSize>,
-    pub(crate) channel: Option<String>,
     pub(crate) estimator: Estimator,
     pub(crate) level: Option<Level>,
     pub(crate) filter: Option<f64>,
     pub(crate) smooth: Option<f64>,
     pub(crate) periodic: bool,
-    pub(crate) max_missing: Option<f64>,
-    pub(crate) fill_missing: bool,
-    pub(crate) despike: bool,
-    pub(crate) aligned: Aligned,
+    pub(crate) aligned: Option<Alignment>,
+    fill_missing: bool,
+    despike: bool,
+    pub(crate) options: ReadOptions,
 }
 
 /// `aligned`: whether points of two scans meet, and which.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Deserialize)]
 #[serde(untagged, expecting = "true, false or \"mirrored\"")]
-pub(crate) enum Aligned {
+enum Aligned {
     Known(bool),
     Turned(Alignment),
-}
-
-impl Default for Aligned {
-    fn default() -> Self {
-        Self::Known(false)
-    }
-}
-
-impl Aligned {
-    pub(crate) fn alignment(self) -> Option<Alignment> {
-        match self {
-            Self::Known(aligned) => aligned.then_some(Alignment::AsRead),
-            Self::Turned(alignment) => Some(alignment),
-        }
-    }
 }
 
 /// `pixel_size` of square pixels, or along a row and along a column.
@@ -56,19 +40,42 @@ impl Aligned {
     untagged,
     expecting = "a length in the unit of the heights or with its own (\"0.5 um\"), or a list of two, along a row and a column,"
 )]
-pub(crate) enum PixelSize {
+enum PixelSize {
     Square(Distance),
     Rectangle([Distance; 2]),
 }
 
 impl MeasuredKeys {
-    pub(crate) fn read_options(&self) -> ReadOptions {
-        let pixel_size = self.pixel_size.map(|size| match size {
+    /// The keys of a section.
+    pub(crate) fn read(document: &Document<'_>, section: &str) -> Result<Self, SceneError> {
+        let at = |key: &str| format!("{section}.{key}");
+        let pixel_size = document.get(&at("pixel_size"))?.map(|size| match size {
             PixelSize::Square(side) => [side; 2],
             PixelSize::Rectangle(sides) => sides,
         });
-        let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
-        ReadOptions { unit: self.unit, pixel_size, max_missing, channel: self.channel.clone() }
+        let max_missing = document.number(&at("max_missing"))?;
+        Ok(Self {
+            file: document.get(&at("file"))?,
+            files: document.get(&at("files"))?,
+            estimator: document.get_or_default(&at("estimator"))?,
+            level: document.get(&at("level"))?,
+            filter: document.number(&at("filter"))?,
+            smooth: document.number(&at("smooth"))?,
+            periodic: document.get_or_default(&at("periodic"))?,
+            aligned: match document.get(&at("aligned"))? {
+                Some(Aligned::Known(true)) => Some(Alignment::AsRead),
+                Some(Aligned::Turned(alignment)) => Some(alignment),
+                _ => None,
+            },
+            fill_missing: document.get_or_default(&at("fill_missing"))?,
+            despike: document.get_or_default(&at("despike"))?,
+            options: ReadOptions {
+                unit: document.get(&at("unit"))?,
+                pixel_size,
+                max_missing: max_missing.unwrap_or(ReadOptions::default().max_missing),
+                channel: document.get(&at("channel"))?,
+            },
+        })
     }
 
     /// The scan, despiked, levelled, filled and filtered.

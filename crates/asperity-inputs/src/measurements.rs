@@ -6,7 +6,7 @@ use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
 use crate::cells::{beside_commas, delimiter, delimiter_hint, number, quoted, share_hint};
 use crate::document::{SAVE_AS_CSV, read_text, shorten};
-use crate::notation::{notation_hint, without_thousands};
+use crate::likely::{notation_hint, without_thousands};
 use crate::{Place, SceneError, is_unit};
 
 /// The advice about a scene and measurements in the wrong order.

@@ -41,25 +41,33 @@ impl Roughness {
     /// The numbers, in the order of the keys.
     #[must_use]
     pub fn numbers(&self) -> [f64; 3] {
+        let mut same = *self;
+        *same.numbers_mut()
+    }
+
+    /// The same kind of description with other numbers.
+    #[must_use]
+    pub fn with(mut self, numbers: [f64; 3]) -> Self {
+        *self.numbers_mut() = numbers;
+        self
+    }
+
+    fn numbers_mut(&mut self) -> &mut [f64; 3] {
         match self {
             Self::SurfaceStd(numbers)
             | Self::MeanSlope(numbers)
             | Self::Moments(numbers)
             | Self::Iso25178(numbers)
-            | Self::Gradient(numbers) => *numbers,
+            | Self::Gradient(numbers) => numbers,
         }
     }
 
-    /// The same kind of description with other numbers.
-    #[must_use]
-    pub fn with(&self, numbers: [f64; 3]) -> Self {
-        match self {
-            Self::SurfaceStd(_) => Self::SurfaceStd(numbers),
-            Self::MeanSlope(_) => Self::MeanSlope(numbers),
-            Self::Moments(_) => Self::Moments(numbers),
-            Self::Iso25178(_) => Self::Iso25178(numbers),
-            Self::Gradient(_) => Self::Gradient(numbers),
-        }
+    /// The description by the numbers of these keys; `None` for asperities and dimensionless
+    /// numbers.
+    pub(crate) fn of(keys: [&str; 3], numbers: [f64; 3]) -> Option<Self> {
+        let kinds =
+            [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
+        kinds.into_iter().map(|kind| kind(numbers)).find(|kind| *kind.keys() == keys)
     }
 
     /// The spectral moments of profiles of an isotropic Gaussian surface with these numbers.

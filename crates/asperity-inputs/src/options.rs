@@ -9,9 +9,10 @@ use asperity::{
     Stick,
 };
 use serde::{Deserialize, Serialize};
-use toml::Value;
+use toml::{Table, Value};
 
 use crate::document::{Document, Files};
+use crate::keys::{joined, keys_of};
 use crate::scan::ScanSpectrum;
 use crate::{Place, SceneError};
 
@@ -32,7 +33,7 @@ use crate::{Place, SceneError};
 /// # Ok::<(), asperity_inputs::SceneError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, expecting = "a table, [options],")]
+#[serde(default, deny_unknown_fields)]
 pub struct ModelOptions {
     /// The reading of the id `at` (`at-additive` and `at-overlap` are fixed).
     pub at_reading: AtReading,
@@ -133,14 +134,8 @@ impl ModelOptions {
     /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
     /// allowed.
     pub fn set(&mut self, name: &str, value: &OptionValue) -> Result<(), SceneError> {
-        let mut values = self.all();
-        values.insert(name.into(), value.clone());
-        let line = |(name, value): (String, _)| format!("{} = {value}\n", Value::from(name));
-        let text: String = values.into_iter().map(line).collect();
-        let document = Document::new(None, Files::Nowhere, &text)?;
-        let options: Self = document.keys()?;
-        options.check(&document, "")?;
-        *self = options;
+        let text = format!("{} = {value}\n", Value::from(name));
+        *self = self.with_keys(&Document::new(None, Files::Nowhere, &text)?, "")?;
         Ok(())
     }
 
@@ -153,7 +148,7 @@ impl ModelOptions {
 
     fn all(&self) -> BTreeMap<String, OptionValue> {
         // Every option is a name, a number or a table of numbers.
-        let table = toml::Table::try_from(self).ok();
+        let table = Table::try_from(self).ok();
         table.and_then(|table| table.try_into().ok()).unwrap_or_default()
     }
 
@@ -162,12 +157,33 @@ impl ModelOptions {
         LateralOptions { angle_density, displacement, stick, force }
     }
 
-    /// Checks the ranges of the numbers; `section` is their section in errors, with a dot.
-    pub(crate) fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
-        let at = |option: &str| format!("{section}{option}");
+    /// These options with those of a section.
+    pub(crate) fn with_keys(
+        &self,
+        document: &Document<'_>,
+        section: &str,
+    ) -> Result<Self, SceneError> {
+        let known = keys_of("options");
+        document.check_keys(section, &known)?;
+        let mut all = Table::try_from(self).unwrap_or_default();
+        for name in known {
+            let path = joined(section, name);
+            let Some(value) = document.value(&path) else { continue };
+            all.insert(name.into(), value.clone());
+            // Of the options so far each is valid.
+            let read = all.clone().try_into::<Self>();
+            read.map_err(|error| document.wrong(&path, error.message()))?;
+        }
+        let options: Self = all.try_into().unwrap_or_default();
+        options.check(document, section)?;
+        Ok(options)
+    }
+
+    /// Checks the ranges of the numbers; `section` is their section in errors.
+    fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
+        let at = |option: &str| joined(section, option);
         self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
         if let Some(hurst) = self.hurst_exponent {
-            let section = section.trim_end_matches('.');
             Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
         }
         if let Displacement::Given { zeta, xi } = self.displacement {

@@ -8,18 +8,17 @@ use asperity::{
     TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
-use serde::Deserialize;
-use serde::de::IgnoredAny;
 
 use crate::document::{Document, Files, HandedFiles, read_text};
-use crate::heights::{HeightKeys, HeightsKey, compare_std};
-use crate::interface::{InterfaceKeys, interface};
+use crate::heights::{HeightsKey, compare_std};
+use crate::interface::interface;
+use crate::keys::Key;
 use crate::measured::Asked;
 use crate::measurements::{SCENE_FIRST, is_measurements};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
-use crate::{Asperities, Measured, ModelOptions, Place, Roughness, SceneError, accept};
+use crate::{Measured, ModelOptions, Place, Roughness, SceneError, accept};
 
 /// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
@@ -159,35 +158,20 @@ pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, S
     scene_file(&Document::new(None, Files::Handed(files), text)?, asked)
 }
 
-/// The keys at the top of the file; sections have readers of their own.
-#[derive(Deserialize)]
-struct FileKeys {
-    nominal_area: f64,
-    /// Required, but read elsewhere.
-    #[serde(rename = "surface")]
-    _surface: IgnoredAny,
-    #[serde(default)]
-    options: ModelOptions,
-    #[serde(default)]
-    accept: Vec<String>,
-}
-
-/// The option that `[surface]` may also have.
-#[derive(Deserialize)]
-struct AsperitiesKey {
-    asperities: Option<Asperities>,
-}
-
 fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
-    let table = document.table()?;
-    let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
-    options.check(document, "options.")?;
+    document.check_sections()?;
+    let nominal_area = document.needed_number("nominal_area")?;
+    if !document.has("surface") {
+        return Err(document.missing("surface", Key::meaning("", "surface")));
+    }
+    let mut options = ModelOptions::default().with_keys(document, "options")?;
+    let accept: Vec<String> = document.get_or_default("accept")?;
     accept::check(document, &accept)?;
-    let interface_keys: InterfaceKeys = document.keys()?;
-    let (interface, interface_section, bodies) = interface(document, &interface_keys)?;
-    let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
-    let AsperitiesKey { asperities } = document.surface()?;
-    if let Some(asperities) = asperities {
+    let (interface, interface_section, bodies) = interface(document)?;
+    let heights: HeightsKey = document.get_or_default("surface.heights")?;
+    let separation_from: Datum = document.get_or_default("surface.separation_from")?;
+    let mean_plane_offset = document.number("surface.mean_plane_offset")?;
+    if let Some(asperities) = document.get("surface.asperities")? {
         if document.has("options.asperities") {
             let needed = "one of the two";
             return Err(document.conflict("surface.asperities", "options.asperities", needed));
@@ -242,7 +226,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
             .advice("remove hurst_exponent to use the spectrum of the scan");
         warnings.push(found.from_origin(at.to_string()));
     }
-    let read = Read::new(document, table, interface, surface, heights_table.as_ref());
+    let read = Read::new(document, interface, surface, heights_table.as_ref());
     Ok(SceneFile {
         scene,
         options,

@@ -1,15 +1,13 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
 use asperity::{Finding, Interface, ProfileMoments, Surface};
-use serde::Deserialize;
 
 use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
-use crate::document::{COUNTERFACE, Document};
+use crate::document::Document;
 use crate::heights::HeightsKey;
-use crate::likely_units::{Given, OddNumber, likely_curvature};
+use crate::keys::{COUNTERFACE, KEYS, Of};
+use crate::likely::{Given, OddNumber, likely_angle};
 use crate::measured::{Asked, SurfaceDescription, measured};
-use crate::slopes::likely_angle;
-use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
 
 /// The five ways; `asperity_height_std` belongs to two of them.
@@ -27,26 +25,10 @@ const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
-
-/// The numbers among the keys of `[surface]`.
-#[derive(Deserialize)]
-#[serde(expecting = "a table, [surface],")]
-struct NumberKeys {
-    asperity_radius: Option<f64>,
-    asperity_density: Option<f64>,
-    asperity_height_std: Option<f64>,
-    surface_height_std: Option<f64>,
-    mean_slope: Option<f64>,
-    plasticity_index: Option<f64>,
-    roughness_parameter: Option<f64>,
-    m0: Option<f64>,
-    m2: Option<f64>,
-    m4: Option<f64>,
-    sq: Option<f64>,
-    spd: Option<f64>,
-    spc: Option<f64>,
-    sdq: Option<f64>,
-}
+/// The numbers with each alternative key.
+const SURFACE_STDS: [&str; 3] = ["asperity_radius", "asperity_density", SURFACE_STD];
+const SLOPES: [&str; 3] = [SURFACE_STD, MEAN_SLOPE, "asperity_density"];
+const GRADIENTS: [&str; 3] = ["sq", "spd", GRADIENT];
 
 /// A surface described by numbers.
 struct Numbers {
@@ -140,7 +122,6 @@ fn numbers(
     interface: &Interface,
     measured_std: Option<f64>,
 ) -> Result<Option<(Numbers, &'static str)>, SceneError> {
-    let keys: NumberKeys = document.rough(section)?;
     let at = |key: &str| format!("{section}.{key}");
     let has = |key: &&&str| document.has(&at(key));
     let conflict =
@@ -153,8 +134,9 @@ fn numbers(
     if let Some((_, other)) = given.next() {
         return conflict(key, other, &one_way);
     }
-    if let Some(of_files) = measured_keys().find(|key| has(&key)).filter(|_| way != MEASURED) {
-        return conflict(of_files, key, "a measured file");
+    let of_files = KEYS.iter().find(|key| key.of == Of::Scan && has(&&key.name));
+    if let Some(of_files) = of_files.filter(|_| way != MEASURED) {
+        return conflict(of_files.name, key, "a measured file");
     }
     if has(&&SURFACE_STD) && way > 0 {
         return conflict(SURFACE_STD, key, "asperity_radius and asperity_density with it");
@@ -174,73 +156,40 @@ fn numbers(
         let needed = format!("either {together} or {STD}, which follows from them,");
         return conflict(STD, key, &needed);
     }
-    if way == MEASURED {
-        return Ok(None);
+    let alternatives = [(MEAN_SLOPE, SLOPES), (SURFACE_STD, SURFACE_STDS), (GRADIENT, GRADIENTS)];
+    let other = alternatives.into_iter().find(|(key, _)| has(&key));
+    let keys = match (other, WAYS[way]) {
+        (Some((_, keys)), _) => keys,
+        (None, [a, b, c]) => [*a, *b, *c],
+        (None, _) => return Ok(None),
+    };
+    let mut values = [0.0; 3];
+    for (key, value) in keys.iter().zip(&mut values) {
+        let by_table = || measured_std.filter(|_| *key == STD);
+        *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
+            let how = match way {
+                ISO => "sq and spd go with spc or sdq".into(),
+                0 if keys == SLOPES => format!("{} go together", SLOPES.join(", ")),
+                _ => format!("{together} go together"),
+            };
+            document.missing(&at(key), how)
+        })?;
     }
-    let needed = |key: &str, value: Option<f64>| {
-        let how = match way {
-            ISO => "sq and spd go with spc or sdq".into(),
-            _ => format!("{together} go together"),
-        };
-        value.ok_or_else(|| document.missing(&at(key), how))
-    };
-    let std = || needed(STD, keys.asperity_height_std.or(measured_std));
+    let roughness = Roughness::of(keys, values);
     let refused = document.refused(section);
-    let roughness = match way {
-        0 if has(&&MEAN_SLOPE) => {
-            let together = format!("{SURFACE_STD}, {MEAN_SLOPE}, asperity_density go together");
-            let missing = |key: &str| document.missing(&at(key), together);
-            let std = keys.surface_height_std.ok_or_else(|| missing(SURFACE_STD))?;
-            let numbers = keys.mean_slope.zip(keys.asperity_density);
-            numbers.map(|(slope, density)| Roughness::MeanSlope([std, slope, density]))
-        }
-        0 => {
-            let radius = needed("asperity_radius", keys.asperity_radius)?;
-            let density = needed("asperity_density", keys.asperity_density)?;
-            let of_surface = |std| Roughness::SurfaceStd([radius, density, std]);
-            keys.surface_height_std.map(of_surface)
-        }
-        2 => {
-            let m0 = needed("m0", keys.m0)?;
-            Some(Roughness::Moments([m0, needed("m2", keys.m2)?, needed("m4", keys.m4)?]))
-        }
-        ISO => {
-            let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
-            Some(match keys.sdq {
-                Some(sdq) => Roughness::Gradient([sq, spd, sdq]),
-                None => Roughness::Iso25178([sq, spd, needed("spc", keys.spc)?]),
-            })
-        }
-        _ => None,
-    };
-    let direct = || -> Result<[f64; 3], SceneError> {
-        let radius = needed("asperity_radius", keys.asperity_radius)?;
-        Ok([radius, needed("asperity_density", keys.asperity_density)?, std()?])
-    };
-    let from_index = || -> Result<[f64; 3], SceneError> {
-        let index = needed("plasticity_index", keys.plasticity_index)?;
-        Ok([index, needed("roughness_parameter", keys.roughness_parameter)?, std()?])
-    };
-    let (keys_given, values) = match (&roughness, way) {
-        (Some(roughness), _) => (*roughness.keys(), roughness.numbers()),
-        (None, 0) => (["asperity_radius", "asperity_density", STD], direct()?),
-        _ => (["plasticity_index", "roughness_parameter", STD], from_index()?),
-    };
     let made = |[a, b, c]: [f64; 3]| match (roughness, way) {
         (Some(roughness), _) => roughness.with([a, b, c]).surface(),
         (None, 0) => Ok(Surface::new(a, b, c)),
         _ => Surface::from_plasticity_index(a, b, c, interface),
     };
-    let stated = keys_given.map(|key| document.stated.contains(&at(key)));
-    let given = Given { keys: keys_given, numbers: values, stated, surface: &|n| made(n).ok() };
-    let slope = [(GRADIENT, keys.sdq), (MEAN_SLOPE, keys.mean_slope)];
-    let slope = slope.into_iter().find_map(|(key, value)| likely_angle(key, value?));
+    let stated = keys.map(|key| document.stated.contains(&at(key)));
+    let given = Given { keys, numbers: values, stated, surface: &|n| made(n).ok() };
+    let mut pairs = keys.into_iter().zip(values);
+    let slope = pairs.find(|(key, _)| [GRADIENT, MEAN_SLOPE].contains(key));
+    let unit = slope.and_then(|(key, value)| likely_angle(key, value));
     // Asperities without any unit are described by their own findings.
     let is_plain = roughness.is_none() && way == 0 && stated == [false; 3];
-    let odd = if is_plain || slope.is_some() { None } else { given.odd_number() };
-    let plain_spc = || keys.spc.filter(|_| !document.stated.contains(&at("spc")));
-    let curvature = || plain_spc().filter(|_| odd.is_none()).and_then(likely_curvature);
-    let unit = slope.or_else(curvature);
+    let odd = if is_plain || unit.is_some() { None } else { given.odd_number() };
     // Of two surfaces, each warning has its place.
     let is_pair = document.has(COUNTERFACE);
     let unit = unit.map(|found| match is_pair {

@@ -7,8 +7,8 @@ use asperity::{Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHe
 use toml::{Table, Value};
 
 use crate::document::Document;
-use crate::template::{key, keys_of};
-use crate::{Place, SceneError, SceneFile, parse, write_heights};
+use crate::keys::{Key, keys_of};
+use crate::{Place, SceneError, SceneFile, parse, template, write_heights};
 
 /// A scene file as read, whose keys are written again if the scene has not changed.
 #[derive(Debug)]
@@ -24,11 +24,11 @@ pub(crate) struct Read {
 impl Read {
     pub(crate) fn new(
         document: &Document<'_>,
-        mut table: Table,
         interface: Interface,
         surface: Surface,
         heights: Option<&TabulatedHeights>,
     ) -> Self {
+        let mut table = document.table.clone();
         let whole = |path: &mut Value| {
             if let Value::String(text) = path {
                 *text = document.whole_path(Path::new(text)).to_string_lossy().into_owned();
@@ -297,18 +297,21 @@ fn unwritable(at: Place, reason: &str) -> SceneError {
 /// The keys of a section, one per line, in the order of the template; numbers have a comment with
 /// their unit.
 fn lines(section: &str, table: &Table) -> String {
-    let names = keys_of(section).into_iter();
-    let beside = table.keys().map(String::as_str).filter(|name| !names.clone().any(|n| n == *name));
+    let header = format!("[{section}]");
+    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
+    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
+    let mut names = keys_of(section);
+    names.sort_by_key(place);
     let line = |name: &str| {
         let value = table.get(name)?;
         let meaning = match value {
-            Value::Float(_) | Value::Integer(_) => key(section, name).map_or("", |key| key.meaning),
+            Value::Float(_) | Value::Integer(_) => Key::meaning(section, name),
             _ => "",
         };
         let gap = if meaning.is_empty() { "" } else { "  # " };
         Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
     };
-    names.clone().chain(beside).filter_map(line).collect()
+    names.into_iter().filter_map(line).collect()
 }
 
 /// A value on one line: numbers with the shortest digits that read back.

@@ -208,14 +208,8 @@ fn right_numbers_in_si_units_are_not_taken_for_centimetres() {
 #[test]
 fn a_number_with_its_unit_is_not_suspected() {
     const ISO: &str = "sq = \"0.9 um\"\nspd = \"800 1/mm2\"\n";
-    const INDEX: &str = "asperity_height_std = \"0.8um\"\n";
     for (surface, wanted) in [
         (format!("{ISO}spc = 130"), "surface.spc = 130 looks like 1/cm; 130 1/cm is 13000 1/m"),
-        (format!("{ISO}sdq = 0.0007"), "surface.sdq = 7e-4 does not go with sq and spd, beside"),
-        (
-            format!("{INDEX}plasticity_index = 20\nroughness_parameter = 4"),
-            "surface.roughness_parameter = 4 does not go with plasticity_index and asper",
-        ),
         (
             "asperity_radius = \"80 um\"\nasperity_density = 800\nasperity_height_std = \"0.8 um\""
                 .into(),
@@ -298,10 +292,8 @@ fn commas_brackets_and_other_units_are_explained() {
             "\"58 ksi\"",
             "body[1].yield_strength is \"58 ksi\": a known unit, as in \"399.9 MPa\", which is the",
         ),
-        ("\"400 MPa\"", "\"1\u{b7}5 GPa\"", "= \"1\u{b7}5 GPa\" has a raised dot; write 1.5 GPa"),
         ("\"400 MPa\"", "\u{201c}400 MPa\u{201d}", "write straight quotes"),
         ("\"400 MPa\"", "\"4,0e8\"", "= \"4,0e8\" has a decimal comma; write 4.0e8 without quotes"),
-        ("\"400 MPa\"", "10^8", "10^8 has a power of ten; write 1e8; "),
         (
             "\"400 MPa\"",
             "\"120 HV\"",

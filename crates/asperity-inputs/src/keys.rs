@@ -1,0 +1,359 @@
+//! The table of inputs: every key that may be written about a scene, once. Reading, writing, units,
+//! suggestions, the keys of fits and sweeps and the page's form follow from it; the template is
+//! compared with it by a test.
+
+use asperity::{Body, Interface, Surface};
+
+use crate::quantity::{UNITS, Units};
+
+/// A key of a scene file.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// Its section: `body`, `interface`, `surface`, `options`, or empty for the top of the file.
+    pub section: &'static str,
+    /// What it describes.
+    pub of: Of,
+    /// The SI unit of its number; empty for pure numbers and for texts.
+    pub unit: &'static str,
+    /// Its unit, and what it is, which needs it or its values, as the template says.
+    pub meaning: &'static str,
+    /// Other names, in lower case, with what differs; names of one group are separated by blanks.
+    pub also: &'static [(&'static str, &'static str)],
+    /// Its name in a form with the symbol, and a value as it may be typed or the values to choose
+    /// from, separated by `|`; empty for keys that a form does not have.
+    pub form: [&'static str; 2],
+}
+
+/// What a key of a scene describes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Of {
+    /// The contact as a whole.
+    Scene,
+    /// One body.
+    Body,
+    /// The two bodies together.
+    Interface,
+    /// One rough surface, by numbers.
+    Roughness,
+    /// One rough surface, by a measured file.
+    Scan,
+    /// The surface that both rough surfaces make.
+    Surface,
+    /// Variants of the models.
+    Options,
+}
+
+/// A key whose number is a field of a struct of the library: functions that read and set it.
+#[derive(Debug)]
+pub struct Field<T: 'static> {
+    /// The key.
+    pub name: &'static str,
+    /// The number, if it is given.
+    pub get: fn(&T) -> Option<f64>,
+    /// Replaces the number.
+    pub set: fn(&mut T, f64),
+}
+
+impl<T> Clone for Field<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Field<T> {}
+
+macro_rules! key {
+    ($section:literal $of:ident $name:ident $unit:literal $meaning:literal
+        $(also $($other:literal $differs:literal),+)? $(form $label:literal $typed:literal)?) => {
+        Key {
+            name: stringify!($name),
+            section: $section,
+            of: Of::$of,
+            unit: $unit,
+            meaning: concat!($unit, $meaning),
+            also: &[$($(($other, $differs)),+)?],
+            form: [concat!($($label)?), concat!($($typed)?)],
+        }
+    };
+}
+
+/// Sections with their keys, each with its unit, what follows the unit in the template, other names
+/// with what differs, and its name and a value in a form. Those of `numbers` are fields of a struct
+/// of the library; sweeps and Python list them in this order.
+macro_rules! keys {
+    ($($section:literal $of:ident
+        $(numbers $list:ident in $struct:ident { $($field:ident($($column:tt)+))+ })?
+        { $($name:ident($($value:tt)+))* })+) => {
+        /// Every key of a scene file.
+        pub const KEYS: &[Key] = &[$(
+            $($(key!($section $of $field $($column)+),)+)?
+            $(key!($section $of $name $($value)+),)*
+        )+];
+        $($(
+            /// The numbers of this struct.
+            pub const $list: &[Field<$struct>] = &[$(Field {
+                name: stringify!($field),
+                get: |of| Option::from(of.$field),
+                set: |of, value| of.$field = value.into(),
+            }),+];
+        )?)+
+    };
+}
+
+keys! {
+    "" Scene {
+        nominal_area("m^2" ", the apparent area of contact"
+            also "a_n area" "" form "Nominal area" "1 cm2")
+        rigid_counterface("" "with one [[body]] only: the counterface is rigid")
+        work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it"
+            also "adhesion adhesion_energy surface_energy energy_of_adhesion gamma"
+            "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
+        accept("" "codes of warnings and notes to silence, as in check --format json")
+        body("" "two of them, here of steel; one with rigid_counterface = true")
+        interface("" "of the two bodies together")
+        surface("" "the rough surface, in exactly one of five ways")
+        options("" "")
+    }
+    "body" Body numbers BODY in Body {
+        youngs_modulus("Pa" "" also "e young_modulus elastic_modulus" ""
+            form "Young's modulus E" "210 GPa")
+        poissons_ratio("" "above -1, at most 0.5" also "nu poisson_ratio poisson" ""
+            form "Poisson's ratio ν" "0.3")
+        hardness("Pa" "; 2.8 times the yield strength if missing; elastic models need neither"
+            also "h vickers brinell" "" form "Hardness H" "2 GPa")
+        yield_strength("Pa" "; instead of the hardness, or beside it"
+            also "yield_stress yield sy rp02" "" form "Yield strength" "700 MPa")
+        thermal_conductivity("W/(m K)" ", of both bodies; only thermal-conductance needs it"
+            also "conductivity heat_conductivity" "" form "Thermal conductivity" "50 W/(m K)")
+        electrical_resistivity("ohm m" ", of both bodies; only electrical-conductance needs it"
+            also "resistivity electric_resistivity" "",
+            "electrical_conductivity electric_conductivity" "it is 1/conductivity, in ohm m; "
+            form "Electrical resistivity" "1.7e-7 ohm m")
+        tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it")
+    } {
+        material("" "E, nu, hardness and what is known, instead of them: `asperity materials`")
+    }
+    "interface" Interface numbers INTERFACE in Interface {
+        equivalent_modulus("Pa" ", 1/E = (1-nu1^2)/E1 + (1-nu2^2)/E2"
+            form "Equivalent modulus" "115 GPa")
+        poissons_ratio("" "of the softer body" form "Poisson's ratio ν" "0.3")
+        hardness("Pa" ", of the softer body" form "Hardness H" "2 GPa")
+        yield_strength("Pa" ", of the softer body; instead of the hardness, or beside it")
+        equivalent_shear_modulus("Pa"
+            ", 1/G = (2-nu1)/G1 + (2-nu2)/G2; for gao, at, tangential-stiffness")
+        pressure_factor("" "0.454 + 0.41 nu if missing")
+        thermal_conductivity("W/(m K)" ", 2/k = 1/k1 + 1/k2")
+        electrical_resistivity("ohm m" ", 2 rho = rho1 + rho2")
+        work_of_adhesion("J/m^2" ", gamma1 + gamma2 - gamma12; only dmt and jkr need it")
+        tangent_modulus("Pa" ", of two bodies with the same E and nu; only ghaednia needs it")
+    } {}
+    "surface" Roughness numbers SURFACE in Surface {
+        asperity_radius("m" "" also "r radius tip_radius" "" form "Asperity radius R" "0.2 mm")
+        asperity_density("1/m^2" "" also "eta density" "" form "Asperity density η" "200 1/mm2")
+        asperity_height_std("m" ", of the asperities, not of the surface ..." also "sigma sigma_z"
+            "it is the std of the asperity heights, and that of the surface is surface_height_std; "
+            form "Height std σ_z" "1 um")
+    } {
+        surface_height_std("m" ", ... or of the surface: Sq of an isotropic Gaussian surface"
+            also "ra rq sa rms roughness"
+            "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ")
+        mean_slope("" "without a unit: mean |slope| of profiles; replaces asperity_radius, with surface_height_std")
+        plasticity_index("" "2 E/(pi S H) sqrt(height_std/radius)" also "psi" ""
+            form "Plasticity index ψ" "2")
+        roughness_parameter("" "density times radius times height_std" form "η R σ_z" "0.04")
+        m0("m^2" "" form "m0, mean of z²" "1e-12 m^2")
+        m2("" "without a unit" form "m2, mean of z′²" "1e-4")
+        m4("1/m^2" "" form "m4, mean of z″²" "5e4 1/m^2")
+        sq("m" ", standard deviation of the surface heights" form "Sq" "1.1 um")
+        spd("1/m^2" ", density of peaks" form "Spd" "200 1/mm2")
+        spc("1/m" ", mean curvature of peaks" form "Spc" "5 1/mm")
+        sdq("" "without a unit: rms gradient; instead of spc"
+            also "rdq rms_slope rms_gradient" "it is the rms gradient of the surface; ")
+    }
+    "surface" Scan {
+        file("" "text, NumPy .npy, X3P, SUR, Gwyddion .gwy or SDF" form "File" "scan.x3p")
+        files("" "the two surfaces in contact")
+        unit("" "of the heights (and of pixel_size), if the file has none"
+            form "Unit of the heights" "um")
+        pixel_size("" "or [1.5, 2.0], in that unit or as \"10 nm\", if the file has none"
+            form "Pixel size" "1.5 um")
+        channel("" "name or number of a surface in a file of several (.gwy, .sur)")
+        estimator("" "or \"summits\"" form "Estimator" "moments|summits")
+        level("" "form removed first: \"plane\", \"quadratic\", \"mean\" (default of periodic scans) or \"none\""
+            form "Form removed" "plane|quadratic|mean|none")
+        filter("m" ", long-wavelength cut-off of a Gaussian filter" form "Long cut-off" "0.8 mm")
+        smooth("m" ", short-wavelength cut-off of a Gaussian filter" form "Short cut-off" "2 um")
+        periodic("" "true if the surface is repeated beyond its edges, with its steps"
+            form "Periodic" "true|false")
+        max_missing("" "the largest share of missing points" form "Missing points, at most" "0.1")
+        fill_missing("" "true: up to 0.05 of the points are filled from their surroundings"
+            form "Fill missing points" "true|false")
+        despike("" "true: outliers are replaced as missing points are filled"
+            form "Replace outliers" "true|false")
+        aligned("" "true: heights of two scans add, point by point; \"mirrored\": rows of the second reversed")
+    }
+    "surface" Surface {
+        counterface("" "or { file = \"b.sur\", filter = 8e-4 }")
+        heights("" "" form "Heights" "gaussian")
+        asperities("" "or \"random\"" form "Asperities" "equal|random")
+        separation_from("" "or \"surface-mean\"")
+        mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
+    }
+    "options" Options {
+        at_reading("" "\"additive\", \"overlap\"")
+        angle_density("" "of gao and at; or \"upright\"")
+        displacement("" "\"none\", { zeta = 0.1, xi = 0.1 }")
+        stick("" "\"unlimited\"")
+        force("" "\"vertical\"")
+        jg_hardness("" "\"cosine\"")
+        af_flow_pressure("" "\"H\"")
+        hurst_exponent("" "of a power-law spectrum for the gaps of persson: without a scan, or instead of it")
+        asperities("" "")
+    }
+}
+
+/// The section of the second of two rough surfaces.
+pub(crate) const COUNTERFACE: &str = "surface.counterface";
+
+impl Key {
+    /// The key of this name in a section, or else the first of this name.
+    pub(crate) fn find(section: &str, name: &str) -> Option<&'static Self> {
+        let named = || KEYS.iter().filter(|key| key.name == name);
+        named().find(|key| key.section == section).or_else(|| named().next())
+    }
+
+    /// The units of its number.
+    pub(crate) fn units(&self) -> Option<Units> {
+        UNITS.into_iter().find(|(si, ..)| *si == self.unit)
+    }
+
+    /// The key for another name, and what differs.
+    pub(crate) fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
+        let name = name.to_lowercase();
+        let other = |key: &'static Self| {
+            let is_one = |(names, _): &&(&str, &str)| names.split(' ').any(|one| one == name);
+            Some((key.name, key.also.iter().find(is_one)?.1))
+        };
+        KEYS.iter().find_map(other)
+    }
+
+    /// The key at the end of a path, or else the first of this name.
+    pub(crate) fn of_path(path: &str) -> Option<&'static Self> {
+        let (section, name) = section_and_name(path);
+        Self::find(section, name)
+    }
+
+    /// Its meaning; empty for unknown keys.
+    pub(crate) fn meaning(section: &str, name: &str) -> &'static str {
+        Self::find(section, name).map_or("", |key| key.meaning)
+    }
+
+    /// Where it is written.
+    pub(crate) fn home(&self) -> String {
+        match self.section {
+            "" => "the top of the file, above every [section]".into(),
+            "body" => "[[body]]".into(),
+            section => format!("[{section}]"),
+        }
+    }
+}
+
+/// The names of the keys of a section; those of the second surface describe one surface.
+pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
+    let of_pair = |key: &Key| key.of == Of::Surface || ["files", "aligned"].contains(&key.name);
+    let is_here = |key: &&Key| match section {
+        COUNTERFACE => key.section == "surface" && !of_pair(key),
+        section => key.section == section,
+    };
+    KEYS.iter().filter(is_here).map(|key| key.name).collect()
+}
+
+/// A key behind its section.
+pub(crate) fn joined(section: &str, key: &str) -> String {
+    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
+    format!("{section}{dot}{key}")
+}
+
+/// The section of a path and its last key, without numbers of bodies.
+pub(crate) fn section_and_name(path: &str) -> (&str, &str) {
+    let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let bare = |name: &'_ str| name.find('[').unwrap_or(name.len());
+    (&section[..bare(section)], &name[..bare(name)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::template;
+
+    /// Every line of the template that explains a key: section, key and what is said.
+    fn explained() -> Vec<(String, String, String)> {
+        let mut section = String::new();
+        let mut found = vec![];
+        for line in template().lines().map(|line| line.trim_start_matches("# ")) {
+            let (code, said) = line.split_once('#').unwrap_or((line, ""));
+            let code = code.trim();
+            let is_name = |name: &str| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            if code.starts_with('[') {
+                let name = code.trim_matches(['[', ']']).to_string();
+                section.clear();
+                found.push((String::new(), name.clone(), said.trim().into()));
+                section = name;
+            } else if let Some((name, _)) = code.split_once(" = ").filter(|(name, _)| is_name(name))
+            {
+                found.push((section.clone(), name.into(), said.trim().into()));
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn the_template_says_of_every_key_what_the_table_says() {
+        let explained = explained();
+        for (k, (section, name, said)) in explained.iter().enumerate() {
+            let key = KEYS.iter().find(|key| key.section == section && key.name == name);
+            let key = key.unwrap_or_else(|| panic!("{section} {name} is not in the table"));
+            let is_first = explained[..k].iter().all(|one| (&one.0, &one.1) != (section, name));
+            let wanted = if is_first { key.meaning } else { "" };
+            assert_eq!(said, wanted, "{section} {name}");
+        }
+        for key in KEYS.iter().filter(|key| (key.section, key.name) != ("options", "asperities")) {
+            let is_here = explained.iter().any(|one| one.0 == key.section && one.1 == key.name);
+            assert!(is_here, "{} {} is not in the template", key.section, key.name);
+        }
+    }
+
+    #[test]
+    fn every_field_of_a_struct_of_the_library_is_a_key() {
+        let declared = |section: &str, fields: serde_json::Value, but: &[&str]| {
+            let mut known = keys_of(section);
+            known.retain(|name| !but.contains(name));
+            let mut fields: Vec<&String> = fields.as_object().unwrap().keys().collect();
+            known.sort_unstable();
+            fields.sort_unstable();
+            assert_eq!(known, fields, "{section}");
+        };
+        let body = serde_json::to_value(Body::elastic(1e9, 0.3)).unwrap();
+        declared("body", body, &["material"]);
+        declared("interface", serde_json::to_value(Interface::new(1e9, 0.3, 1e9)).unwrap(), &[]);
+        let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };
+        declared("options", serde_json::to_value(options).unwrap(), &[]);
+    }
+
+    #[test]
+    fn units_and_other_names_are_known() {
+        for key in KEYS.iter().filter(|key| !key.unit.is_empty()) {
+            assert!(key.units().is_some(), "{}", key.unit);
+        }
+        assert_eq!(Key::synonym("Vickers"), Some(("hardness", "")));
+        assert_eq!(Key::synonym("hardness"), None);
+        assert_eq!(Key::meaning("interface", "poissons_ratio"), "of the softer body");
+        assert_eq!(section_and_name("body[2].hardness"), ("body", "hardness"));
+        assert_eq!((section_and_name("body[2]"), section_and_name("")), (("", "body"), ("", "")));
+        assert!(keys_of(COUNTERFACE).contains(&"pixel_size"));
+        assert!(!keys_of(COUNTERFACE).contains(&"heights"));
+    }
+}

@@ -1,0 +1,372 @@
+//! Numbers that are probably written in another notation or unit, and how to write them.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use asperity::{Finding, HARDNESS_OVER_YIELD, hardness_of_vickers, plain_unit as plain, short};
+
+use crate::scaled::{leading, scale};
+
+mod lengths;
+mod surface;
+
+pub use lengths::mistaken_unit;
+pub(crate) use surface::{Given, OddNumber};
+
+/// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
+/// `1.5 kN` for `1,5 kN`.
+///
+/// ```
+/// use asperity_inputs::with_decimal_point;
+///
+/// assert_eq!(with_decimal_point("1,5 kN").as_deref(), Some("1.5 kN"));
+/// assert_eq!(with_decimal_point("1.000,5"), None);
+/// ```
+#[must_use]
+pub fn with_decimal_point(text: &str) -> Option<String> {
+    let (whole, rest) = text.trim().split_once(',')?;
+    let digits = whole.trim_start_matches(['-', '+']);
+    let is_whole = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit());
+    let is_number = is_whole
+        && rest.starts_with(|c: char| c.is_ascii_digit())
+        && !rest.contains([',', '.', ':']);
+    is_number.then(|| format!("{whole}.{rest}"))
+}
+
+/// The same text without thousands separators, of a number in groups of three digits, whose unit
+/// may follow: `1000000 N` for `1,000,000 N`. One point is a decimal point.
+///
+/// ```
+/// use asperity_inputs::without_thousands;
+///
+/// assert_eq!(without_thousands("1.500,5 N").as_deref(), Some("1500.5 N"));
+/// assert_eq!(without_thousands("1.500"), None);
+/// ```
+#[must_use]
+pub fn without_thousands(text: &str) -> Option<String> {
+    let text = text.trim();
+    let body = text.trim_start_matches(['-', '+']);
+    let sign = text.get(..text.len() - body.len())?;
+    let separator = body.chars().find(|c| !c.is_ascii_digit())?;
+    if !",.'_ \u{2019}\u{a0}\u{202f}".contains(separator) {
+        return None;
+    }
+    let mut groups = body.split(separator);
+    // 0,125 and 0.125,0.5 have no thousands.
+    let first = |first: &&str| (1..=3).contains(&first.len()) && !first.starts_with('0');
+    let mut digits = groups.next().filter(first)?.to_string();
+    let (mut count, mut rest) = (0, String::new());
+    for group in groups {
+        if !rest.is_empty() {
+            // What follows the number, a unit for example.
+            rest.push(separator);
+            rest.push_str(group);
+            continue;
+        }
+        let end = group.find(|c: char| !c.is_ascii_digit()).unwrap_or(group.len());
+        let (three, after) = group.split_at_checked(end)?;
+        match (three.len(), count) {
+            (3, _) => {
+                digits.push_str(three);
+                count += 1;
+            }
+            (0, 1..) => rest.push(separator),
+            _ => return None,
+        }
+        rest.push_str(after);
+    }
+    // 1.500,5 has one decimal sign, which is not the separator; 1'500,5 may be a list.
+    let signs = if ",.".contains(separator) { &[',', '.'][..] } else { &['.'] };
+    let decimal = rest.strip_prefix(signs);
+    match decimal {
+        // 1.000,2.000 is a list of two.
+        Some(fraction) if fraction.contains([',', '.']) => None,
+        Some(fraction) if fraction.starts_with(|c: char| c.is_ascii_digit()) => {
+            Some(format!("{sign}{digits}.{fraction}"))
+        }
+        _ if rest.starts_with([',', '.']) => None,
+        _ => (separator != '.' || count > 1).then(|| format!("{sign}{digits}{rest}")),
+    }
+}
+
+/// How to write a number that is refused for its commas or points: "has a decimal comma; write 1.5"
+/// for `1,5`. `None` for other texts.
+#[must_use]
+pub fn notation_hint(text: &str) -> Option<String> {
+    Some(match (with_decimal_point(text), without_thousands(text)) {
+        (Some(decimal), Some(thousands)) => {
+            format!("is ambiguous; write {decimal} or {thousands}")
+        }
+        (Some(decimal), None) => format!("has a decimal comma; write {decimal}"),
+        (None, Some(thousands)) => {
+            let short = thousands.parse::<f64>().map(|value| format!("{value:e}"));
+            let short = short.ok().filter(|short| short.len() < thousands.len());
+            let or = short.map_or(String::new(), |short| format!(" or {short}"));
+            format!("has thousands separators; write {thousands}{or}")
+        }
+        (None, None) => return None,
+    })
+}
+
+/// The number needed instead of a text, of a key without a unit.
+pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
+    let given = with_decimal_point(text).unwrap_or(text.into());
+    if ["sdq", "mean_slope"].contains(&name) {
+        if let Some(slope) = gradient(text).map(short) {
+            return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
+        }
+        if in_units(text, &ANGLES).is_some() {
+            return Some("a gradient, or an angle between 0 and 90 deg,".into());
+        }
+    }
+    let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
+    is_number.then(|| format!("the number {given} without quotes"))
+}
+
+/// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on
+/// the nominal area, behind the text in a message; `None` for other texts and keys.
+pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
+    let capital = text.to_uppercase();
+    let vickers = of_scale(&capital, "HV").map(|vickers| {
+        let contact = hardness_of_vickers(vickers);
+        [contact, contact / HARDNESS_OVER_YIELD]
+            .map(|pascal| format!("{}GPa", short(1e-9 * pascal)))
+    });
+    let others = ["HBW", "HB", "HRC"];
+    if vickers.is_none() && others.into_iter().all(|name| of_scale(&capital, name).is_none()) {
+        return None;
+    }
+    Some(match (key, vickers) {
+        ("hardness", Some([contact, _])) => format!(
+            "is not in Pa: write {contact}, the contact hardness (mean pressure on the projected area, 9.807 HV/0.9272 MPa)"
+        ),
+        ("hardness", None) => "is not in Pa: convert the hardness to HV first".into(),
+        ("yield_strength", Some([contact, strength])) => format!(
+            "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
+        ),
+        ("yield_strength", None) => {
+            "is a hardness, not a yield strength: convert it to HV, and give it as hardness".into()
+        }
+        (PRESSURE, _) => {
+            "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
+        }
+        _ => return None,
+    })
+}
+
+/// The key of a pressure on the nominal area, which scene files do not have.
+pub(crate) const PRESSURE: &str = "pressure";
+
+/// The number of a hardness: 120 of `120 HV`, `120 HV10`, `HV 120` or `HV10 120`.
+fn of_scale(text: &str, name: &str) -> Option<f64> {
+    let (before, after) = text.trim().split_once(name)?;
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    match before.is_empty() {
+        true => number(after).or_else(|| {
+            let (load, value) = after.split_once(' ')?;
+            number(load).and(number(value))
+        }),
+        false => number(before).filter(|_| after.is_empty() || number(after).is_some()),
+    }
+}
+
+/// The gradient above which it is probably in degrees or per cent: 45 degrees.
+const STEEP: f64 = 1.0;
+/// The largest gradient that is probably in per cent.
+const STEEPEST: f64 = 200.0;
+
+/// A warning for a gradient, of this name, that is probably in degrees or per cent.
+///
+/// ```
+/// let found = asperity_inputs::likely_angle("mean_slope", 7.0).unwrap().to_string();
+/// let text = "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07";
+/// assert_eq!(found, text);
+/// assert_eq!(asperity_inputs::likely_angle("mean_slope", 0.07), None);
+/// ```
+#[must_use]
+pub fn likely_angle(name: &str, gradient: f64) -> Option<Finding> {
+    let (given, hint) = (short(gradient), angle_hint(gradient)?);
+    let found = Finding::warning("unit", name.to_string(), gradient);
+    let found = found.fact(format!("{name} is {given}, steeper than 45 degrees"));
+    Some(found.advice(format!("{given} {hint}")))
+}
+
+/// "looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07" for a gradient of 7.
+pub(crate) fn angle_hint(gradient: f64) -> Option<String> {
+    let slope = gradient.to_radians().tan();
+    let [given, slope, share] = [gradient, slope, 0.01 * gradient].map(short);
+    (gradient > STEEP && gradient <= STEEPEST).then(|| match gradient < 89.0 {
+        true => {
+            format!("looks like degrees or per cent; {given} deg is {slope}, {given} % is {share}")
+        }
+        false => format!("looks like per cent; {given} % is {share}"),
+    })
+}
+
+/// Units of a gradient: ratios of lengths, with their size.
+const RATIOS: [(&str, f64); 7] = [
+    ("%", 0.01),
+    ("percent", 0.01),
+    ("um/mm", 1e-3),
+    ("um/um", 1.0),
+    ("mm/m", 1e-3),
+    ("mm/mm", 1.0),
+    ("m/m", 1.0),
+];
+/// Units of an angle, with their size \[rad\].
+const ANGLES: [(&str, f64); 7] = [
+    ("deg", PI / 180.0),
+    ("degree", PI / 180.0),
+    ("degrees", PI / 180.0),
+    ("\u{b0}", PI / 180.0),
+    ("rad", 1.0),
+    ("mrad", 1e-3),
+    ("grad", PI / 200.0),
+];
+
+/// The number of a text in one of the units, times its size.
+fn in_units(text: &str, units: &[(&str, f64)]) -> Option<f64> {
+    let decimal = with_decimal_point(text);
+    let (number, power, rest) = leading(decimal.as_deref().unwrap_or(text))?;
+    let unit = plain(rest);
+    let (_, size) = units.iter().find(|(name, _)| *name == unit)?;
+    Some(scale(&number, power)? * size)
+}
+
+/// The gradient that a text states in per cent, degrees, radians or as a ratio of lengths, as a
+/// number; `None` for angles that are not between 0 and 90 degrees.
+///
+/// ```
+/// assert_eq!(asperity_inputs::gradient("6 %"), Some(0.06));
+/// assert_eq!(asperity_inputs::gradient("90 deg"), None);
+/// ```
+#[must_use]
+pub fn gradient(text: &str) -> Option<f64> {
+    let angle = || in_units(text, &ANGLES).filter(|angle| (0.0..FRAC_PI_2).contains(angle));
+    let found = in_units(text, &RATIOS).or_else(|| angle().map(f64::tan));
+    found.filter(|found| found.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_above_one_look_like_degrees_or_per_cent() {
+        let text = "sdq is 12, steeper than 45 degrees: 12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
+        assert_eq!(likely_angle("sdq", 12.0).unwrap().to_string(), text);
+        let text = "sdq is 90, steeper than 45 degrees: 90 looks like per cent; 90 % is 0.9";
+        assert_eq!(likely_angle("sdq", 90.0).unwrap().to_string(), text);
+        assert_eq!((likely_angle("sdq", 0.4), likely_angle("sdq", 300.0)), (None, None));
+    }
+
+    #[test]
+    fn texts_with_per_cent_or_degrees_are_gradients() {
+        for (text, wanted) in [
+            ("6 %", 0.06),
+            ("6,5 %", 0.065),
+            ("12deg", 0.2126),
+            ("45\u{b0}", 1.0),
+            ("0.058 rad", 0.05807),
+            ("70 mrad", 0.07011),
+            ("1570 mrad", 1255.7656),
+            ("4 grad", 0.06291),
+            ("4 degrees", 0.06993),
+            ("7 percent", 0.07),
+            ("1e-3 rad", 1e-3),
+            ("58 um/mm", 0.058),
+            ("0.058 \u{b5}m/\u{b5}m", 0.058),
+        ] {
+            assert!((gradient(text).unwrap() - wanted).abs() < 5e-5, "{text}");
+        }
+        for text in ["90 deg", "100\u{b0}", "-3 deg", "2 rad", "100 grad", "1571 mrad"] {
+            assert_eq!(gradient(text), None, "{text}");
+        }
+        assert!(gradient("6").is_none() && gradient("6 um").is_none() && gradient("%").is_none());
+    }
+
+    #[test]
+    fn one_comma_between_digits_is_a_decimal_comma() {
+        for (text, point) in [
+            ("0,3", Some("0.3")),
+            (" -1,5e-6", Some("-1.5e-6")),
+            ("1,1 um", Some("1.1 um")),
+            ("3e-1,5", None),
+            ("1,5,2", None),
+            ("1, 5", None),
+            ("a,5", None),
+            ("1,", None),
+            ("1.5", None),
+        ] {
+            assert_eq!(with_decimal_point(text).as_deref(), point, "{text}");
+        }
+    }
+
+    #[test]
+    fn groups_of_three_digits_are_thousands() {
+        for (text, plain) in [
+            ("1,000,000", Some("1000000")),
+            ("-1,234,567.5e3", Some("-1234567.5e3")),
+            ("1.500.000 Pa", Some("1500000 Pa")),
+            ("1.500,25 N", Some("1500.25 N")),
+            ("12 500 N", Some("12500 N")),
+            ("1'500", Some("1500")),
+            ("500'000.0", Some("500000.0")),
+            ("12\u{202f}500.5 N", Some("12500.5 N")),
+            ("1_000 N/m", Some("1000 N/m")),
+            ("1\u{202f}500,5", None),
+            ("1,500", Some("1500")),
+            ("1,500kN", Some("1500kN")),
+            // A decimal point, and what is no group.
+            ("1.500", None),
+            ("1.500 N", None),
+            ("1,50,000", None),
+            ("1000,000", None),
+            ("1,5", None),
+            ("1,0000", None),
+            (",000", None),
+            ("1,000,", None),
+            ("1,000.", None),
+            ("5 mm", None),
+            ("1500", None),
+            ("", None),
+            ("\u{b5},000", None),
+            // No thousands begin with 0, and a number has one decimal sign.
+            ("0,125", None),
+            ("0.125,0.5,1", None),
+            ("0.250,0.500", None),
+            ("1.000,2.000", None),
+            ("10.125,20.5", None),
+        ] {
+            assert_eq!(without_thousands(text).as_deref(), plain, "{text}");
+        }
+    }
+
+    #[test]
+    fn hints_give_every_reading() {
+        for (text, hint) in [
+            ("1,5 N", Some("has a decimal comma; write 1.5 N")),
+            ("0,125 um", Some("has a decimal comma; write 0.125 um")),
+            ("1,500 N", Some("is ambiguous; write 1.500 N or 1500 N")),
+            ("1,000,000", Some("has thousands separators; write 1000000 or 1e6")),
+            ("1.234.567 N", Some("has thousands separators; write 1234567 N")),
+            ("5 N", None),
+            ("5 1/mm2", None),
+        ] {
+            assert_eq!(notation_hint(text).as_deref(), hint, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_hardness_is_refused_by_what_is_needed() {
+        let vickers = |key| hardness("120 HV", key).unwrap();
+        let wanted = "is not in Pa: write 1.269GPa, the contact hardness (mean";
+        assert!(vickers("hardness").starts_with(wanted));
+        let strength = vickers("yield_strength");
+        assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
+        assert!(vickers(PRESSURE).starts_with("is a hardness, not a pressure on the nominal"));
+        for text in ["60 HRC", "200 HBW", "HB 200"] {
+            assert!(hardness(text, "hardness").unwrap().ends_with("to HV first"), "{text}");
+        }
+        assert_eq!(hardness("120 MPa", "hardness"), None);
+    }
+}
