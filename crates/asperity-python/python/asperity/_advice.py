@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Rows, one_scene, place, quantity_names
+from asperity._arguments import LOADS, Rows, one_scene, place
 from asperity._asperity import Engine, Scene
 from asperity._check import Check
 from asperity._model import Model
@@ -100,7 +100,7 @@ def plan(
         plastic: sum of powers
     """
     rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
-    text, found = _asperity.plan(_model(model), rows, quantity_names(quantities), rtol)
+    text, found = _asperity.plan(_model(model), rows, quantities, rtol)
     steps = (
         PlanStep(
             law=step["law"],
@@ -148,7 +148,7 @@ def recommend(
     against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
     text, simplest, evidence, places, found = _asperity.recommend(
-        against, rows, quantity_names(quantities), within, rtol, ids
+        against, rows, quantities, within, rtol, ids
     )
     return Recommendation(
         simplest=simplest,

@@ -41,7 +41,6 @@ __all__ = [
     "check",
     "contact_table",
     "correlated",
-    "findings",
     "fit",
     "floats",
     "gap_conductance",
@@ -246,7 +245,6 @@ class Scene:
 def check(
     scene: Scene, place: tuple[Engine, str, _Float] | None = None
 ) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
-def findings(engine: Engine, rows: _Rows) -> list[str]: ...
 def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
@@ -325,8 +323,12 @@ class Topography:
 @disjoint_base
 class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
-    def _source(self, scene: Scene | None = None) -> tuple[str, str, _Fields, list[str]]: ...
-    def _variant(self) -> list[str]: ...
+    id: Final[str]
+    name: Final[str]
+    source: Final[str]
+    variant: Final[str]
+    notes: Final[tuple[str, ...]]
+    _authors: Final[str]
     def _law(
         self, scene: Scene, quantity: str, interferences: _Floats, rtol: _Float
     ) -> _Floats: ...
@@ -338,7 +340,7 @@ class Contact:
         cls,
         model: Engine,
         scene: Scene,
-        quantities: Sequence[str],
+        quantities: str | Iterable[str],
         rtol: _Float,
         separation_unit: str,
     ) -> Contact: ...
@@ -466,35 +468,27 @@ class PartialSlip:
 def answer(
     engine: Engine,
     rows: _Rows,
-    names: Sequence[str],
+    quantities: str | Iterable[str],
     rtol: _Float,
     aspect: Literal["value", "ln", "error"],
     stop: bool,
     threads: int | None,
     checked: bool,
-) -> tuple[list[_Floats], _Failures, list[str]]: ...
+) -> tuple[str, dict[str, _Floats], _Failures, list[str]]: ...
 def separations(
     engine: Engine, rows: _Rows, unit: str, rtol: _Float, all: bool, stop: bool
-) -> tuple[_Floats, npt.NDArray[np.int64], _Failures]: ...
-def shares(
-    engine: Engine, rows: _Rows, quantity: str, rtol: _Float
-) -> list[tuple[str, _Floats]]: ...
+) -> tuple[_Floats | list[_Floats], _Failures]: ...
+def shares(engine: Engine, rows: _Rows, quantity: str, rtol: _Float) -> dict[str, _Floats]: ...
 def plan(
-    engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
+    engine: Engine, rows: _Rows, quantities: str | Iterable[str], rtol: _Float
 ) -> tuple[str, _Fields]: ...
 def corrected(
-    engine: Engine, rows: _Rows, unit: str, names: Sequence[str], rtol: _Float
-) -> tuple[
-    str,
-    list[tuple[_Floats, _Floats, _Floats]],
-    tuple[_Floats, _Floats, _Floats],
-    _Failures,
-    _Failures,
-]: ...
+    engine: Engine, rows: _Rows, unit: str, quantities: str | Iterable[str], rtol: _Float
+) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
 def recommend(
     reference: Engine,
     rows: _Rows,
-    names: Sequence[str],
+    quantities: str | Iterable[str],
     within: _Float,
     rtol: _Float,
     models: Sequence[str] | None,
@@ -512,7 +506,7 @@ def bem(
     elastic: bool,
     boundary: str | None,
     maps_and_mask: tuple[bool, bool],
-    quantities: Sequence[str],
+    quantities: str | Iterable[str] | None,
 ) -> tuple[
     dict[str, _Floats],
     tuple[_Floats, _Floats] | None,
@@ -550,7 +544,7 @@ def fit(
     engines: Sequence[Engine],
 ) -> dict[str, Any]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
-def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
+def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
 def materials() -> dict[str, tuple[str, Body, str]]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...

@@ -6,18 +6,19 @@ use asperity::{Comparison, ContactModel, EvidenceAt, Quantity, Request, Scene};
 use asperity_inputs::LeftOut;
 use pyo3::prelude::*;
 
-use crate::ask::rows::{Rows, View};
+use crate::ask::rows::Rows;
 use crate::convert::error::value_error;
 use crate::convert::objects::object;
-use crate::model::engine::{Engine, request_of};
+use crate::convert::quantities::Quantities;
+use crate::model::engine::Engine;
 
 /// The single scene of rows, and their request.
 fn scene_and_request<'r>(
-    rows: &'r View<'_>,
-    names: &[String],
+    rows: &'r Rows,
+    quantities: &Quantities,
     rtol: f64,
 ) -> PyResult<(&'r Scene, Request)> {
-    let request = request_of(names, rtol)?;
+    let request = quantities.request(rtol)?;
     match rows.one_scene() {
         Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
         None => Err(value_error("many scenes were given: one scene was required")),
@@ -29,13 +30,12 @@ fn scene_and_request<'r>(
 pub(crate) fn plan<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
-    names: Vec<String>,
+    rows: Rows,
+    quantities: Quantities,
     rtol: f64,
 ) -> PyResult<(String, Bound<'py, PyAny>)> {
-    let rows = rows.view()?;
     let (model, (scene, request)) =
-        (engine.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
+        (engine.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
     let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
     let plan = plan.map_err(|error| engine.raise(py, error))?;
     Ok((plan.to_string(), object(py, &plan)?))
@@ -56,15 +56,14 @@ type Advice<'py> = (String, Option<String>, String, Vec<Place<'py>>, Vec<Row<'py
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
     reference: &Engine,
-    rows: Rows<'py>,
-    names: Vec<String>,
+    rows: Rows,
+    quantities: Quantities,
     within: f64,
     rtol: f64,
     models: Option<Vec<String>>,
 ) -> PyResult<Advice<'py>> {
-    let rows = rows.view()?;
     let (model, (_, request)) =
-        (reference.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
+        (reference.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
     let file = &rows.files[0];
     let (among, left_out) = match models {
         None => {

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use super::scan::{Scan, load_case};
 use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{refused, value_error, warn};
-use crate::model::engine::quantities_of;
+use crate::convert::quantities::Quantities;
 
 /// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
 /// if kept; rows and columns; the reasons of failures by place; the boundary; the area of loads.
@@ -34,10 +34,10 @@ pub(crate) fn bem<'py>(
     elastic: bool,
     boundary: Option<&str>,
     maps_and_mask: (bool, bool),
-    quantities: Vec<String>,
+    quantities: Option<Quantities>,
 ) -> PyResult<Contacts<'py>> {
     let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
-    let quantities = quantities_of(&quantities)?;
+    let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
     bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
@@ -52,7 +52,7 @@ pub(crate) fn bem<'py>(
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
     let mut summaries: Vec<Option<ContactSummary>> = vec![None; all.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, |stop| {
+    run_interruptible(py, None, |stop| {
         elements.solve_each(
             &all,
             |_| continue_unless(stop),

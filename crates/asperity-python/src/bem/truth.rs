@@ -46,7 +46,7 @@ pub(crate) fn truth(
     };
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = run_interruptible(py, |stop| {
+        let found = run_interruptible(py, None, |stop| {
             asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| {
                 continue_unless(stop)
             })

@@ -39,7 +39,7 @@ class Job:
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
-        values, failures, messages = _asperity.answer(
+        _, values, failures, messages = _asperity.answer(
             self.model, rows, self.quantities, self.rtol, "value", stop, threads, False
         )
         first = self.design.first_row(number)
@@ -48,7 +48,7 @@ class Job:
                 drawn = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
                 raise placed(f"row {first + k} ({drawn}): ", error)
         errors = {k: reason(error) for k, error in failures}
-        return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), messages
+        return Part(first, inputs, values, errors), messages
 
     def identity(self) -> dict[str, Any]:
         """Every input that the values depend on, for JSON."""

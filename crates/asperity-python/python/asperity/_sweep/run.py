@@ -9,7 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from asperity._arguments import checked_errors, checked_unit, quantity_names
+from asperity import _asperity
+from asperity._arguments import checked_errors, checked_unit
 from asperity._asperity import ContactWarning
 from asperity._model import Model
 from asperity._sweep.design import Design, integer
@@ -98,7 +99,7 @@ def sweep(
     job = Job(
         space,
         model if isinstance(model, Model) else Model(model),
-        tuple(quantity_names(quantities)),
+        tuple(_asperity.quantities(quantities)),
         Design(
             design,
             integer("n", n, 1),
