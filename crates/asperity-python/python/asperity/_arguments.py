@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import Any, Literal, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,7 @@ from asperity._scene import Floats, Scenes
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
 Aspect: TypeAlias = Literal["value", "ln", "error"]
+Record = TypeVar("Record")
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
 #: Meanings of numbers, with their column heads.
@@ -88,6 +90,12 @@ def _short(given: Any) -> str:
         return text
     shape = np.shape(given) if isinstance(given, np.ndarray | list | tuple) else ()
     return f"a {type(given).__name__}" + (f" of shape {shape}" if shape else "")
+
+
+def record(kind: type[Record], found: Mapping[str, Any]) -> Record:
+    """The fields of a dataclass from a dict that has more, with tuples in the place of lists."""
+    given = {one.name: found[one.name] for one in fields(kind)}  # type: ignore[arg-type]
+    return kind(**{name: tuple(v) if isinstance(v, list) else v for name, v in given.items()})
 
 
 def checked_errors(errors: str) -> str:

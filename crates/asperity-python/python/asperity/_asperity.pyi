@@ -69,7 +69,6 @@ _Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
-_State: TypeAlias = tuple[float | None, float | None, float | None]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
@@ -492,13 +491,7 @@ def recommend(
     within: _Float,
     rtol: _Float,
     models: Sequence[str] | None,
-) -> tuple[
-    str,
-    str | None,
-    str,
-    list[tuple[dict[str, dict[str, float | None]], str | None]],
-    list[tuple[str, list[tuple[str, float]], str | None, dict[str, float | None] | None]],
-]: ...
+) -> _Fields: ...
 def bem(
     scan: tuple[Topography | Scene, Interface | None, str | None],
     given: str,
@@ -509,8 +502,8 @@ def bem(
     quantities: str | Iterable[str] | None,
 ) -> tuple[
     dict[str, _Floats],
-    tuple[_Floats, _Floats] | None,
-    tuple[int, int],
+    list[_Floats] | None,
+    list[int],
     dict[int, str],
     str,
     float,
@@ -531,7 +524,7 @@ def truth(
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[tuple[float, str, _State, _State]],
+    list[_Fields],
     tuple[str | None, list[str]],
     dict[str, str],
     dict[int, str],
