@@ -1,11 +1,11 @@
 //! Checks of scenes and answers.
 
 use asperity::{
-    Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
+    At, Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
 };
 use pyo3::prelude::*;
 
-use crate::ask::rows::{Rows, View};
+use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::error::{refused, value_error};
 use crate::convert::objects::object;
@@ -76,33 +76,38 @@ pub(crate) fn pull_off(
     found.map_err(|error| engine.raise(py, error))
 }
 
-/// Warnings about the scenes of rows and, on a single scene, about the answers.
-#[pyfunction]
-pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyResult<Vec<String>> {
-    let rows = rows.view()?;
-    let model = engine.on_all(&rows.files)?;
-    let found = py.detach(|| rows.accepted(check_rows(engine, &model, &rows)));
-    Ok(found.iter().map(ToString::to_string).collect())
+/// Findings of the scenes of rows and, on a single scene, of the answers.
+pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &Rows) -> Findings {
+    match rows.one_file() {
+        // The smallest and the largest number suffice: there may be millions of rows.
+        Some(file) => check_scene(engine, model, file, rows.ends().map(|row| rows.at(row))),
+        None => check_scenes(rows, model.validity().asperities),
+    }
 }
 
-/// Findings of the scenes of rows and, on a single scene, of the answers.
-pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Findings {
-    let mut found = check_scenes(rows, model.validity().asperities);
+/// Findings of a scene and of the answers at places on it.
+pub(crate) fn check_scene(
+    engine: &Engine,
+    model: &Model,
+    file: &asperity_inputs::SceneFile,
+    places: impl IntoIterator<Item = At>,
+) -> Findings {
+    let mut found = file.findings().for_asperities(model.validity().asperities);
     // An exception of a user's law is raised by the answer.
-    if let (Some(file), false) = (rows.one_file(), engine.is_written()) {
-        // The smallest and the largest number suffice: there may be millions of rows.
-        let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
-        found.extend(file.findings_at(model, &places));
+    if !engine.is_written() {
+        found.extend(file.findings_at(model, &places.into_iter().collect::<Vec<_>>()));
     }
     found
 }
 
 /// Each finding once, that of the first scene that has it, with the number of such scenes.
-fn check_scenes(rows: &View<'_>, asperities: bool) -> Findings {
+fn check_scenes(rows: &Rows, asperities: bool) -> Findings {
     let mut found: Vec<(Finding, usize)> = vec![];
     let count = rows.scenes();
     for scene in 0..count {
-        for new in rows.findings(scene).for_asperities(asperities) {
+        // A refused scene has no findings: its rows have the reason.
+        let Ok(file) = rows.scene_file(scene) else { continue };
+        for new in file.findings().for_asperities(asperities) {
             match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
                 Some((_, scenes)) => *scenes += 1,
                 None => found.push((new, 1)),

@@ -19,7 +19,7 @@ type Correlated<'py> =
 pub(crate) fn correlated<'py>(
     py: Python<'py>,
     name: &str,
-    rows: Rows<'py>,
+    rows: Rows,
     given: Option<(f64, f64)>,
 ) -> PyResult<(Correlated<'py>, [f64; 2], Option<String>)> {
     let all = conductance::Correlation::ALL;
@@ -28,12 +28,11 @@ pub(crate) fn correlated<'py>(
         return Err(value_error(format!("correlation is {name:?}: {needed}")));
     };
     let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
-    let view = rows.view()?;
     let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
     let mut reason = None;
-    for row in 0..view.len() {
-        let found = view.file_of(row).and_then(|file| {
-            let pressure = view.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
+    for row in 0..rows.len() {
+        let found = rows.file_of(row).and_then(|file| {
+            let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
             let roughness = given.unwrap_or_else(|| file.gap_roughness());
             if reason.is_none() {
                 reason = correlation.reason_against(&file.scene);

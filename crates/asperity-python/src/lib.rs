@@ -45,7 +45,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::bem::unloading::bem_unloading;
     #[pymodule_export]
-    use crate::check::{check, findings, pull_off};
+    use crate::check::{check, pull_off};
     #[pymodule_export]
     use crate::conductance::{correlated, gap_conductance};
     #[pymodule_export]

@@ -10,11 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 import scipy.stats
-from asperity._sweep import statistics
 from asperity._sweep.design import Design
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from hypothesis.extra import numpy as hnp
 from SALib.sample import sobol as salib_sobol
 
 Floats = npt.NDArray[np.float64]
@@ -85,7 +81,7 @@ def test_saltellis_scheme_has_the_rows_of_salib(design: str, pairs: bool) -> Non
     drawn = Design(design, n=16 * (8 if pairs else 5), seed=6, dimensions=3, part_size=20)
     problem = {"num_vars": 3, "names": ["a", "b", "c"], "bounds": [[0.0, 1.0]] * 3}
     wanted = salib_sobol.sample(problem, 16, calc_second_order=pairs, seed=np.random.default_rng(6))
-    rows = np.concatenate([drawn.sample(part) for part in range(drawn.parts)])
+    rows = np.concatenate([drawn.sample(part) for part in drawn.parts])
     assert rows.shape == wanted.shape
     assert np.abs(rows - 2.0**-31 - wanted).max() < 1e-15
 
@@ -106,24 +102,6 @@ def test_statistics_are_numpys(space: asperity.Space) -> None:
     found = result.quantile("force", probabilities)
     assert found.shape == (2, 3)
     assert np.allclose(found, np.quantile(force, probabilities), rtol=1e-14)
-
-
-@settings(max_examples=60, deadline=None, derandomize=True)
-@given(
-    hnp.arrays(np.float64, st.integers(1, 40), elements=st.floats(-1e300, 1e300)),
-    st.integers(1, 7),
-    st.floats(0.0, 1.0),
-)
-def test_quantiles_of_any_numbers_are_numpys(values: Floats, chunk: int, q: float) -> None:
-    def chunks() -> list[Floats]:
-        return [values[k : k + chunk] for k in range(0, len(values), chunk)]
-
-    ends = statistics.quantiles(chunks, np.array([0.0, 1.0]))
-    assert ends[0] == values.min() and ends[1] == values.max()
-    with np.errstate(over="ignore"):
-        found = statistics.quantiles(chunks, np.array([q]))[0]
-        wanted = np.quantile(values, q)
-    assert found == pytest.approx(wanted, rel=1e-12, abs=1e-12 * float(np.abs(values).max()))
 
 
 def test_indices_are_those_of_a_product(scene: asperity.Scene) -> None:

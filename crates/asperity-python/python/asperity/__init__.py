@@ -21,95 +21,62 @@ True
 
 from importlib.metadata import version as _version
 
-from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
-from asperity._asperity import (
-    Asperity,
-    Body,
-    Contact,
-    ContactWarning,
-    Interface,
-    JointTable,
-    NotConverged,
-    PartialSlip,
-    Scene,
-    Surface,
-    Topography,
-    Unloading,
-    UnsupportedFormat,
-    template,
-)
-from asperity._bem import BemContacts, bem
-from asperity._bem_unloading import BemUnloading, bem_unloading
-from asperity._check import Check, Finding
-from asperity._conductance import Correlated, correlated_conductance, gap_conductance
-from asperity._corrected import CorrectedCurve
-from asperity._curve import Curve
-from asperity._export import ContactTable, export
-from asperity._fit import Estimate, Fit, Fits, fit
-from asperity._laws import AsperityLaws
-from asperity._materials import Material, materials
-from asperity._model import Model, model, models
-from asperity._scene import Scenes
-from asperity._surfaces import Picture, random_surface, read, topography
-from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
-from asperity._truth import TruthRow, TruthRows, truth
+from asperity._advice import Plan as Plan
+from asperity._advice import PlanStep as PlanStep
+from asperity._advice import Recommendation as Recommendation
+from asperity._advice import plan as plan
+from asperity._advice import recommend as recommend
+from asperity._asperity import Asperity as Asperity
+from asperity._asperity import Body as Body
+from asperity._asperity import Contact as Contact
+from asperity._asperity import ContactWarning as ContactWarning
+from asperity._asperity import Interface as Interface
+from asperity._asperity import JointTable as JointTable
+from asperity._asperity import NotConverged as NotConverged
+from asperity._asperity import PartialSlip as PartialSlip
+from asperity._asperity import Scene as Scene
+from asperity._asperity import Surface as Surface
+from asperity._asperity import Topography as Topography
+from asperity._asperity import Unloading as Unloading
+from asperity._asperity import UnsupportedFormat as UnsupportedFormat
+from asperity._asperity import template as template
+from asperity._bem import BemContacts as BemContacts
+from asperity._bem import bem as bem
+from asperity._bem_unloading import BemUnloading as BemUnloading
+from asperity._bem_unloading import bem_unloading as bem_unloading
+from asperity._check import Check as Check
+from asperity._check import Finding as Finding
+from asperity._conductance import Correlated as Correlated
+from asperity._conductance import correlated_conductance as correlated_conductance
+from asperity._conductance import gap_conductance as gap_conductance
+from asperity._corrected import CorrectedCurve as CorrectedCurve
+from asperity._curve import Curve as Curve
+from asperity._export import ContactTable as ContactTable
+from asperity._export import export as export
+from asperity._fit import Estimate as Estimate
+from asperity._fit import Fit as Fit
+from asperity._fit import Fits as Fits
+from asperity._fit import fit as fit
+from asperity._laws import AsperityLaws as AsperityLaws
+from asperity._materials import Material as Material
+from asperity._materials import materials as materials
+from asperity._model import Model as Model
+from asperity._model import model as model
+from asperity._model import models as models
+from asperity._scene import Scenes as Scenes
+from asperity._surfaces import Picture as Picture
+from asperity._surfaces import random_surface as random_surface
+from asperity._surfaces import read as read
+from asperity._surfaces import topography as topography
+from asperity._sweep import Sensitivity as Sensitivity
+from asperity._sweep import Space as Space
+from asperity._sweep import SweepResult as SweepResult
+from asperity._sweep import read_sweep as read_sweep
+from asperity._sweep import sweep as sweep
+from asperity._truth import TruthRow as TruthRow
+from asperity._truth import TruthRows as TruthRows
+from asperity._truth import truth as truth
 
 __version__ = _version("asperity")
 
-__all__ = [
-    "Asperity",
-    "AsperityLaws",
-    "BemContacts",
-    "BemUnloading",
-    "Body",
-    "Check",
-    "Contact",
-    "ContactTable",
-    "ContactWarning",
-    "Correlated",
-    "CorrectedCurve",
-    "Curve",
-    "Estimate",
-    "Finding",
-    "Fit",
-    "Fits",
-    "Interface",
-    "JointTable",
-    "Material",
-    "Model",
-    "NotConverged",
-    "PartialSlip",
-    "Picture",
-    "Plan",
-    "PlanStep",
-    "Recommendation",
-    "Scene",
-    "Scenes",
-    "Sensitivity",
-    "Space",
-    "Surface",
-    "SweepResult",
-    "Topography",
-    "TruthRow",
-    "TruthRows",
-    "Unloading",
-    "UnsupportedFormat",
-    "bem",
-    "bem_unloading",
-    "correlated_conductance",
-    "export",
-    "fit",
-    "gap_conductance",
-    "materials",
-    "model",
-    "models",
-    "plan",
-    "random_surface",
-    "read",
-    "read_sweep",
-    "recommend",
-    "sweep",
-    "template",
-    "topography",
-    "truth",
-]
+__all__ = sorted(name for name in globals() if not name.startswith("_"))

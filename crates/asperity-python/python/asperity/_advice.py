@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Rows, one_scene, place, quantity_names
+from asperity._arguments import LOADS, Rows, one_scene, place, record
 from asperity._asperity import Engine, Scene
 from asperity._check import Check
 from asperity._model import Model
@@ -100,18 +100,9 @@ def plan(
         plastic: sum of powers
     """
     rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
-    text, found = _asperity.plan(_model(model), rows, quantity_names(quantities), rtol)
-    steps = (
-        PlanStep(
-            law=step["law"],
-            quantities=tuple(step["quantities"]),
-            method=step["method"],
-            terms=step["terms"] and tuple(step["terms"]),
-            samples=step["samples"],
-        )
-        for step in found["steps"]
-    )
-    return Plan(tuple(steps), text.rstrip("\n"))
+    text, found = _asperity.plan(_model(model), rows, quantities, rtol)
+    steps = tuple(record(PlanStep, step) for step in found["steps"])
+    return Plan(steps, text.rstrip("\n"))
 
 
 def recommend(
@@ -147,20 +138,8 @@ def recommend(
         quantities = ("area",) if axis in LOADS else ("force", "area")
     against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
-    text, simplest, evidence, places, found = _asperity.recommend(
-        against, rows, quantity_names(quantities), within, rtol, ids
-    )
-    return Recommendation(
-        simplest=simplest,
-        reference=against.id,
-        within=within,
-        deviations={model: dict(far) for model, far, _, _ in found if far},
-        refused={model: refusal for model, _, refusal, _ in found if refusal is not None},
-        evidence=evidence,
-        evidence_at=tuple(off if reason is None else reason for off, reason in places),
-        off={model: off for model, _, _, off in found if off is not None},
-        text=text.rstrip("\n"),
-    )
+    found = _asperity.recommend(against, rows, quantities, within, rtol, ids)
+    return Recommendation(reference=against.id, within=within, **found)
 
 
 def check(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import Any, Literal, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,7 @@ from asperity._scene import Floats, Scenes
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
 Aspect: TypeAlias = Literal["value", "ln", "error"]
+Record = TypeVar("Record")
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
 #: Meanings of numbers, with their column heads.
@@ -27,15 +29,6 @@ AXES = {
 }
 LOADS = ("load", "pressure")
 ERRORS = ("raise", "mask")
-
-
-def quantity_names(quantities: str | Iterable[str]) -> list[str]:
-    """The names of quantities, each once, as the library spells them."""
-    given = [quantities] if isinstance(quantities, str) else list(quantities)
-    if not given:
-        names = ", ".join(_asperity.quantities())
-        raise ValueError(f"quantities is empty: one or more of {names} were required")
-    return list(_asperity.quantities(given))
 
 
 def checked_unit(separation_unit: str) -> str:
@@ -99,6 +92,12 @@ def _short(given: Any) -> str:
     return f"a {type(given).__name__}" + (f" of shape {shape}" if shape else "")
 
 
+def record(kind: type[Record], found: Mapping[str, Any]) -> Record:
+    """The fields of a dataclass from a dict that has more, with tuples in the place of lists."""
+    given = {one.name: found[one.name] for one in fields(kind)}  # type: ignore[arg-type]
+    return kind(**{name: tuple(v) if isinstance(v, list) else v for name, v in given.items()})
+
+
 def checked_errors(errors: str) -> str:
     """The treatment of rows that fail: "raise" or "mask"."""
     if errors not in ERRORS:
@@ -134,89 +133,71 @@ class Rows:
         self.given: Floats = floats(np.ma.getdata(numbers), name)
         #: The scenes as given.
         self.scenes = scenes
-        if isinstance(scenes, Scene | Scenes):
-            self._scenes_shape = getattr(scenes, "shape", ())
+        #: The numbers that vary between the scenes, by name.
+        self.columns: dict[str, Floats] = {}
+        if isinstance(scenes, Scenes):
+            many, self.files = scenes.shape, [scenes._base]
+            self.columns = {name: values.ravel() for name, values in scenes._columns.items()}
         else:
             array = np.asarray(scenes, dtype=object)
-            self._scenes_shape = array.shape
-            for k, scene in enumerate(array.ravel()):
+            many, self.files = array.shape, list(array.ravel())
+            for k, scene in enumerate(self.files):
                 if not isinstance(scene, Scene):
                     raise TypeError(f"scene {k} is {scene!r}: a Scene was required")
-        #: Shape of every answer.
-        self.shape: tuple[int, ...] = self._broadcast(name)
-        self._kept: npt.NDArray[np.bool_] | None = None
-        if np.ma.isMaskedArray(numbers):
-            self._kept = ~np.broadcast_to(np.ma.getmaskarray(numbers), self.shape).ravel()
-
-    def _broadcast(self, name: str) -> tuple[int, ...]:
-        scenes, numbers = self._scenes_shape, self.given.shape
         try:
-            return np.broadcast_shapes(scenes, numbers)
+            #: Shape of every answer.
+            self.shape: tuple[int, ...] = np.broadcast_shapes(many, self.given.shape)
         except ValueError:
             raise ValueError(
-                f"scenes have the shape {scenes} and {name} {numbers}: shapes that broadcast were "
-                "required, for example scenes.reshape(-1, 1)"
+                f"scenes have the shape {many} and {name} {self.given.shape}: shapes that broadcast "
+                "were required, for example scenes.reshape(-1, 1)"
             ) from None
+        #: The index of each scene, in the shape of the scenes.
+        self.places = np.arange(math.prod(many), dtype=np.int64).reshape(many)
+        mask = np.ma.getmask(numbers)
+        self._kept = None if mask is np.ma.nomask else ~np.broadcast_to(mask, self.shape).ravel()
 
     @property
-    def one(self) -> Scene | None:
-        """The single scene; None if there are several."""
-        return self.scenes if isinstance(self.scenes, Scene) else None
-
-    @property
-    def files(self) -> list[Scene]:
-        """The scenes for the engine; the base scene if columns vary it."""
-        if isinstance(self.scenes, Scenes):
-            return [self.scenes._base]
-        return list(np.asarray(self.scenes, dtype=object).ravel())
-
-    @property
-    def columns(self) -> dict[str, Floats]:
-        """The numbers that vary between the scenes, by name."""
-        columns = self.scenes._columns if isinstance(self.scenes, Scenes) else {}
-        return {name: values.ravel() for name, values in columns.items()}
-
-    @property
-    def places(self) -> npt.NDArray[np.int64]:
-        """The indices of the scenes, in their shape."""
-        count = math.prod(self._scenes_shape)
-        return np.arange(count, dtype=np.int64).reshape(self._scenes_shape)
+    def is_one(self) -> bool:
+        """Whether there is a single scene."""
+        return isinstance(self.scenes, Scene)
 
     @property
     def index(self) -> npt.NDArray[np.int64]:
-        """The index of each row's scene."""
-        return self._rows(self.places)
+        """The index of each row's scene; empty for a single scene."""
+        return self.places.ravel()[:0] if self.is_one else self._flat(self.places)
 
     @property
     def numbers(self) -> Floats:
         """The number of each row."""
-        return self._rows(self.given)
+        return self._flat(self.given)
 
-    def _rows(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    def _flat(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
         flat = np.ascontiguousarray(np.broadcast_to(values, self.shape)).ravel()
         return flat if self._kept is None else flat[self._kept]
 
     def without(self, missing: npt.NDArray[np.bool_]) -> Rows:
         """The rows without those that are missing in an answer of their shape."""
-        rows = Rows(self.scenes, self.axis, self.given)
-        rows._kept = ~missing.ravel()
-        return rows
+        given = np.broadcast_to(self.given, self.shape)
+        return Rows(self.scenes, self.axis, np.ma.MaskedArray(given, missing))
 
-    def shaped(self, values: npt.NDArray[Any], missing: npt.NDArray[np.bool_]) -> Any:
-        """Values of the rows in their shape; masked for rows that are masked or missing."""
-        if self._kept is not None:
-            whole, hidden = np.full(self._kept.shape, np.nan, values.dtype), ~self._kept
-            whole[self._kept], hidden[self._kept] = values, missing
-            values, missing = whole, hidden
-        elif not missing.any():
+    def shaped(self, values: npt.NDArray[Any], missing: npt.NDArray[np.bool_] | None = None) -> Any:
+        """Values of the rows in their shape; masked for rows that are masked or missing, by default
+        NaN."""
+        missing = np.isnan(values) if missing is None else missing
+        if self._kept is None and not missing.any():
             return values.reshape(self.shape)
-        return np.ma.MaskedArray(values, missing).reshape(self.shape)
+        kept = slice(None) if self._kept is None else self._kept
+        whole = np.full(math.prod(self.shape), np.nan, values.dtype)
+        hidden = np.ones(whole.size, dtype=bool)
+        whole[kept], hidden[kept] = values, missing
+        return np.ma.MaskedArray(whole, hidden).reshape(self.shape)
 
     def failed(self, failures: Failures, errors: str) -> dict[int, str]:
         """The reasons of failed rows by place in the order of memory; raises the first with "raise"."""
         for row, error in failures:
             if errors == "raise" or not isinstance(error, Exception):
-                where = "" if self.one is not None else f"scene {self.index[row]}: "
+                where = "" if self.is_one else f"scene {self.index[row]}: "
                 raise placed(where, error)
         places = range(len(self.numbers)) if self._kept is None else np.flatnonzero(self._kept)
         return {int(places[row]): reason(error) for row, error in failures}
@@ -224,16 +205,27 @@ class Rows:
     def answer(
         self,
         engine: Engine,
-        names: list[str],
+        quantities: str | Iterable[str],
         rtol: float,
         aspect: Aspect,
         errors: str,
         checked: bool = False,
-    ) -> tuple[dict[str, Floats], dict[int, str], list[str]]:
-        """Quantities of the rows in their shape, the reasons of failures, and the texts of findings,
-        with ``checked`` also those of the scenes."""
-        arguments = self, names, rtol, aspect, errors == "raise", None, checked
-        columns, failures, findings = _asperity.answer(engine, *arguments)
+    ) -> tuple[str, dict[str, Floats], dict[int, str], list[str]]:
+        """The model's name on these scenes, quantities of the rows in their shape, the reasons of
+        failures, and the texts of findings, with ``checked`` also those of the scenes."""
+        stop = errors == "raise"
+        arguments = self, quantities, rtol, aspect, stop, None, checked
+        name, columns, failures, findings = _asperity.answer(engine, *arguments)
         reasons = self.failed(failures, errors)
-        found = {q: self.shaped(v, np.isnan(v)) for q, v in zip(names, columns, strict=True)}
-        return found, reasons, findings
+        return name, {q: self.shaped(v) for q, v in columns.items()}, reasons, findings
+
+    def separations(
+        self, engine: Engine, unit: str, rtol: float, errors: str, all: bool = False
+    ) -> Any:
+        """The separations of the loads in their shape: the largest of each, or arrays of all."""
+        arguments = self, unit, rtol, all, errors == "raise"
+        found, failures = _asperity.separations(engine, *arguments)
+        self.failed(failures, errors)
+        values = np.fromiter(found, object if all else float, len(found))
+        missing = np.isin(np.arange(len(found)), [row for row, _ in failures])
+        return self.shaped(values, missing)

@@ -41,7 +41,6 @@ __all__ = [
     "check",
     "contact_table",
     "correlated",
-    "findings",
     "fit",
     "floats",
     "gap_conductance",
@@ -70,7 +69,6 @@ _Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
-_State: TypeAlias = tuple[float | None, float | None, float | None]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
@@ -246,7 +244,6 @@ class Scene:
 def check(
     scene: Scene, place: tuple[Engine, str, _Float] | None = None
 ) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
-def findings(engine: Engine, rows: _Rows) -> list[str]: ...
 def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
@@ -325,8 +322,12 @@ class Topography:
 @disjoint_base
 class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
-    def _source(self, scene: Scene | None = None) -> tuple[str, str, _Fields, list[str]]: ...
-    def _variant(self) -> list[str]: ...
+    id: Final[str]
+    name: Final[str]
+    source: Final[str]
+    variant: Final[str]
+    notes: Final[tuple[str, ...]]
+    _authors: Final[str]
     def _law(
         self, scene: Scene, quantity: str, interferences: _Floats, rtol: _Float
     ) -> _Floats: ...
@@ -338,7 +339,7 @@ class Contact:
         cls,
         model: Engine,
         scene: Scene,
-        quantities: Sequence[str],
+        quantities: str | Iterable[str],
         rtol: _Float,
         separation_unit: str,
     ) -> Contact: ...
@@ -466,45 +467,31 @@ class PartialSlip:
 def answer(
     engine: Engine,
     rows: _Rows,
-    names: Sequence[str],
+    quantities: str | Iterable[str],
     rtol: _Float,
     aspect: Literal["value", "ln", "error"],
     stop: bool,
     threads: int | None,
     checked: bool,
-) -> tuple[list[_Floats], _Failures, list[str]]: ...
+) -> tuple[str, dict[str, _Floats], _Failures, list[str]]: ...
 def separations(
     engine: Engine, rows: _Rows, unit: str, rtol: _Float, all: bool, stop: bool
-) -> tuple[_Floats, npt.NDArray[np.int64], _Failures]: ...
-def shares(
-    engine: Engine, rows: _Rows, quantity: str, rtol: _Float
-) -> list[tuple[str, _Floats]]: ...
+) -> tuple[_Floats | list[_Floats], _Failures]: ...
+def shares(engine: Engine, rows: _Rows, quantity: str, rtol: _Float) -> dict[str, _Floats]: ...
 def plan(
-    engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
+    engine: Engine, rows: _Rows, quantities: str | Iterable[str], rtol: _Float
 ) -> tuple[str, _Fields]: ...
 def corrected(
-    engine: Engine, rows: _Rows, unit: str, names: Sequence[str], rtol: _Float
-) -> tuple[
-    str,
-    list[tuple[_Floats, _Floats, _Floats]],
-    tuple[_Floats, _Floats, _Floats],
-    _Failures,
-    _Failures,
-]: ...
+    engine: Engine, rows: _Rows, unit: str, quantities: str | Iterable[str], rtol: _Float
+) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
 def recommend(
     reference: Engine,
     rows: _Rows,
-    names: Sequence[str],
+    quantities: str | Iterable[str],
     within: _Float,
     rtol: _Float,
     models: Sequence[str] | None,
-) -> tuple[
-    str,
-    str | None,
-    str,
-    list[tuple[dict[str, dict[str, float | None]], str | None]],
-    list[tuple[str, list[tuple[str, float]], str | None, dict[str, float | None] | None]],
-]: ...
+) -> _Fields: ...
 def bem(
     scan: tuple[Topography | Scene, Interface | None, str | None],
     given: str,
@@ -512,11 +499,11 @@ def bem(
     elastic: bool,
     boundary: str | None,
     maps_and_mask: tuple[bool, bool],
-    quantities: Sequence[str],
+    quantities: str | Iterable[str] | None,
 ) -> tuple[
     dict[str, _Floats],
-    tuple[_Floats, _Floats] | None,
-    tuple[int, int],
+    list[_Floats] | None,
+    list[int],
     dict[int, str],
     str,
     float,
@@ -537,7 +524,7 @@ def truth(
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[tuple[float, str, _State, _State]],
+    list[_Fields],
     tuple[str | None, list[str]],
     dict[str, str],
     dict[int, str],
@@ -550,7 +537,7 @@ def fit(
     engines: Sequence[Engine],
 ) -> dict[str, Any]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
-def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
+def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
 def materials() -> dict[str, tuple[str, Body, str]]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...

@@ -132,7 +132,7 @@ def bem(
         elastic,
         boundary,
         (maps, mask),
-        list(quantities),
+        quantities or None,
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
+
+from asperity._arguments import record
 
 
 @dataclass(frozen=True)
@@ -39,9 +41,7 @@ class Check:
 
     @staticmethod
     def _of(numbers: list[tuple[str, float, str, str]], findings: list[dict[str, Any]]) -> Check:
-        names = [entry.name for entry in fields(Finding)]
-        shown = [{name: f[name] for name in names} for f in findings]
-        found = tuple(Finding(**{**f, "usual": tuple(f["usual"])}) for f in shown)
+        found = tuple(record(Finding, one) for one in findings)
         width = max(len(name) for name, *_ in numbers)
         lines = [
             f"{name:<{width}}  {value:<12.6g} {unit:<5} {meaning}".rstrip()

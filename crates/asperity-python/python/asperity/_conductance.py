@@ -63,8 +63,7 @@ def correlated_conductance(
         std = one_number("surface_height_std", in_si(surface_height_std, "m"))
         roughness = std, one_number("mean_slope", mean_slope)
     columns, (first, last), reason = _asperity.correlated(correlation, rows, roughness)
-    missing = np.zeros(len(columns[0]), dtype=bool)
-    conductance, relative, holds = (rows.shaped(column, missing) for column in columns)
+    conductance, relative, holds = map(rows.shaped, columns)
     if reason is not None and holds.size:
         warn(f"{correlation}: {reason}", 1)
     elif not holds.all():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,7 @@ class CorrectedCurve(Curve):
     ('ke-corrected', True)
     """
 
-    _ends: dict[str, tuple[Floats, Floats]]
+    _ends: tuple[dict[str, Floats], dict[str, Floats]]
     _separation: Floats
 
     @classmethod
@@ -35,7 +36,7 @@ class CorrectedCurve(Curve):
         rows: Rows,
         rtol: float,
         separation_unit: str,
-        names: list[str],
+        quantities: str | Sequence[str],
         errors: str,
     ) -> CorrectedCurve:
         """The corrected quantities of rows."""
@@ -44,16 +45,16 @@ class CorrectedCurve(Curve):
                 "corrected=True needs load or pressure: models are compared with boundary elements "
                 "at equal loads"
             )
-        name, found, apart, failures, no_separation = _asperity.corrected(
-            engine, rows, separation_unit, names, rtol
+        name, found, failures, no_separation = _asperity.corrected(
+            engine, rows, separation_unit, quantities, rtol
         )
         reasons = rows.failed(failures, errors) | rows.failed(no_separation, "mask")
-        shaped = [tuple(rows.shaped(v, np.isnan(v)) for v in column) for column in [*found, apart]]
-        every = [*names, "separation"]
-        columns = {q: column[0] for q, column in zip(names, shaped, strict=False)}
+        columns, lower, upper = (
+            {q: rows.shaped(ends[k]) for q, ends in found.items()} for k in range(3)
+        )
+        separation = columns.pop("separation")
         curve = cls(engine, name, rows, rtol, separation_unit, columns, reasons)
-        curve._ends = {q: (c[1], c[2]) for q, c in zip(every, shaped, strict=True)}
-        curve._separation = shaped[-1][0]
+        curve._ends, curve._separation = (lower, upper), separation
         return curve
 
     def lower(self, quantity: str) -> Floats:
@@ -69,7 +70,7 @@ class CorrectedCurve(Curve):
     def _end(self, quantity: str, end: int) -> Floats:
         if quantity != "separation":
             self[quantity]
-        return self._ends[quantity.replace("_", "-")][end]
+        return self._ends[end][quantity.replace("_", "-")]
 
     @property
     def separation(self) -> Floats:
@@ -88,12 +89,12 @@ class CorrectedCurve(Curve):
         raise TypeError("shares of corrected values are unknown; solve without corrected=True")
 
     def _table(self) -> dict[str, npt.NDArray[Any]]:
-        table = super()._table()
-        for name, ends in self._ends.items():
-            head = AXES[self.separation_unit] if name == "separation" else name
-            columns = dict(zip((f"{head}_lower", f"{head}_upper"), ends, strict=True))
+        (lower, upper), columns = self._ends, {}
+        for name in lower:
+            head = name.replace("-", "_")
             if name == "separation":
-                columns = {head: self._separation, **columns}
-            for column, values in columns.items():
-                table[column.replace("-", "_")] = np.ma.filled(values, np.nan).ravel()
-        return table
+                head = AXES[self.separation_unit]
+                columns[head] = self._separation
+            columns |= {f"{head}_lower": lower[name], f"{head}_upper": upper[name]}
+        filled = {head: np.ma.filled(v, np.nan).ravel() for head, v in columns.items()}
+        return super()._table() | filled

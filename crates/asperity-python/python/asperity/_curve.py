@@ -86,12 +86,8 @@ class Curve:
         rows = self._rows
         if rows.axis == self.separation_unit:
             return rows.given
-        arguments = rows, self.separation_unit, self.rtol, False, False
-        found, counts, _ = _asperity.separations(self._engine, *arguments)
-        values = np.full(len(counts), np.nan)
-        values[counts > 0] = found
-        shaped: Floats = rows.shaped(values, counts == 0)
-        return shaped
+        found: Floats = rows.separations(self._engine, self.separation_unit, self.rtol, "mask")
+        return found
 
     def __getitem__(self, quantity: str) -> Floats:
         name = quantity.replace("_", "-")
@@ -119,10 +115,9 @@ class Curve:
         return [*super().__dir__(), *(name.replace("-", "_") for name in self._columns)]
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:
-        (name,) = _asperity.quantities([quantity])
-        self[name]
-        found, _, _ = self._rows.answer(self._engine, [name], self.rtol, aspect, "mask")
-        return found[name]
+        self[quantity]
+        _, found, _, _ = self._rows.answer(self._engine, quantity, self.rtol, aspect, "mask")
+        return found[quantity.replace("_", "-")]
 
     def error(self, quantity: str) -> Floats:
         """A bound on the error of every value: relative, but a difference for logarithms and
@@ -140,13 +135,13 @@ class Curve:
         if missing.any():
             rows = rows.without(missing)
         found = _asperity.shares(self._engine, rows, quantity, self.rtol)
-        return {name: rows.shaped(share, np.isnan(share)) for name, share in found}
+        return {name: rows.shaped(share) for name, share in found.items()}
 
     def _table(self) -> dict[str, npt.NDArray[Any]]:
         """Columns with units in their heads, a row for each value."""
         rows = self._rows
         table: dict[str, npt.NDArray[Any]] = {}
-        if rows.one is None:
+        if not rows.is_one:
             table["scene"] = np.broadcast_to(rows.places, rows.shape).ravel()
         table[AXES[rows.axis]] = np.broadcast_to(rows.given, rows.shape).ravel()
         for head, values in zip(
@@ -169,7 +164,7 @@ class Curve:
     def _repr_svg_(self) -> str | None:
         """A picture of one scene's curve, for notebooks."""
         rows = self._rows
-        if rows.one is None or rows.numbers.size < 3:
+        if not rows.is_one or rows.numbers.size < 3:
             return None
         table = self._table()
         x, *ys = self._labels()
@@ -254,7 +249,7 @@ class Curve:
             where += f" from {numbers.min():g} to {numbers.max():g}"
         elif numbers.size == 1:
             where += f", {numbers.item():g}"
-        shape = "" if rows.one is not None else f" of shape {self.shape}, on many scenes,"
+        shape = "" if rows.is_one else f" of shape {self.shape}, on many scenes,"
         return (
             f"<asperity.Curve of {self.model}: {', '.join(self.quantities)}{shape} at {where} "
             f"{unit}, rtol={self.rtol:g}>"

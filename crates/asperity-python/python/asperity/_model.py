@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
@@ -14,11 +13,9 @@ from asperity._arguments import (
     Rows,
     SceneLike,
     checked_errors,
-    checked_unit,
     one_number,
     one_scene,
     place,
-    quantity_names,
 )
 from asperity._asperity import (
     Contact,
@@ -51,42 +48,6 @@ class Model(Engine):
 
     def __init__(self, model: str | LawsOfAsperity, /, **options: Any) -> None:
         self._definition, self._options = model, options
-        self._id, self._name, self._origin, self._notes = self._source()
-
-    @property
-    def id(self) -> str:
-        """Short name in lower case: ``ke``."""
-        return self._id
-
-    @property
-    def name(self) -> str:
-        """The acronym: ``KE``."""
-        return self._name
-
-    @property
-    def source(self) -> str:
-        """Authors, year and title of the paper, and the provenance of its equations: seen (read in the
-        paper), derived, or recalled (from memory, or through another paper)."""
-        source = self._origin
-        if not source["authors"]:
-            return f"{self.name}, written in Python"
-        title = f", {source['title']}" if source["title"] else ""
-        return f"{source['authors']} ({source['year']}){title} [{source['provenance']}]"
-
-    @property
-    def variant(self) -> str:
-        """How a variant differs from the model before the dash of its id; empty for others.
-
-        >>> import asperity
-        >>> asperity.model("at-additive").variant
-        'every contact counts once in the sums'
-        """
-        return "; ".join(self._variant())
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Notes on these options for every scene."""
-        return tuple(self._notes)
 
     @property
     def options(self) -> Options:
@@ -150,15 +111,13 @@ class Model(Engine):
         array([[7.68e-07],
                [7.15e-07]])
         """
-        axis, numbers = place(separation, load, pressure, separation_unit)
-        rows, names = Rows(scene, axis, numbers), quantity_names(quantities)
-        checked = checked_errors(errors)
+        rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+        checked_errors(errors)
         if corrected:
-            return CorrectedCurve.of(self, rows, rtol, separation_unit, names, checked)
-        columns, failures, found = rows.answer(self, names, rtol, "value", checked, checked=True)
+            return CorrectedCurve.of(self, rows, rtol, separation_unit, quantities, errors)
+        name, columns, failures, found = rows.answer(self, quantities, rtol, "value", errors, True)
         for message in found:
             warn(message, 1)
-        name = self._source(*rows.files[:1])[1]
         return Curve(self, name, rows, rtol, separation_unit, columns, failures)
 
     def separation_at(
@@ -184,18 +143,8 @@ class Model(Engine):
         array([3.5715, 2.9723, 2.2698])
         """
         rows = Rows(scene, *place(None, load, pressure, separation_unit))
-        arguments = rows, separation_unit, rtol, all, checked_errors(errors) == "raise"
-        found, counts, failures = _asperity.separations(self, *arguments)
-        rows.failed(failures, errors)
-        values: npt.NDArray[Any] = np.full(len(counts), np.nan, dtype=object if all else np.float64)
-        if all:
-            ends = np.cumsum(counts)
-            for k in np.flatnonzero(counts):
-                values[k] = found[ends[k] - counts[k] : ends[k]]
-        else:
-            values[counts > 0] = found
-        shaped: Floats = rows.shaped(values, counts == 0)
-        return shaped
+        found: Floats = rows.separations(self, separation_unit, rtol, checked_errors(errors), all)
+        return found
 
     def compile(
         self,
@@ -213,8 +162,7 @@ class Model(Engine):
         >>> f"{force:.2f} N, {tangent:.3e} N/m"
         '216.94 N, 5.988e+08 N/m'
         """
-        scene, names = one_scene(scene, "compile"), quantity_names(quantities)
-        return Contact(self, scene, names, rtol, checked_unit(separation_unit))
+        return Contact(self, one_scene(scene, "compile"), quantities, rtol, separation_unit)
 
     def unloading(
         self,
@@ -266,10 +214,7 @@ class Model(Engine):
         scene = one_scene(scene, "unloading")
         axis, number = place(closest, load, pressure, separation_unit, "closest")
         where = axis, one_number("closest" if axis not in LOADS else axis, number)
-        joint = Unloading(self, scene, where, law, rtol, checked_unit(separation_unit))
-        for message in _asperity.findings(self, Rows(scene, *where)):
-            warn(message, 1)
-        return joint
+        return Unloading(self, scene, where, law, rtol, separation_unit)
 
     def pull_off(
         self, scene: Scene, rtol: float = 1e-10, separation_unit: str = "asperity_height_std"
@@ -287,8 +232,7 @@ class Model(Engine):
         >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
         '-0.956 N at 0.408 asperity_height_std'
         """
-        scene = one_scene(scene, "pull_off")
-        return _asperity.pull_off(self, scene, rtol, checked_unit(separation_unit))
+        return _asperity.pull_off(self, one_scene(scene, "pull_off"), rtol, separation_unit)
 
     def joint_table(
         self,
@@ -318,15 +262,15 @@ class Model(Engine):
         >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
         array([216.94, 137.  , 216.94])
         """
-        scene, unit = one_scene(scene, "joint_table"), checked_unit(separation_unit)
+        scene = one_scene(scene, "joint_table")
         given = in_si([deepest, open], "m")
-        if given[:] != [deepest, open] and unit != "m":
+        if given[:] != [deepest, open] and separation_unit != "m":
             raise ValueError(
-                f"deepest is {deepest!r} and open {open!r}, but separation_unit is {unit!r}: lengths "
+                f"deepest is {deepest!r} and open {open!r}, but separation_unit is {separation_unit!r}: lengths "
                 'with a unit need separation_unit="m"'
             )
         ends = one_number("deepest", given[0]), one_number("open", given[1])
-        return JointTable(self, scene, ends, law, tolerance, unit)
+        return JointTable(self, scene, ends, law, tolerance, separation_unit)
 
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10
@@ -353,12 +297,8 @@ class Model(Engine):
         return _rebuild, (self._definition, self._options)
 
     def __repr__(self) -> str:
-        source = self._origin
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
-        whose = (
-            f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
-        )
-        return f"<asperity.Model {self.id!r}{given}: {whose}>"
+        return f"<asperity.Model {self.id!r}{given}: {self._authors}>"
 
 
 def _rebuild(definition: str | LawsOfAsperity, options: Options) -> Model:

@@ -93,20 +93,8 @@ def truth(
     found, (nearest, beside), refused, failures, used = _asperity.truth(
         scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
-    rows = TruthRows(
-        TruthRow(
-            load=at * scene.nominal_area,
-            pressure=at,
-            model=model,
-            area_fraction=state[0],
-            area_deviation=deviation[0],
-            mean_gap=state[1],
-            mean_gap_deviation=deviation[1],
-            stiffness=state[2],
-            stiffness_deviation=deviation[2],
-        )
-        for at, model, state, deviation in found
-    )
+    names = TruthRow.__annotations__
+    rows = TruthRows(TruthRow(**{name: row[name] for name in names}) for row in found)  # type: ignore[typeddict-item]
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
     rows.boundary, rows.solved_surfaces = used, tuple(beside)
     return rows

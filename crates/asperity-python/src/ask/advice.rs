@@ -2,22 +2,25 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Comparison, ContactModel, EvidenceAt, Quantity, Request, Scene};
+use asperity::{ContactModel, EvidenceAt, Request, Scene};
 use asperity_inputs::LeftOut;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::ask::rows::{Rows, View};
+use crate::ask::rows::Rows;
 use crate::convert::error::value_error;
 use crate::convert::objects::object;
-use crate::model::engine::{Engine, request_of};
+use crate::convert::quantities::Quantities;
+use crate::model::engine::Engine;
 
 /// The single scene of rows, and their request.
 fn scene_and_request<'r>(
-    rows: &'r View<'_>,
-    names: &[String],
+    rows: &'r Rows,
+    quantities: &Quantities,
     rtol: f64,
 ) -> PyResult<(&'r Scene, Request)> {
-    let request = request_of(names, rtol)?;
+    let request = quantities.request(rtol)?;
     match rows.one_scene() {
         Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
         None => Err(value_error("many scenes were given: one scene was required")),
@@ -29,42 +32,31 @@ fn scene_and_request<'r>(
 pub(crate) fn plan<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
-    names: Vec<String>,
+    rows: Rows,
+    quantities: Quantities,
     rtol: f64,
 ) -> PyResult<(String, Bound<'py, PyAny>)> {
-    let rows = rows.view()?;
     let (model, (scene, request)) =
-        (engine.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
+        (engine.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
     let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
     let plan = plan.map_err(|error| engine.raise(py, error))?;
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// A model's id, its deviations from the reference by quantity or the reason for none, and its
-/// deviations from boundary elements.
-type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
-
-/// The evidence at a place: deviations by model, or the reason for none.
-type Place<'py> = (BTreeMap<String, Bound<'py, PyAny>>, Option<String>);
-/// A text, the simplest model's id, the evidence as sentences and place by place, and a row for
-/// every model.
-type Advice<'py> = (String, Option<String>, String, Vec<Place<'py>>, Vec<Row<'py>>);
-
-/// Deviations from the reference of the models of a scene, or of the named models.
+/// Deviations from the reference of the models of a scene, or of the named models: the fields of
+/// the package's `Recommendation`.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
     reference: &Engine,
-    rows: Rows<'py>,
-    names: Vec<String>,
+    rows: Rows,
+    quantities: Quantities,
     within: f64,
     rtol: f64,
     models: Option<Vec<String>>,
-) -> PyResult<Advice<'py>> {
-    let rows = rows.view()?;
+) -> PyResult<Bound<'py, PyDict>> {
     let (model, (_, request)) =
-        (reference.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
+        (reference.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
     let file = &rows.files[0];
     let (among, left_out) = match models {
         None => {
@@ -84,32 +76,39 @@ pub(crate) fn recommend<'py>(
     };
     let advice = py.detach(|| file.recommend_among(among, &request, &model, within));
     let advice = advice.map_err(|error| reference.raise(py, error))?;
-    let row = |comparison: &Comparison| {
-        let id = comparison.model.id().to_string();
-        let named = |(quantity, deviation): &(Quantity, f64)| (quantity.to_string(), *deviation);
-        let off = comparison.off.map(|off| object(py, &off)).transpose()?;
-        Ok(match &comparison.deviations {
-            Ok(all) => {
-                let lacking = comparison.lacking.first().map(|(_, reason)| reason.to_string());
-                (id, all.iter().map(named).collect(), lacking, off)
-            }
-            Err(refusal) => (id, vec![], Some(refusal.to_string()), off),
-        })
-    };
-    let mut rows = advice.comparisons.iter().map(row).collect::<PyResult<Vec<_>>>()?;
-    let refused = |model: LeftOut| (model.id, vec![], Some(model.reason.to_string()), None);
-    rows.extend(left_out.into_iter().map(refused));
-    let ids = || advice.comparisons.iter().map(|comparison| comparison.model.id());
+    let [deviations, refused, off] = [(); 3].map(|()| PyDict::new(py));
+    for found in &advice.comparisons {
+        let (id, lacking) = (found.model.id(), found.lacking.first().map(|(_, reason)| reason));
+        if let Some(all) = found.deviations.as_ref().ok().filter(|all| !all.is_empty()) {
+            let all = all.iter().map(|(quantity, deviation)| (quantity.to_string(), *deviation));
+            deviations.set_item(id, all.into_py_dict(py)?)?;
+        }
+        if let Some(reason) = found.deviations.as_ref().err().or(lacking) {
+            refused.set_item(id, reason.to_string())?;
+        }
+        if let Some(deviation) = &found.off {
+            off.set_item(id, object(py, deviation)?)?;
+        }
+    }
+    for LeftOut { id, reason } in left_out {
+        refused.set_item(id, reason.to_string())?;
+    }
     let place = |place: &EvidenceAt| match &place.expected {
-        Err(reason) => Ok((BTreeMap::new(), Some(reason.to_string()))),
+        Err(reason) => reason.to_string().into_bound_py_any(py),
         Ok(_) => {
-            let off = ids().filter_map(|id| Some((id.to_string(), place.deviation(id)?)));
-            let off = off.map(|(id, off)| Ok((id, object(py, &off)?)));
-            Ok((off.collect::<PyResult<_>>()?, None))
+            let ids = advice.comparisons.iter().map(|found| found.model.id());
+            let off = ids.filter_map(|id| Some((id.to_string(), place.deviation(id)?)));
+            object(py, &off.collect::<BTreeMap<_, _>>())
         }
     };
-    let places = advice.evidence.iter().map(place).collect::<PyResult<_>>()?;
-    let simplest = advice.simplest.as_ref().map(|model| model.id().to_string());
-    let evidence = [advice.summary(), advice.expectations()].concat().join("\n");
-    Ok((advice.to_string(), simplest, evidence, places, rows))
+    let places = advice.evidence.iter().map(place).collect::<PyResult<Vec<_>>>()?;
+    let found = PyDict::new(py);
+    found.set_item("simplest", advice.simplest.as_ref().map(|model| model.id()))?;
+    found.set_item("deviations", deviations)?;
+    found.set_item("refused", refused)?;
+    found.set_item("evidence", [advice.summary(), advice.expectations()].concat().join("\n"))?;
+    found.set_item("evidence_at", PyTuple::new(py, places)?)?;
+    found.set_item("off", off)?;
+    found.set_item("text", advice.to_string().trim_end_matches('\n'))?;
+    Ok(found)
 }

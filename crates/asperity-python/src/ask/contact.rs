@@ -1,20 +1,28 @@
 //! `Contact`: one model compiled on one scene for many evaluations.
 
+use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity::{At, ContactError, ContactModel, Evaluation, Quantity, Request};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyTuple};
+use pyo3::types::PyTuple;
+use rayon::prelude::*;
 
-use crate::ask::answer::{Aspect, Question, Source};
-use crate::ask::rows::View;
+use crate::ask::answer::ROWS_PER_TASK_ON_ONE_SCENE;
+use crate::ask::long::run_interruptible;
+use crate::ask::over::Given;
+use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
-use crate::convert::error::{value_error, warn};
-use crate::convert::numbers::{floats, scalar, texts_in_si};
-use crate::model::engine::{Engine, request_of};
+use crate::convert::error::value_error;
+use crate::convert::quantities::Quantities;
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
+
+/// Values of one task, where they go into plain arrays: fewer take less time than to wake a thread.
+const VALUES_PER_TASK: usize = 16_384;
+/// Fewer values are as fast one by one.
+const FEW: usize = 16;
 
 /// One model compiled on one scene for many evaluations, as in codes that step in time.
 ///
@@ -46,13 +54,12 @@ impl Contact {
         py: Python<'_>,
         model: Py<Engine>,
         scene: Py<SceneFile>,
-        quantities: Vec<String>,
+        quantities: Quantities,
         rtol: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
-        let request = request_of(&quantities, rtol)?;
-        let request = request.at_loads([1.0]);
+        let request = quantities.request(rtol)?.at_loads([1.0]);
         let compiled = Mutex::new(compile(py, model.get(), &file, &request)?);
         let (axis, separation_unit) = (separation_unit.extract()?, separation_unit.extract()?);
         Ok(Self { model, scene, rtol, separation_unit, axis, file, request, compiled })
@@ -169,50 +176,56 @@ impl Contact {
         numbers: &Bound<'py, PyAny>,
         one: impl Fn(&dyn asperity::Contact, At) -> Result<[Evaluation; N], ContactError> + Sync,
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        let (py, file) = (numbers.py(), &self.file);
+        let (py, from) = (numbers.py(), self.file.separation_from);
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
-        let read = texts_in_si(numbers, axis.si())?;
-        let (numbers, axis) = match &read {
-            Some(read) => (read, axis.in_si()),
-            None => (numbers, axis),
-        };
-        if let Some(number) = scalar(numbers) {
-            let mistaken =
-                axis.mistaken_unit("separation", number, file.scene.surface.asperity_height_std);
-            mistaken.map_or(Ok(()), |text| warn(py, &text, 0))?;
-            let contact = self.current();
-            let found = py.detach(|| one(&*contact, axis.at(number, file.separation_from)));
-            let found = found.map_err(|error| self.raise(py, error))?;
-            let float = |evaluation: Evaluation| PyFloat::new(py, evaluation.value()).into_any();
-            return Ok(found.map(float).into());
-        }
-        let numbers = floats(numbers, "separation")?.readonly();
-        let rows = View::of_one(file, axis, numbers.as_slice()?);
-        rows.mistaken_unit().map_or(Ok(()), |text| warn(py, &text, 0))?;
-        let request = Request::new(quantities).within(self.request.tolerance);
+        let (given, is_si) = Given::read(numbers, "separation", axis.si())?;
+        let axis = if is_si { axis.in_si() } else { axis };
+        axis.warn_of_unit(py, "separation", given.numbers()?, &self.file.scene, 0)?;
         let contact = self.current();
-        let source = Source::Contact(contact.clone());
-        let question = Question { rows: &rows, source, request, aspect: Aspect::Value };
-        let mut filled = Vec::with_capacity(N);
-        for quantity in quantities {
-            let column = PyArrayDyn::zeros(py, numbers.shape(), false);
-            if !question.fill(py, &*contact, quantity, column.readwrite().as_slice_mut()?)? {
-                break;
+        if let Some(columns) = self.filled(py, &*contact, quantities, axis, given.numbers()?)? {
+            return given.shaped(py, columns);
+        }
+        let one = |_, number| {
+            Ok(one(&*contact, axis.at(number, from))?.map(|evaluation| evaluation.value()))
+        };
+        given.each(py, ROWS_PER_TASK_ON_ONE_SCENE, one, |error| self.raise(py, error))
+    }
+
+    /// Columns of many values at separations, in a few nanoseconds each; none if a row needs more.
+    fn filled<const N: usize>(
+        &self,
+        py: Python<'_>,
+        contact: &dyn asperity::Contact,
+        quantities: [Quantity; N],
+        axis: Axis,
+        numbers: &[f64],
+    ) -> PyResult<Option<[Vec<f64>; N]>> {
+        let is_load = !matches!(axis, Axis::Separation(_));
+        if is_load || numbers.len() < FEW || quantities.iter().any(|q| q.is_absolute()) {
+            return Ok(None);
+        }
+        let (scene, from) = (contact.scene(), self.file.separation_from);
+        let mut columns = [(); N].map(|()| vec![0.0; numbers.len()]);
+        for (quantity, column) in quantities.into_iter().zip(&mut columns) {
+            let fill = |(numbers, out): (&[f64], &mut [f64])| {
+                sigmas(numbers, axis, from, scene)
+                    .is_some_and(|places| contact.fill(&[quantity], &places, &mut [out]).is_ok())
+            };
+            let filled = match numbers.len() <= VALUES_PER_TASK {
+                true => py.detach(|| fill((numbers, column))),
+                false => run_interruptible(py, None, |stop| {
+                    let tasks = numbers.par_chunks(VALUES_PER_TASK);
+                    let tasks = tasks.zip(column.par_chunks_mut(VALUES_PER_TASK));
+                    tasks.all(|task| !stop.load(Ordering::Relaxed) && fill(task))
+                })?,
+            };
+            if !filled {
+                return Ok(None);
             }
-            filled.push(column.into_any());
         }
-        if filled.len() == N {
-            return Ok(filled);
-        }
-        let answer = question.answer(py, None, true, |error| self.raise(py, error))?;
-        if let Some((_, error)) = answer.failures.into_iter().next() {
-            return Err(error);
-        }
-        let shaped =
-            |column| Ok(PyArray1::from_vec(py, column).reshape(numbers.shape())?.into_any());
-        answer.columns.into_iter().map(shaped).collect()
+        Ok(Some(columns))
     }
 }
 

@@ -3,11 +3,13 @@
 use asperity::{ContactError, Corrected, CorrectedRow, Request};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::ask::rows::{Rows, View};
-use crate::ask::values::{Column, Failures, failures};
+use crate::ask::rows::Rows;
+use crate::ask::values::{Failures, failures};
 use crate::convert::axis::Axis;
-use crate::model::engine::{Engine, request_of};
+use crate::convert::quantities::Quantities;
+use crate::model::engine::Engine;
 
 /// Value, lower and upper end of each quantity, row by row; NaN for what is refused.
 struct Found {
@@ -19,41 +21,34 @@ struct Found {
     apart: Vec<(usize, ContactError)>,
 }
 
-/// Id, columns with the ends of their intervals, those of the separations, refused rows, and rows
-/// without a separation only.
-type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, [Column<'py, f64>; 3], Failures, Failures);
-
 /// The id of the corrected model; for each quantity and for the separation values and ends of their
-/// intervals; and rows with a value refused.
+/// intervals; rows with a value refused, and rows without a separation only.
 #[pyfunction]
 pub(crate) fn corrected<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
+    rows: Rows,
     unit: Axis,
-    names: Vec<String>,
+    quantities: Quantities,
     rtol: f64,
-) -> PyResult<Answer<'py>> {
-    let rows = &rows.view()?;
+) -> PyResult<(String, Bound<'py, PyDict>, Failures, Failures)> {
+    let rows = &rows;
     let model = engine.on_all(&rows.files)?;
-    let request = request_of(&names, rtol)?;
+    let request = quantities.request(rtol)?;
     let asked = engine.id_asked(&model);
     let found = py.detach(|| answer((&model, &asked), rows, unit, &request));
     let arrays = |column: [Vec<f64>; 3]| column.map(|numbers| PyArray1::from_vec(py, numbers));
-    let columns = found.columns.into_iter().map(arrays).collect();
-    let raised = |rows: Vec<(usize, ContactError)>| {
-        let raised = rows.into_iter().map(|(row, error)| (row, engine.raise(py, error)));
-        failures(py, raised.collect())
-    };
-    let id = format!("{asked}-corrected");
-    let (refused, apart) = (raised(found.refused), raised(found.apart));
-    Ok((id, columns, arrays(found.separations), refused, apart))
+    let names = quantities.names().into_iter().chain(["separation".into()]);
+    let columns = found.columns.into_iter().chain([found.separations]).map(arrays);
+    let columns = names.zip(columns).into_py_dict(py)?;
+    let raised = |rows| failures(py, engine, rows);
+    Ok((format!("{asked}-corrected"), columns, raised(found.refused), raised(found.apart)))
 }
 
 /// The answers of a model under the id by which it was asked for.
 fn answer(
     (model, id): (&asperity::Model, &str),
-    rows: &View<'_>,
+    rows: &Rows,
     unit: Axis,
     request: &Request,
 ) -> Found {

@@ -1,10 +1,10 @@
-//! Long loops without the interpreter: on all cores, in order, and interruptible by Ctrl-C.
+//! Long work without the interpreter: on all cores, in order, and interruptible by Ctrl-C.
 
 use std::ops::{ControlFlow, Range};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -13,37 +13,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::convert::error::value_error;
 
-/// Approximate time between two checks for signals.
+/// Time between two checks for signals.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
-/// Most rows in memory between two checks for signals.
-const MOST_ROWS: usize = 1 << 18;
-
-/// Runs `work` on ranges that cover 0..len until it returns false, and checks for signals between
-/// them. The first range has `first` rows.
-pub(crate) fn in_blocks(
-    py: Python<'_>,
-    len: usize,
-    first: usize,
-    mut work: impl FnMut(Range<usize>) -> PyResult<bool>,
-) -> PyResult<()> {
-    let (mut start, mut size) = (0, first);
-    while start < len {
-        let end = len.min(start + size);
-        let begun = Instant::now();
-        let go_on = work(start..end)?;
-        py.check_signals()?;
-        if !go_on {
-            break;
-        }
-        start = end;
-        match begun.elapsed() {
-            short if short < SIGNAL_INTERVAL => size = MOST_ROWS.min(2 * size),
-            long if long > 4 * SIGNAL_INTERVAL => size = first.max(size / 2),
-            _ => {}
-        }
-    }
-    Ok(())
-}
 
 /// The pool of this process, and the process it belongs to.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
@@ -52,7 +23,7 @@ static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 ///
 /// Not rayon's global pool: a forked process, as of `multiprocessing`, inherits that pool without
 /// its threads, and would wait for them forever.
-pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
+fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     let build = |threads| {
         let built = ThreadPoolBuilder::new().num_threads(threads).build();
         built.map(Arc::new).map_err(value_error)
@@ -74,40 +45,18 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     }
 }
 
-/// Runs stretches of `together` rows on all threads of a pool; `take` gets the results in order,
-/// until it returns false. The bounds of stretches do not depend on time or threads.
-pub(crate) fn run_stretches<S: Send>(
-    py: Python<'_>,
-    pool: &ThreadPool,
-    len: usize,
-    together: usize,
-    run: impl Fn(Range<usize>) -> S + Sync,
-    mut take: impl FnMut(S) -> PyResult<bool>,
-) -> PyResult<()> {
-    in_blocks(py, len, 2 * together, |range| {
-        let starts: Vec<usize> = range.clone().step_by(together).collect();
-        let stretch = |start: &usize| run(*start..range.end.min(start + together));
-        let found: Vec<S> = py.detach(|| pool.install(|| starts.par_iter().map(stretch).collect()));
-        for one in found {
-            if !take(one)? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    })
-}
-
-/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
-/// them; a signal sets the flag that stops `work`.
+/// Runs `work` on `threads`, by default those of this process, while this thread, which gets the
+/// signals, checks for them; a signal sets the flag that stops `work`.
 pub(crate) fn run_interruptible<T: Send>(
     py: Python<'_>,
+    threads: Option<usize>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
-    let (stop, threads) = (AtomicBool::new(false), pool(None)?);
-    let run = |done: Sender<T>| {
-        // The receiver waits until the work ends.
-        let _ = done.send(threads.install(|| work(&stop)));
-    };
+    let stop = AtomicBool::new(false);
+    if rayon::current_thread_index().is_some() {
+        // The law of a user asks: waiting would block the thread that is to work.
+        return Ok(py.detach(|| work(&stop)));
+    }
     let wait = |answer: Receiver<T>| {
         let mut raised = None;
         loop {
@@ -124,12 +73,47 @@ pub(crate) fn run_interruptible<T: Send>(
             }
         }
     };
+    let pool = pool(threads)?;
     py.detach(|| {
-        std::thread::scope(|scope| {
+        pool.in_place_scope(|scope| {
             let (done, answer) = channel();
-            scope.spawn(|| run(done));
+            // The receiver waits until the work ends.
+            let stop = &stop;
+            scope.spawn(move |_| drop(done.send(work(stop))));
             wait(answer)
         })
+    })
+}
+
+/// Runs stretches of `together` rows on all threads; the results are in order, to the first that
+/// `ends` the run. The bounds of stretches do not depend on time or threads.
+pub(crate) fn run_stretches<S: Send>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    (len, together): (usize, usize),
+    run: impl Fn(Range<usize>) -> S + Sync,
+    ends: impl Fn(&S) -> bool + Sync,
+) -> PyResult<Vec<S>> {
+    let stretch = |k: usize| run(k * together..len.min((k + 1) * together));
+    if len <= together {
+        // Waking threads takes longer than a few rows.
+        return Ok(py.detach(|| vec![stretch(0)]));
+    }
+    let last = AtomicUsize::new(usize::MAX);
+    run_interruptible(py, threads, |stop| {
+        let one = |k: usize| {
+            if stop.load(Ordering::Relaxed) || k > last.load(Ordering::Relaxed) {
+                return None;
+            }
+            let found = stretch(k);
+            if ends(&found) {
+                last.fetch_min(k, Ordering::Relaxed);
+            }
+            Some(found)
+        };
+        let all: Vec<_> = (0..len.div_ceil(together)).into_par_iter().map(one).collect();
+        let last = last.load(Ordering::Relaxed);
+        all.into_iter().take(last.saturating_add(1)).flatten().collect()
     })
 }
 

@@ -5,5 +5,6 @@ pub(crate) mod answer;
 pub(crate) mod contact;
 pub(crate) mod corrected;
 pub(crate) mod long;
+pub(crate) mod over;
 pub(crate) mod rows;
 pub(crate) mod values;

@@ -1,4 +1,4 @@
-//! Scenes and numbers, broadcast: row k is a number on a scene.
+//! Rows: numbers on scenes, broadcast by the package's `Rows`.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -11,63 +11,45 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::convert::axis::Axis;
+use crate::convert::numbers::largest_magnitude;
 use crate::scene::SceneFile;
 use crate::scene::inputs::inputs;
 
-/// The `Rows` of the package.
-#[derive(FromPyObject)]
-pub(crate) struct Rows<'py> {
+/// The `Rows` of the package, for threads without the interpreter.
+pub(crate) struct Rows {
     /// The scenes; a single one if columns of numbers vary it.
-    files: Vec<Py<SceneFile>>,
-    columns: BTreeMap<String, PyReadonlyArray1<'py, f64>>,
-    /// The index of each row's scene.
-    index: PyReadonlyArray1<'py, i64>,
-    /// The meaning of the numbers.
-    axis: Axis,
-    numbers: PyReadonlyArray1<'py, f64>,
-}
-
-/// The same for threads without the interpreter.
-pub(crate) struct View<'r> {
     pub(crate) files: Vec<Arc<asperity_inputs::SceneFile>>,
-    columns: Vec<(SceneInput, &'r [f64])>,
-    /// Empty if all rows are on the first scene.
-    index: &'r [i64],
+    columns: Vec<(SceneInput, Vec<f64>)>,
+    /// The index of each row's scene; empty for a single scene.
+    index: Vec<i64>,
     axis: Axis,
-    numbers: &'r [f64],
+    numbers: Vec<f64>,
 }
 
-impl Rows<'_> {
-    pub(crate) fn view(&self) -> PyResult<View<'_>> {
-        let slices = self.columns.values().map(|column| Ok(column.as_slice()?));
-        let slices = slices.collect::<PyResult<Vec<_>>>()?;
-        let columns = match self.files.first() {
-            Some(file) => {
-                let inputs = inputs(&file.get().0, self.columns.keys())?;
-                inputs.into_iter().zip(slices).collect()
-            }
-            None => vec![],
-        };
-        Ok(View {
-            files: self.files.iter().map(|file| file.get().0.clone()).collect(),
-            columns,
-            index: self.index.as_slice()?,
-            axis: self.axis,
-            numbers: self.numbers.as_slice()?,
+impl<'py> FromPyObject<'_, 'py> for Rows {
+    type Error = PyErr;
+
+    fn extract(rows: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        type Numbers<'py, T> = PyReadonlyArray1<'py, T>;
+        let files: Vec<Py<SceneFile>> = rows.getattr("files")?.extract()?;
+        let files: Vec<_> = files.iter().map(|file| file.get().0.clone()).collect();
+        let columns: BTreeMap<String, Numbers<'py, f64>> = rows.getattr("columns")?.extract()?;
+        let inputs = files.first().map(|file| inputs(file, columns.keys())).transpose()?;
+        let values = columns.values().map(|column| Ok(column.as_slice()?.to_vec()));
+        let values = values.collect::<PyResult<Vec<_>>>()?;
+        let index: Numbers<'py, i64> = rows.getattr("index")?.extract()?;
+        let numbers: Numbers<'py, f64> = rows.getattr("numbers")?.extract()?;
+        Ok(Self {
+            files,
+            columns: inputs.unwrap_or_default().into_iter().zip(values).collect(),
+            index: index.as_slice()?.to_vec(),
+            axis: rows.getattr("axis")?.extract()?,
+            numbers: numbers.as_slice()?.to_vec(),
         })
     }
 }
 
-impl<'r> View<'r> {
-    /// Numbers on one scene.
-    pub(crate) fn of_one(
-        file: &Arc<asperity_inputs::SceneFile>,
-        axis: Axis,
-        numbers: &'r [f64],
-    ) -> Self {
-        Self { files: vec![file.clone()], columns: vec![], index: &[], axis, numbers }
-    }
-
+impl Rows {
     pub(crate) fn len(&self) -> usize {
         self.numbers.len()
     }
@@ -87,13 +69,54 @@ impl<'r> View<'r> {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
     }
 
-    /// Findings of the scene of this index; none if the scene is refused.
-    pub(crate) fn findings(&self, scene: usize) -> Findings {
+    /// The scene of this index with what it was made from.
+    pub(crate) fn scene_file(
+        &self,
+        scene: usize,
+    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
         if self.columns.is_empty() {
-            return self.files[scene].findings();
+            return Ok(Cow::Borrowed(&self.files[scene]));
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
-        self.files[0].with_inputs(numbers).map_or(Findings::default(), |file| file.findings())
+        self.files[0].with_inputs(numbers).map(Cow::Owned)
+    }
+
+    /// The scene of a row with what it was made from.
+    pub(crate) fn file_of(
+        &self,
+        row: usize,
+    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
+        self.scene_file(self.place(row))
+    }
+
+    pub(crate) fn scene(&self, row: usize) -> Result<Scene, ContactError> {
+        Ok(self.file_of(row)?.scene.clone())
+    }
+
+    pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
+        Ok(Case::new(self.scene(row)?, self.at(row)))
+    }
+
+    pub(crate) fn at(&self, row: usize) -> At {
+        self.axis.at(self.numbers[row], self.datum(row))
+    }
+
+    /// The plane that a row's separations are measured from.
+    pub(crate) fn datum(&self, row: usize) -> Datum {
+        self.file(row).separation_from
+    }
+
+    /// The single scene of all rows, with its options; none if there are several.
+    pub(crate) fn one_file(&self) -> Option<&asperity_inputs::SceneFile> {
+        match &self.files[..] {
+            [file] if self.columns.is_empty() => Some(file),
+            _ => None,
+        }
+    }
+
+    /// The single scene of all rows; none if there are several.
+    pub(crate) fn one_scene(&self) -> Option<&Scene> {
+        self.one_file().map(|file| &file.scene)
     }
 
     /// Warnings and errors that the first scene does not list as accepted, one for each cause.
@@ -110,99 +133,40 @@ impl<'r> View<'r> {
         [finite().min_by(by), finite().max_by(by)].into_iter().flatten()
     }
 
-    /// The single scene of all rows, with its options; none if there are several.
-    pub(crate) fn one_file(&self) -> Option<&asperity_inputs::SceneFile> {
-        self.one_scene().map(|_| &*self.files[0])
-    }
-
-    /// The single scene of all rows; none if there are several.
-    pub(crate) fn one_scene(&self) -> Option<&Scene> {
-        match &self.files[..] {
-            [file] if self.columns.is_empty() => Some(&file.scene),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn are_separations(&self) -> bool {
-        matches!(self.axis, Axis::Separation(_))
-    }
-
-    /// The plane that a row's separations are measured from.
-    pub(crate) fn datum(&self, row: usize) -> Datum {
-        self.file(row).separation_from
-    }
-
     /// The separations of these rows on a scene as multiples of σ_z from the mean of the asperity
     /// heights; none for loads, or without a mean plane.
     pub(crate) fn sigmas(&self, rows: Range<usize>, scene: &Scene) -> Option<Cow<'_, [f64]>> {
-        let (sigma, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
-        let one = self.files.len() == 1 && self.files[0].separation_from == mean;
-        if one && self.axis == Axis::Separation(sigma) {
-            return self.numbers.get(rows).map(Cow::Borrowed);
-        }
-        let place = |row| match self.at(row) {
-            At::Separation(place) => Some(place.measured_in(sigma, mean, scene).ok()?.value),
-            _ => None,
-        };
-        rows.map(place).collect::<Option<Vec<f64>>>().map(Cow::Owned)
-    }
-
-    pub(crate) fn at(&self, row: usize) -> At {
-        self.axis.at(self.numbers[row], self.datum(row))
-    }
-
-    pub(crate) fn scene(&self, row: usize) -> Result<Scene, ContactError> {
-        Ok(match self.columns.is_empty() {
-            true => self.file(row).scene.clone(),
-            false => self.file_of(row)?.into_owned().scene,
-        })
-    }
-
-    /// The scene of a row with what it was made from.
-    pub(crate) fn file_of(
-        &self,
-        row: usize,
-    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
-        if self.columns.is_empty() {
-            return Ok(Cow::Borrowed(self.file(row)));
-        }
-        let numbers = self.columns.iter().map(|(input, column)| (*input, column[self.place(row)]));
-        self.file(row).with_inputs(numbers).map(Cow::Owned)
-    }
-
-    pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
-        Ok(Case::new(self.scene(row)?, self.at(row)))
+        sigmas(&self.numbers[rows], self.axis, self.files.first()?.separation_from, scene)
     }
 
     /// A warning if the separation of largest magnitude has probably another unit.
     pub(crate) fn mistaken_unit(&self) -> Option<String> {
-        let largest = largest_magnitude(self.numbers);
         if let Some(scene) = self.one_scene() {
-            // Most arrays need no search for the row.
             let height_std = scene.surface.asperity_height_std;
-            self.axis.mistaken_unit("separation", largest, height_std)?;
+            return self.axis.mistaken_among("separation", &self.numbers, height_std);
         }
+        let largest = largest_magnitude(&self.numbers);
         let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest.to_bits())?;
-        self.axis.mistaken_unit(
-            "separation",
-            self.numbers[row],
-            self.scene(row).ok()?.surface.asperity_height_std,
-        )
+        let height_std = self.scene(row).ok()?.surface.asperity_height_std;
+        self.axis.mistaken_unit("separation", self.numbers[row], height_std)
     }
 }
 
-/// The largest magnitude of finite numbers; 0 without any.
-fn largest_magnitude(numbers: &[f64]) -> f64 {
-    let magnitude = |x: f64| if x.abs() < f64::INFINITY { x.abs() } else { 0.0 };
-    // Side by side: a single maximum would wait for the one before.
-    let mut largest = [0.0; 16];
-    let (chunks, rest) = numbers.as_chunks::<16>();
-    for chunk in chunks {
-        for (largest, x) in largest.iter_mut().zip(chunk) {
-            let size = magnitude(*x);
-            *largest = if size > *largest { size } else { *largest };
-        }
+/// Separations as multiples of σ_z from the mean of the asperity heights; none for loads, or
+/// without a mean plane.
+pub(crate) fn sigmas<'n>(
+    numbers: &'n [f64],
+    axis: Axis,
+    from: Datum,
+    scene: &Scene,
+) -> Option<Cow<'n, [f64]>> {
+    let (sigma, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
+    if axis == Axis::Separation(sigma) && from == mean {
+        return Some(Cow::Borrowed(numbers));
     }
-    let rest = rest.iter().map(|x| magnitude(*x));
-    rest.chain(largest).fold(0.0, f64::max)
+    let place = |number: &f64| match axis.at(*number, from) {
+        At::Separation(place) => Some(place.measured_in(sigma, mean, scene).ok()?.value),
+        _ => None,
+    };
+    numbers.iter().map(place).collect::<Option<Vec<f64>>>().map(Cow::Owned)
 }

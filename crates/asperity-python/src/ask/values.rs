@@ -1,31 +1,40 @@
 //! Values of rows, the separations of loads, and shares.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Findings, Model, Request, Scene, Separation, Share, Sweep,
+    At, Contact, ContactError, ContactModel, Findings, Model, Quantity, Request, Scene, Separation,
+    Share, Sweep,
 };
 use numpy::PyArray1;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::ask::answer::{Aspect, Question, ROWS_PER_TASK, Source, evaluate_cases};
-use crate::ask::long::{pool, run_stretches};
-use crate::ask::rows::{Rows, View};
+use crate::ask::answer::{Aspect, Question, ROWS_PER_TASK, evaluate_cases};
+use crate::ask::long::run_stretches;
+use crate::ask::rows::Rows;
 use crate::check::check_rows;
 use crate::convert::axis::Axis;
 use crate::convert::error::value_error;
-use crate::model::engine::{Engine, request_of, tolerance};
+use crate::convert::quantities::Quantities;
+use crate::model::engine::{Engine, tolerance};
 
-pub(crate) type Column<'py, T> = Bound<'py, PyArray1<T>>;
 /// Rows that failed, with their exceptions, ascending.
 pub(crate) type Failures = Vec<(usize, Py<PyAny>)>;
 
-pub(crate) fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
-    let object = |(row, error): (usize, PyErr)| (row, error.into_value(py).into_any());
-    failures.into_iter().map(object).collect()
+pub(crate) fn failures(
+    py: Python<'_>,
+    engine: &Engine,
+    failed: Vec<(usize, ContactError)>,
+) -> Failures {
+    let object = |(row, error)| (row, engine.raise(py, error).into_value(py).into_any());
+    failed.into_iter().map(object).collect()
 }
 
-/// Quantities of every row, NaN where a row fails, with the failures and the texts of findings.
+/// The model's name on these scenes; quantities of every row, NaN where a row fails, by name; the
+/// failures, and the texts of findings.
 ///
 /// `stop` ends the call at the first failure, `checked` adds the findings of the scenes, and
 /// `threads` is one for each core, if none.
@@ -34,96 +43,121 @@ pub(crate) fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failure
 pub(crate) fn answer<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
-    names: Vec<String>,
+    rows: Rows,
+    quantities: Quantities,
     rtol: f64,
     aspect: Aspect,
     stop: bool,
     threads: Option<usize>,
     checked: bool,
-) -> PyResult<(Vec<Column<'py, f64>>, Failures, Vec<String>)> {
-    let rows = &rows.view()?;
-    let model = engine.on_all(&rows.files)?;
-    let request = request_of(&names, rtol)?;
-    let question = Question { rows, source: Source::Model(&model), request, aspect };
+) -> PyResult<(String, Bound<'py, PyDict>, Failures, Vec<String>)> {
+    let (rows, model) = (&rows, &engine.on_all(&rows.files)?);
+    let request = quantities.request(rtol)?;
+    let question = Question { rows, model, request, aspect };
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
     let found = py.detach(|| {
-        let of_scenes =
-            if checked { check_rows(engine, &model, rows) } else { Findings::default() };
+        let of_scenes = if checked { check_rows(engine, model, rows) } else { Findings::default() };
         rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
     });
     let texts = rows.mistaken_unit().into_iter().chain(found.iter().map(ToString::to_string));
-    let columns = answer.columns.into_iter().map(|column| PyArray1::from_vec(py, column));
-    Ok((columns.collect(), failures(py, answer.failures), texts.collect()))
+    let columns = quantities.names().into_iter().zip(answer.columns);
+    let columns = columns.map(|(name, column)| (name, PyArray1::from_vec(py, column)));
+    let failures = failures(py, engine, answer.failures);
+    Ok((model.name().into(), columns.into_py_dict(py)?, failures, texts.collect()))
+}
+
+/// Separations of a stretch of rows, with their number for each row, and the failed rows.
+#[derive(Default)]
+struct Found {
+    separations: Vec<f64>,
+    counts: Vec<usize>,
+    failures: Vec<(usize, ContactError)>,
+}
+
+impl Found {
+    fn push(&mut self, row: usize, found: Result<Vec<f64>, ContactError>) {
+        let found = found.unwrap_or_else(|error| {
+            self.failures.push((row, error));
+            vec![f64::NAN]
+        });
+        self.counts.push(found.len());
+        self.separations.extend(found);
+    }
 }
 
 /// The separations that carry the load or pressure of every row, in `unit` and from the scene's
-/// plane: the largest, or `all`, ascending. `counts[i]` separations belong to row i, 0 if it fails.
+/// plane: the largest, or a list of arrays with `all`, ascending; and the failed rows, with NaN.
 #[pyfunction]
 pub(crate) fn separations<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
+    rows: Rows,
     unit: Axis,
     rtol: f64,
     all: bool,
     stop: bool,
-) -> PyResult<(Column<'py, f64>, Column<'py, i64>, Failures)> {
-    let rows = &rows.view()?;
-    let model = &engine.on_all(&rows.files)?;
-    let request = &Request::new([asperity::Quantity::Force]).within(tolerance(rtol)?);
+) -> PyResult<(Bound<'py, PyAny>, Failures)> {
+    let (rows, model) = (&rows, &engine.on_all(&rows.files)?);
+    let request = &Request::new([Quantity::Force]).within(tolerance(rtol)?);
+    let contacts = Contacts::new(py, engine, rows, model, request)?;
     let sweep = Sweep::new(model, &request.quantities, request.tolerance);
-    // Preparing a contact pays for many rows only.
-    let one = rows.one_scene().filter(|_| all || rows.len() > ROWS_PER_TASK);
-    let one = one.map(|scene| py.detach(|| model.compile(scene, request)));
-    let one = one.transpose().map_err(|error| engine.raise(py, error))?;
-    let user = |row, scene: &Scene, found| unit.of(found, rows.datum(row), scene);
+    let in_unit = |row, scene: &Scene, found| unit.of(found, rows.datum(row), scene);
     let largest = |range: Range<usize>| {
-        let found = evaluate_cases(rows, range, |cases| sweep.separations(cases)).into_iter();
-        let each = |(row, case, found): (usize, Option<Case>, Result<f64, ContactError>)| {
-            let found = found.map(Separation::sigmas);
-            let in_unit = case.map(|case| found.clone().and_then(|s| user(row, &case.scene, s)));
-            (row, in_unit.unwrap_or_else(|| found.map(|s| s.value)).map(|s| vec![s]))
-        };
-        found.map(each).collect()
+        let mut found = Found::default();
+        for (row, case, s) in evaluate_cases(rows, range, |cases| sweep.separations(cases)) {
+            let in_unit = |s| match &case {
+                Some(case) => in_unit(row, &case.scene, Separation::sigmas(s)),
+                None => Ok(s),
+            };
+            found.push(row, s.and_then(in_unit).map(|s| vec![s]));
+        }
+        found
     };
     let each = |range: Range<usize>| {
-        let mut contacts = Contacts { rows, model, request, one: one.as_deref(), held: None };
-        let mut found = |row: usize| {
-            let contact = contacts.of(row)?;
-            let load = match rows.at(row) {
-                At::Load(load) => load,
-                At::Pressure(pressure) => {
-                    asperity::positive("pressure", pressure)? * contact.scene().nominal_area
-                }
-                at => return Err(contact.unsupported(&format!("the load at {at}"))),
-            };
-            let found = match all {
-                true => contact.separations_at(load)?,
-                false => vec![contact.separation_at(load)?],
-            };
-            found.into_iter().map(|s| user(row, contact.scene(), s)).collect()
-        };
-        range.map(|row| (row, found(row))).collect()
-    };
-    let run = |range| -> Vec<(usize, Result<Vec<f64>, ContactError>)> {
-        if one.is_some() || all { each(range) } else { largest(range) }
-    };
-    let (mut values, mut counts, mut failed) = (vec![], vec![], vec![]);
-    // All separations of a load take long: smaller run_stretches keep Ctrl-C responsive.
-    let together = if all { ROWS_PER_TASK / 8 } else { ROWS_PER_TASK };
-    run_stretches(py, &*pool(None)?, rows.len(), together, run, |found| {
-        for (row, found) in found {
-            counts.push(found.as_ref().map_or(0, Vec::len) as i64);
-            match found {
-                Ok(found) => values.extend(found),
-                Err(error) => failed.push((row, engine.raise(py, error))),
-            }
+        let (mut contacts, mut found) = (contacts.clone(), Found::default());
+        for row in range {
+            let separations = contacts.of(row).and_then(|contact| {
+                let load = match rows.at(row) {
+                    At::Load(load) => load,
+                    At::Pressure(pressure) => {
+                        asperity::positive("pressure", pressure)? * contact.scene().nominal_area
+                    }
+                    at => return Err(contact.unsupported(&format!("the load at {at}"))),
+                };
+                let all = match all {
+                    true => contact.separations_at(load)?,
+                    false => vec![contact.separation_at(load)?],
+                };
+                all.into_iter().map(|s| in_unit(row, contact.scene(), s)).collect()
+            });
+            found.push(row, separations);
         }
-        Ok(!stop || failed.is_empty())
-    })?;
-    let (values, counts) = (PyArray1::from_vec(py, values), PyArray1::from_vec(py, counts));
-    Ok((values, counts, failures(py, failed)))
+        found
+    };
+    // All separations of a load take long.
+    let together = if all { ROWS_PER_TASK / 8 } else { ROWS_PER_TASK };
+    let run = |range| if contacts.one.is_some() || all { each(range) } else { largest(range) };
+    let ends = |found: &Found| stop && !found.failures.is_empty();
+    let stretches = run_stretches(py, None, (rows.len(), together), run, ends)?;
+    let (mut arrays, mut separations, mut failed) = (vec![], vec![], vec![]);
+    for mut found in stretches {
+        failed.append(&mut found.failures);
+        if all {
+            let mut rest = &found.separations[..];
+            for count in found.counts {
+                let (row, others) = rest.split_at(count);
+                arrays.push(PyArray1::from_slice(py, row));
+                rest = others;
+            }
+        } else {
+            separations.append(&mut found.separations);
+        }
+    }
+    let found = match all {
+        true => arrays.into_bound_py_any(py)?,
+        false => PyArray1::from_vec(py, separations).into_any(),
+    };
+    Ok((found, failures(py, engine, failed)))
 }
 
 /// The share of every part of the law in a quantity of every row, by the part's name.
@@ -131,27 +165,25 @@ pub(crate) fn separations<'py>(
 pub(crate) fn shares<'py>(
     py: Python<'py>,
     engine: &Engine,
-    rows: Rows<'py>,
+    rows: Rows,
     quantity: &str,
     rtol: f64,
-) -> PyResult<Vec<(String, Column<'py, f64>)>> {
-    let rows = &rows.view()?;
-    let model = &engine.on_all(&rows.files)?;
+) -> PyResult<Bound<'py, PyDict>> {
+    let (rows, model) = (&rows, &engine.on_all(&rows.files)?);
     let quantity = quantity.parse().map_err(value_error)?;
     let request = &Request::new([quantity]).within(tolerance(rtol)?);
-    let one = rows.one_scene().map(|scene| py.detach(|| model.compile(scene, request)));
-    let one = one.transpose().map_err(|error| engine.raise(py, error))?;
+    let contacts = Contacts::new(py, engine, rows, model, request)?;
     // Sorted by scene: a contact is compiled once per scene.
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|row| rows.place(*row));
     let run = |range: Range<usize>| -> Result<Vec<Vec<Share>>, ContactError> {
-        let mut contacts = Contacts { rows, model, request, one: one.as_deref(), held: None };
+        let mut contacts = contacts.clone();
         let one = |row: &usize| contacts.of(*row)?.shares_at(quantity, rows.at(*row));
         order[range].iter().map(one).collect()
     };
     let mut columns: Vec<(String, Vec<f64>)> = vec![];
     let mut places = order.iter();
-    run_stretches(py, &*pool(None)?, rows.len(), ROWS_PER_TASK, run, |found| {
+    for found in run_stretches(py, None, (rows.len(), ROWS_PER_TASK), run, Result::is_err)? {
         let found = found.map_err(|error| engine.raise(py, error))?;
         for (shares, row) in found.into_iter().zip(&mut places) {
             for Share { name, share, .. } in shares {
@@ -163,30 +195,46 @@ pub(crate) fn shares<'py>(
                 columns[place].1[*row] = share;
             }
         }
-        Ok(true)
-    })?;
+    }
     let columns = columns.into_iter();
-    Ok(columns.map(|(name, column)| (name, PyArray1::from_vec(py, column))).collect())
+    columns.map(|(name, column)| (name, PyArray1::from_vec(py, column))).into_py_dict(py)
 }
 
-/// Contacts of rows: a compiled one, or that of each scene, kept while rows stay on it.
+/// Contacts of rows: that of a single scene, or of each scene, kept while rows stay on it.
+#[derive(Clone)]
 struct Contacts<'a> {
-    rows: &'a View<'a>,
+    rows: &'a Rows,
     model: &'a Model,
     request: &'a Request,
-    one: Option<&'a dyn asperity::Contact>,
-    held: Option<(usize, Box<dyn asperity::Contact>)>,
+    one: Option<Arc<dyn Contact>>,
+    held: Option<(usize, Arc<dyn Contact>)>,
 }
 
-impl Contacts<'_> {
-    fn of(&mut self, row: usize) -> Result<&dyn asperity::Contact, ContactError> {
-        if let Some(one) = self.one {
-            return Ok(one);
+impl<'a> Contacts<'a> {
+    fn new(
+        py: Python<'_>,
+        engine: &Engine,
+        rows: &'a Rows,
+        model: &'a Model,
+        request: &'a Request,
+    ) -> PyResult<Self> {
+        let one = rows.one_scene().map(|scene| {
+            // Few rows are not worth a preparation.
+            let few = (0..rows.len().min(ROWS_PER_TASK)).map(|row| rows.at(row));
+            py.detach(|| model.contact(scene, &request.clone().at(few)))
+        });
+        let one = one.transpose().map_err(|error| engine.raise(py, error))?;
+        Ok(Self { rows, model, request, one: one.map(Arc::from), held: None })
+    }
+
+    fn of(&mut self, row: usize) -> Result<&dyn Contact, ContactError> {
+        if let Some(one) = &self.one {
+            return Ok(&**one);
         }
         let place = self.rows.place(row);
         let held = match self.held.take() {
             Some(held) if held.0 == place => held,
-            _ => (place, self.model.compile(&self.rows.scene(row)?, self.request)?),
+            _ => (place, self.model.compile(&self.rows.scene(row)?, self.request)?.into()),
         };
         Ok(&*self.held.insert(held).1)
     }

@@ -5,34 +5,37 @@ use std::collections::BTreeMap;
 use asperity::bem::{Bem, BemError};
 use asperity::{ContactState, Described, Findings, Model, Truth};
 use pyo3::prelude::*;
+use serde_json::json;
 
 use super::scan::Scan;
 use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{refused, value_error, warn};
+use crate::convert::objects::object;
 use crate::scene::SceneFile;
 
-/// Area fraction, mean gap [m] and stiffness [N/m].
-type State = (Option<f64>, Option<f64>, Option<f64>);
-/// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
-type Row = (f64, String, State, State);
 /// Sentences about the nearest models, and beside solved surfaces.
 type Sentences = (Option<String>, Vec<String>);
 /// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
 /// and the boundary.
-type Truths =
-    (Vec<Row>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+type Truths<'py> = (
+    Bound<'py, PyAny>,
+    Sentences,
+    BTreeMap<String, String>,
+    BTreeMap<usize, String>,
+    &'static str,
+);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
-pub(crate) fn truth(
-    py: Python<'_>,
+pub(crate) fn truth<'py>(
+    py: Python<'py>,
     scene: &SceneFile,
     pressures: Vec<f64>,
     elastic: bool,
     boundary: Option<&str>,
     models: Option<Vec<String>>,
     refine_and_mask: (bool, bool),
-) -> PyResult<Truths> {
+) -> PyResult<Truths<'py>> {
     let (refine, mask) = refine_and_mask;
     let scene = &*scene.0;
     let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
@@ -46,7 +49,7 @@ pub(crate) fn truth(
     };
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = run_interruptible(py, |stop| {
+        let found = run_interruptible(py, None, |stop| {
             asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| {
                 continue_unless(stop)
             })
@@ -83,18 +86,27 @@ pub(crate) fn truth(
             refused.insert(model.id().into(), why.to_string());
         }
     }
-    let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
-    let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
-        let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));
-        let half = half[k].as_ref().map(|half| ("bem-half-grid", &half.bem));
-        let all = std::iter::once(("bem", &truth.bem)).chain(half).chain(models);
-        let row = |(id, numbers): (&str, &ContactState)| {
-            (truth.pressure, id.into(), state(*numbers), state(truth.deviation(numbers)))
-        };
-        all.map(row).collect()
+    let row = |truth: &Truth, id: &str, found: &ContactState| {
+        let deviation = truth.deviation(found);
+        json!({
+            "load": truth.pressure * scene.scene.nominal_area,
+            "pressure": truth.pressure,
+            "model": id,
+            "area_fraction": found.area_fraction,
+            "area_deviation": deviation.area_fraction,
+            "mean_gap": found.mean_gap,
+            "mean_gap_deviation": deviation.mean_gap,
+            "stiffness": found.stiffness,
+            "stiffness_deviation": deviation.stiffness,
+        })
     };
+    let mut rows = vec![];
+    for (truth, half) in found.iter().zip(&half) {
+        rows.push(row(truth, "bem", &truth.bem));
+        rows.extend(half.iter().map(|half| row(truth, "bem-half-grid", &half.bem)));
+        rows.extend(truth.models.iter().map(|(model, found)| row(truth, model.id(), found)));
+    }
     let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
     let sentences = (nearest, py.detach(|| scene.beside_table(&found)));
-    let rows = found.iter().enumerate().flat_map(rows).collect();
-    Ok((rows, sentences, refused, failures, bem.continuation().name()))
+    Ok((object(py, &rows)?, sentences, refused, failures, bem.continuation().name()))
 }

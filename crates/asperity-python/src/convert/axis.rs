@@ -3,7 +3,8 @@
 use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::convert::error::value_error;
+use crate::convert::error::{value_error, warn};
+use crate::convert::numbers::largest_magnitude;
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -13,17 +14,20 @@ pub(crate) enum Axis {
     Pressure,
 }
 
+/// Separations in metres.
+pub(crate) const METRES: Axis = Axis::Separation(SeparationUnit::Metres);
+
 impl<'py> FromPyObject<'_, 'py> for Axis {
     type Error = PyErr;
 
     fn extract(name: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         match name.extract::<&str>()? {
             "asperity_height_std" => Ok(Self::Separation(SeparationUnit::Sigma)),
-            "m" => Ok(Self::Separation(SeparationUnit::Metres)),
+            "m" => Ok(METRES),
             "load" => Ok(Self::Load),
             "pressure" => Ok(Self::Pressure),
             other => Err(value_error(format!(
-                "separation_unit is {other:?}: \"asperity_height_std\" or \"m\" was required"
+                "separation_unit is '{other}': 'asperity_height_std' or 'm' was required"
             ))),
         }
     }
@@ -41,10 +45,12 @@ impl Axis {
 
     /// The axis of numbers in that SI unit.
     pub(crate) fn in_si(self) -> Self {
-        match self {
-            Self::Separation(_) => Self::Separation(SeparationUnit::Metres),
-            other => other,
-        }
+        if let Self::Separation(_) = self { METRES } else { self }
+    }
+
+    /// The length of the unit of separations on a scene [m].
+    pub(crate) fn metres(self, scene: &Scene) -> f64 {
+        if self == METRES { 1.0 } else { scene.surface.asperity_height_std }
     }
 
     /// A number on this axis as a place, from a scene's plane.
@@ -77,5 +83,36 @@ impl Axis {
             SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
             _ => format!("{found}; separation_unit=\"m\" takes metres"),
         })
+    }
+
+    /// Such a warning about the number of largest magnitude: smaller ones of an array do not show
+    /// the unit.
+    pub(crate) fn mistaken_among(
+        self,
+        name: &str,
+        numbers: &[f64],
+        height_std: f64,
+    ) -> Option<String> {
+        if let [one] = numbers {
+            return self.mistaken_unit(name, *one, height_std);
+        }
+        let largest = largest_magnitude(numbers);
+        // Most arrays need no search for the number.
+        self.mistaken_unit(name, largest, height_std)?;
+        let number = numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?;
+        self.mistaken_unit(name, *number, height_std)
+    }
+
+    /// Emits that warning, `above` frames of the package up.
+    pub(crate) fn warn_of_unit(
+        self,
+        py: Python<'_>,
+        name: &str,
+        numbers: &[f64],
+        scene: &Scene,
+        above: usize,
+    ) -> PyResult<()> {
+        let mistaken = self.mistaken_among(name, numbers, scene.surface.asperity_height_std);
+        mistaken.map_or(Ok(()), |text| warn(py, text, above))
     }
 }

@@ -4,3 +4,4 @@ pub(crate) mod axis;
 pub(crate) mod error;
 pub(crate) mod numbers;
 pub(crate) mod objects;
+pub(crate) mod quantities;

@@ -5,7 +5,8 @@ use asperity::joints;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use super::{Unloading, over};
+use super::{ROWS_PER_TASK, Unloading};
+use crate::ask::over::Given;
 use crate::convert::error::value_error;
 use crate::convert::numbers::texts_in_si;
 
@@ -107,9 +108,8 @@ impl PartialSlip {
         (name, unit): (&str, &str),
         one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let one = |u: f64| one(&self.slip, u);
-        let read = texts_in_si(numbers, unit)?;
-        let numbers = read.as_ref().unwrap_or(numbers);
-        over(numbers, name, |_| None, one, |error| self.raise(numbers.py(), error))
+        let (given, _) = Given::read(numbers, name, unit)?;
+        let (py, one) = (numbers.py(), |_, u: f64| Ok([one(&self.slip, u)?]));
+        Ok(given.each(py, ROWS_PER_TASK, one, |error| self.raise(py, error))?.remove(0))
     }
 }

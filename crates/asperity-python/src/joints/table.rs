@@ -2,21 +2,16 @@
 
 use asperity::joints;
 use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::PyArrayMethods;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
+use crate::ask::over::Given;
 use crate::convert::axis::Axis;
-use crate::convert::error::{value_error, warn};
+use crate::convert::error::value_error;
 use crate::convert::numbers::{floats, scalar};
-use crate::joints::SIGMAS;
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
-
-/// Three answers: floats, or arrays of one shape.
-type Three<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, Bound<'py, PyAny>);
-/// Numbers in the shape of the argument.
-type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 
 /// Force and stiffness of a joint step by step: first loading, unloading, and reloading on the
 /// unloading curve, in some tens of nanoseconds.
@@ -66,15 +61,13 @@ impl JointTable {
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let unit: Axis = separation_unit.extract()?;
         let raise = |error| model.get().raise(py, error);
-        let sigma = file.scene.surface.asperity_height_std;
-        let metres = if unit == SIGMAS { sigma } else { 1.0 };
+        let metres = unit.metres(&file.scene);
         let zero =
             Separation { value: 0.0, unit: SeparationUnit::Metres, from: file.separation_from };
         let mean = zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
         let plane = mean.map_err(raise)?.value;
         for end in [ends.0, ends.1] {
-            let mistaken = unit.mistaken_unit("separation", end, sigma);
-            mistaken.map_or(Ok(()), |text| warn(py, &text, 1))?;
+            unit.warn_of_unit(py, "separation", &[end], &file.scene, 1)?;
         }
         let named = model.get().on(&file)?;
         let range = (metres * ends.0 + plane, metres * ends.1 + plane);
@@ -106,55 +99,42 @@ impl JointTable {
         &self,
         separation: &Bound<'py, PyAny>,
         closest: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Three<'py>> {
+    ) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
-        let closest = match closest {
-            Some(closest) => closest,
-            None => &PyFloat::new(py, f64::INFINITY).into_any(),
-        };
-        if let Some((separation, closest)) = scalar(separation).zip(scalar(closest)) {
-            let three = self.one(separation, closest);
-            let three = three.map_err(|error| self.model.get().raise(py, error))?;
-            let [force, stiffness, closest] = three.map(|x| PyFloat::new(py, x).into_any());
-            return Ok((force, stiffness, closest));
-        }
-        let [separation, closest] = broadcast(separation, closest)?;
-        let (separation, closest) = (separation.readonly(), closest.readonly());
-        let (given, states) = (separation.as_slice()?, closest.as_slice()?);
-        let stepped = py.detach(|| {
-            let mut columns = [(); 3].map(|()| Vec::with_capacity(given.len()));
-            for (separation, closest) in given.iter().zip(states) {
-                let three = self.one(*separation, *closest)?;
-                columns.iter_mut().zip(three).for_each(|(column, value)| column.push(value));
+        let infinity = PyFloat::new(py, f64::INFINITY).into_any();
+        let closest = closest.unwrap_or(&infinity);
+        let raise = |error| self.model.get().raise(py, error);
+        let (separation, closest) = match (scalar(separation), scalar(closest)) {
+            (Some(separation), Some(closest)) => (Given::One([separation]), Given::One([closest])),
+            _ => {
+                let both = (floats(separation, "separation")?, floats(closest, "closest")?);
+                let both = py.import("numpy")?.call_method1("broadcast_arrays", both)?;
+                let (separation, closest): (Bound<'py, PyAny>, Bound<'py, PyAny>) =
+                    both.extract()?;
+                (Given::of(&separation, "separation")?, Given::of(&closest, "closest")?)
             }
-            Ok(columns)
-        });
-        let columns = stepped.map_err(|error| self.model.get().raise(py, error))?;
-        let [force, stiffness, closest] = columns.map(|column| {
-            let shaped = PyArray1::from_vec(py, column).reshape(separation.shape());
-            shaped.map(Bound::into_any)
-        });
-        Ok((force?, stiffness?, closest?))
+        };
+        let states = closest.numbers()?;
+        let one = |k: usize, separation| self.one(separation, states[k]);
+        PyTuple::new(py, separation.each(py, usize::MAX, one, raise)?)
     }
 
     /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
-    fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<(Column<'py>, Column<'py>)> {
+    fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
-        let numbers = floats(separation, "separation")?.readonly();
-        let given = numbers.as_slice()?;
-        let (mut force, mut stiffness) = (vec![], vec![]);
-        let passed = py.detach(|| {
-            let mut contact = self.table.new_contact();
-            given.iter().try_for_each(|separation| {
-                let reply = contact.step(self.above_mean(*separation))?;
-                force.push(reply.force);
-                stiffness.push(reply.stiffness);
-                Ok(())
-            })
-        });
-        passed.map_err(|error| self.model.get().raise(py, error))?;
-        let shaped = |column| PyArray1::from_vec(py, column).reshape(numbers.shape());
-        Ok((shaped(force)?, shaped(stiffness)?))
+        let given = Given::Many(floats(separation, "separation")?.readonly());
+        let mut closest = f64::INFINITY;
+        let before = |number: &f64| {
+            let deeper = closest.min(*number);
+            std::mem::replace(&mut closest, deeper)
+        };
+        let states: Vec<f64> = given.numbers()?.iter().map(before).collect();
+        let one = |k: usize, separation| {
+            let [force, stiffness, _] = self.one(separation, states[k])?;
+            Ok([force, stiffness])
+        };
+        let raise = |error| self.model.get().raise(py, error);
+        PyTuple::new(py, given.each(py, usize::MAX, one, raise)?)
     }
 
     fn __reduce__<'py>(
@@ -185,24 +165,5 @@ impl JointTable {
     /// A separation from the mean of the asperity heights [m].
     fn above_mean(&self, separation: f64) -> f64 {
         self.metres * separation + self.plane
-    }
-}
-
-/// Separations and closest approaches in one shape.
-fn broadcast<'py>(
-    separation: &Bound<'py, PyAny>,
-    closest: &Bound<'py, PyAny>,
-) -> PyResult<[Column<'py>; 2]> {
-    let pair = (floats(separation, "separation")?, floats(closest, "closest")?);
-    if pair.0.shape() == pair.1.shape() {
-        return Ok([pair.0, pair.1]);
-    }
-    let numpy = separation.py().import("numpy")?;
-    let both: Vec<Bound<'py, PyAny>> = numpy.call_method1("broadcast_arrays", pair)?.extract()?;
-    match &both[..] {
-        [separation, closest] => {
-            Ok([floats(separation, "separation")?, floats(closest, "closest")?])
-        }
-        _ => Err(value_error("separation and closest: two arrays were required")),
     }
 }

@@ -1,14 +1,15 @@
 //! `Unloading`: a joint that opens after its first closing.
 
-use asperity::ContactError;
 use asperity::joints;
+use asperity::{ContactError, Severity};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use super::{PartialSlip, SIGMAS, over};
-use crate::convert::axis::Axis;
+use super::{PartialSlip, ROWS_PER_TASK};
+use crate::ask::over::Given;
+use crate::check::check_scene;
+use crate::convert::axis::{Axis, METRES};
 use crate::convert::error::{value_error, warn};
-use crate::convert::numbers::texts_in_si;
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
@@ -55,9 +56,7 @@ impl Unloading {
         let file = scene.get().0.clone();
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
-        let mistaken =
-            axis.mistaken_unit("separation", place.1, file.scene.surface.asperity_height_std);
-        mistaken.map_or(Ok(()), |text| warn(py, &text, 1))?;
+        axis.warn_of_unit(py, "separation", &[place.1], &file.scene, 1)?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
         let joint = py.detach(|| {
@@ -67,6 +66,9 @@ impl Unloading {
         let (joint, whole) = joint.map_err(|error| model.get().raise(py, error))?;
         let closest = unit.of(joint.closest(), file.separation_from, &file.scene);
         let closest = closest.map_err(|error| model.get().raise(py, error))?;
+        let found = py.detach(|| check_scene(model.get(), &named, &file, [at]));
+        let found = file.accepted(found).at_least(Severity::Warning);
+        found.iter().try_for_each(|found| warn(py, found, 1))?;
         let (place, separation_unit) = ((place.0.extract()?, place.1), separation_unit.extract()?);
         Ok(Self { model, scene, place, rtol, separation_unit, closest, unit, whole, joint })
     }
@@ -99,7 +101,8 @@ impl Unloading {
     /// Retreat at which contact ends: beyond, fewer than one asperity is in contact on average.
     fn last_contact(&self, py: Python<'_>) -> PyResult<f64> {
         let found = py.detach(|| self.joint.last_contact());
-        Ok(found.map_err(|error| self.model.get().raise(py, error))? / self.metres())
+        Ok(found.map_err(|error| self.model.get().raise(py, error))?
+            / self.unit.metres(self.joint.scene()))
     }
 
     /// Loss factor of the first closing and opening: the dissipated energy over 2 pi times the work
@@ -158,24 +161,16 @@ impl Unloading {
         Ok(work)
     }
 
-    /// The unit of retreats [m].
-    fn metres(&self) -> f64 {
-        if self.unit == SIGMAS { self.joint.scene().surface.asperity_height_std } else { 1.0 }
-    }
-
     fn over<'py>(
         &self,
         retreat: &Bound<'py, PyAny>,
         one: impl Fn(&joints::Unloading, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let sigma = self.joint.scene().surface.asperity_height_std;
-        let read = texts_in_si(retreat, "m")?;
-        let (retreat, unit, metres) = match &read {
-            Some(read) => (read, SIGMAS.in_si(), 1.0),
-            None => (retreat, self.unit, self.metres()),
-        };
-        let mistaken = |value: f64| unit.mistaken_unit("retreat", value, sigma);
-        let one = |u: f64| one(&self.joint, metres * u);
-        over(retreat, "retreat", mistaken, one, |error| self.model.get().raise(retreat.py(), error))
+        let (py, scene) = (retreat.py(), self.joint.scene());
+        let (given, is_si) = Given::read(retreat, "retreat", "m")?;
+        let unit = if is_si { METRES } else { self.unit };
+        unit.warn_of_unit(py, "retreat", given.numbers()?, scene, 0)?;
+        let one = |_, u: f64| Ok([one(&self.joint, unit.metres(scene) * u)?]);
+        Ok(given.each(py, ROWS_PER_TASK, one, |error| self.model.get().raise(py, error))?.remove(0))
     }
 }

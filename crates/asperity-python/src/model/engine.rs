@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{ContactError, Model, Quantity, Request, Tolerance, testkit};
+use asperity::{Citation, ContactError, Model, Quantity, Tolerance, testkit};
 use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::error::{refused, value_error};
-use crate::convert::objects::object;
+use crate::convert::quantities::Quantities;
 use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, OptionValue};
 
@@ -39,37 +39,60 @@ impl Engine {
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
         let engine = Self(Kind::Named { id, given });
         // Refuses a mistyped id or option.
-        match engine.is_bem() {
-            true => drop(engine.options(ModelOptions::default())?),
-            false => drop(engine.with(ModelOptions::default(), None)?),
-        }
+        engine.alone()?;
+        engine.options(ModelOptions::default())?;
         Ok(engine)
     }
 
-    /// Id, name, source and notes, with the options of a scene, if given.
-    #[pyo3(name = "_source", signature = (scene=None))]
-    fn source<'py>(
-        &self,
-        py: Python<'py>,
-        scene: Option<&scene::SceneFile>,
-    ) -> PyResult<(String, String, Bound<'py, PyAny>, Vec<String>)> {
-        if self.is_bem() {
-            let source = Bem::SOURCE;
-            return Ok((source.id.into(), source.name.into(), object(py, &source)?, vec![]));
-        }
-        let options = scene.map_or_else(ModelOptions::default, |scene| scene.0.options);
-        let model = self.with(options, None)?;
-        let notes = model.notes().iter().map(ToString::to_string).collect();
-        Ok((model.id().into(), model.name().into(), object(py, model.citation())?, notes))
+    /// Short name in lower case: ``ke``.
+    #[getter]
+    fn id(&self) -> PyResult<String> {
+        Ok(self.alone()?.map_or(Bem::ID.into(), |model| model.id().into()))
     }
 
-    /// How a variant differs from the model before the dash, one clause a difference.
-    #[pyo3(name = "_variant")]
-    fn differences(&self) -> PyResult<Vec<&'static str>> {
-        match self.is_bem() {
-            true => Ok(vec![]),
-            false => Ok(self.with(ModelOptions::default(), None)?.variant()),
-        }
+    /// The acronym: ``KE``.
+    #[getter]
+    fn name(&self) -> PyResult<String> {
+        Ok(self.alone()?.map_or(Bem::SOURCE.name.into(), |model| model.name().into()))
+    }
+
+    /// Authors, year and title of the paper, and the provenance of its equations: seen (read in the
+    /// paper), derived, or recalled (from memory, or through another paper).
+    #[getter]
+    fn source(&self) -> PyResult<String> {
+        let Citation { title, provenance, .. } = self.citation()?;
+        Ok(match self.0 {
+            Kind::Python { .. } => format!("{}, {}", self.name()?, self.authors()?),
+            _ if title.is_empty() => format!("{} [{provenance}]", self.authors()?),
+            _ => format!("{}, {title} [{provenance}]", self.authors()?),
+        })
+    }
+
+    /// Authors and year.
+    #[getter(_authors)]
+    fn authors(&self) -> PyResult<String> {
+        let Citation { authors, year, .. } = self.citation()?;
+        Ok(match self.0 {
+            Kind::Python { .. } => "written in Python".into(),
+            Kind::Named { .. } => format!("{authors} ({year})"),
+        })
+    }
+
+    /// How a variant differs from the model before the dash of its id; empty for others.
+    ///
+    /// >>> import asperity
+    /// >>> asperity.model("at-additive").variant
+    /// 'every contact counts once in the sums'
+    #[getter]
+    fn variant(&self) -> PyResult<String> {
+        Ok(self.alone()?.map_or(String::new(), |model| model.variant().join("; ")))
+    }
+
+    /// Notes on these options for every scene.
+    #[getter]
+    fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let notes = self.alone()?.map_or(vec![], |model| model.notes());
+        PyTuple::new(py, notes.iter().map(ToString::to_string))
     }
 
     /// The law of one asperity of a scene at interferences [m], in SI units.
@@ -119,6 +142,18 @@ impl Engine {
         matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(Bem::ID))
     }
 
+    /// The model without a scene; none for boundary elements.
+    fn alone(&self) -> PyResult<Option<Model>> {
+        match self.is_bem() {
+            true => Ok(None),
+            false => self.with(ModelOptions::default(), None).map(Some),
+        }
+    }
+
+    fn citation(&self) -> PyResult<Citation> {
+        Ok(self.alone()?.map_or(Bem::SOURCE, |model| *model.citation()))
+    }
+
     /// The model with options, on the scan of a scene, if given.
     fn with(&self, options: ModelOptions, file: Option<&SceneFile>) -> PyResult<Model> {
         match (&self.0, file) {
@@ -141,7 +176,7 @@ impl Engine {
     }
 
     /// The model's id and its own options: options of other models may differ between scenes.
-    fn variant(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
+    fn own_options(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
         let (model, all) = (self.with(options, None)?, self.options(options)?);
         let own = model.options();
         let unknown = own.is_none().then_some(all);
@@ -165,7 +200,9 @@ impl Engine {
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {
-            if file.options != first && self.variant(file.options)? != self.variant(first)? {
+            if file.options != first
+                && self.own_options(file.options)? != self.own_options(first)?
+            {
                 return Err(value_error(format!(
                     "scene {k} has other options than scene 0: give the options to asperity.model"
                 )));
@@ -190,16 +227,6 @@ impl Engine {
     }
 }
 
-/// Quantities by name.
-pub(crate) fn quantities_of(names: &[String]) -> PyResult<Vec<Quantity>> {
-    names.iter().map(|name| name.parse().map_err(value_error)).collect()
-}
-
-/// A request for quantities by name.
-pub(crate) fn request_of(names: &[String], rtol: f64) -> PyResult<Request> {
-    Ok(Request::new(quantities_of(names)?).within(tolerance(rtol)?))
-}
-
 pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {
     Tolerance::new(rtol).map_err(refused)
 }
@@ -210,17 +237,10 @@ pub(crate) fn model_ids() -> Vec<String> {
     Model::all().iter().map(|model| model.id().to_string()).collect()
 }
 
-/// Table columns by the names of quantities; of all quantities, if `names` is empty.
+/// Table columns by the names of quantities; without names, of all.
 #[pyfunction]
-#[pyo3(signature = (names=vec![]))]
-pub(crate) fn quantities(py: Python<'_>, names: Vec<String>) -> PyResult<Bound<'_, PyDict>> {
-    let wanted = match names.is_empty() {
-        true => Quantity::ALL.to_vec(),
-        false => quantities_of(&names)?,
-    };
-    let columns = PyDict::new(py);
-    for quantity in wanted {
-        columns.set_item(quantity.to_string(), quantity.column())?;
-    }
-    Ok(columns)
+#[pyo3(signature = (names=None))]
+pub(crate) fn quantities(py: Python<'_>, names: Option<Quantities>) -> PyResult<Bound<'_, PyDict>> {
+    let wanted = names.map_or(Quantity::ALL.to_vec(), |names| names.0);
+    wanted.iter().map(|quantity| (quantity.to_string(), quantity.column())).into_py_dict(py)
 }

@@ -42,9 +42,8 @@ class Design:
     @property
     def block(self) -> int:
         """Rows of one base point of Saltelli's scheme; else 1."""
-        return {"saltelli": self.dimensions + 2, "saltelli-pairs": 2 * self.dimensions + 2}.get(
-            self.kind, 1
-        )
+        d = self.dimensions
+        return {"saltelli": d + 2, "saltelli-pairs": 2 * d + 2}.get(self.kind, 1)
 
     @property
     def points(self) -> int:
@@ -59,31 +58,24 @@ class Design:
         return self.points * self.block
 
     @property
-    def points_per_part(self) -> int:
-        """Points of a part: whole blocks only."""
-        return max(1, self.part_size // self.block)
+    def part_rows(self) -> int:
+        """Rows of a part: whole blocks only."""
+        return max(1, self.part_size // self.block) * self.block
 
     @property
-    def parts(self) -> int:
-        """The number of parts."""
-        return -(-self.points // self.points_per_part)
+    def parts(self) -> list[range]:
+        """The rows of each part."""
+        rows = range(self.rows)
+        return [rows[first : first + self.part_rows] for first in rows[:: self.part_rows]]
 
-    def first_row(self, part: int) -> int:
-        """The number of the first row of a part."""
-        return part * self.points_per_part * self.block
-
-    def rows_of(self, part: int) -> int:
-        """The number of rows of a part."""
-        return min(self.first_row(part + 1), self.rows) - self.first_row(part)
-
-    def sample(self, part: int) -> Floats:
+    def sample(self, rows: range) -> Floats:
         """The rows of one part, strictly between 0 and 1."""
         from scipy.stats import qmc
 
-        start, count = part * self.points_per_part, self.rows_of(part) // self.block
+        start, count = rows.start // self.block, len(rows) // self.block
         if self.kind == "latin-hypercube":
             # Every part is a hypercube: one for all rows cannot be drawn part by part.
-            rng = np.random.default_rng([self.seed, part])
+            rng = np.random.default_rng([self.seed, rows.start // self.part_rows])
             sample: Floats = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
             inside: Floats = np.minimum(sample, 1.0 - 2.0**-53)
             return inside
@@ -103,12 +95,7 @@ class Design:
         if self.block == 1:
             return base
         d = self.dimensions
-        a, b = base[:, :d], base[:, d:]
-        rows = np.empty((len(base), self.block, d))
-        rows[:, : d + 1] = a[:, None, :]
-        rows[:, d + 1 :] = b[:, None, :]
-        for k in range(d):
-            rows[:, 1 + k, k] = b[:, k]
-            if self.kind == "saltelli-pairs":
-                rows[:, 1 + d + k, k] = a[:, k]
-        return rows.reshape(-1, d)
+        a, b = base[:, None, :d], base[:, None, d:]
+        one = np.eye(d, dtype=bool)[None]
+        rows = [a, np.where(one, b, a), *([np.where(one, a, b)] if self.block > d + 2 else []), b]
+        return np.concatenate(rows, axis=1).reshape(-1, d)

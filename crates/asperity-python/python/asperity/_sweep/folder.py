@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from pathlib import Path
 from typing import Any
 
-from asperity._sweep.job import fingerprint
 from asperity._sweep.part import fingerprint_of
 
 MANIFEST = "manifest.json"
@@ -69,7 +69,7 @@ class Folder:
     @property
     def fingerprint(self) -> str:
         """The mark of the parts of this sweep."""
-        return fingerprint(self.identity)
+        return hashlib.sha256(json.dumps(self.identity, sort_keys=True).encode()).hexdigest()
 
     @property
     def parts(self) -> int:

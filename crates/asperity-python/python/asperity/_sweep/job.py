@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-import json
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,23 +31,23 @@ class Job:
 
     def draw(self, number: int) -> dict[str, Floats]:
         """The inputs that vary, of one part."""
-        return self.space.columns(self.design.sample(number))
+        return self.space.columns(self.design.sample(self.design.parts[number]))
 
     def answer(
         self, number: int, inputs: dict[str, Floats], threads: int | None = None
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
-        values, failures, messages = _asperity.answer(
+        _, values, failures, messages = _asperity.answer(
             self.model, rows, self.quantities, self.rtol, "value", stop, threads, False
         )
-        first = self.design.first_row(number)
+        first = self.design.parts[number].start
         for k, error in failures:
             if stop or not isinstance(error, Exception):
                 drawn = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
                 raise placed(f"row {first + k} ({drawn}): ", error)
         errors = {k: reason(error) for k, error in failures}
-        return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), messages
+        return Part.of(first, inputs, values, errors), messages
 
     def identity(self) -> dict[str, Any]:
         """Every input that the values depend on, for JSON."""
@@ -64,17 +63,12 @@ class Job:
             "n": design.n,
             "seed": design.seed,
             "rows": design.rows,
-            "parts": design.parts,
+            "parts": len(design.parts),
             "part_size": design.part_size,
             "rtol": self.rtol,
             "separation_unit": self.separation_unit,
             "space": self.space.identity(),
         }
-
-
-def fingerprint(identity: dict[str, Any]) -> str:
-    """The hash of an identity."""
-    return hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()
 
 
 def _model_identity(model: Model) -> dict[str, Any]:

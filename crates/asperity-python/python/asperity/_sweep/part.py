@@ -1,9 +1,10 @@
-"""One part of a sweep: columns of numbers, and the reasons of failed rows."""
+"""One part of a sweep: a table of numbers, with the reasons of failed rows."""
 
 from __future__ import annotations
 
 import os
 import uuid
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,11 @@ from asperity._asperity import quantities as column_names
 from asperity._scene import Floats
 
 FINGERPRINT = b"asperity.sweep"
+
+
+def column_name(quantity: str) -> str:
+    """The column of a quantity, with its unit, as in ``Curve.to_dataframe``."""
+    return column_names([quantity])[quantity]
 
 
 def fingerprint_of(path: Path) -> str | None:
@@ -34,44 +40,58 @@ def fingerprint_of(path: Path) -> str | None:
 
 @dataclass(frozen=True)
 class Part:
-    """Consecutive rows of a sweep."""
+    """Consecutive rows of a sweep: an Arrow table with the columns ``row``, those of the inputs that
+    vary and of the quantities, null for failed rows, and ``error``."""
 
-    first_row: int
-    #: The inputs that vary, in SI units.
-    inputs: dict[str, Floats]
-    #: The quantities; values of failed rows are undefined.
-    values: dict[str, Floats]
-    #: The reasons of failed rows, by place in this part.
-    errors: dict[int, str]
+    table: Any
+    _inputs: tuple[str, ...]
+    _quantities: tuple[str, ...]
+
+    @staticmethod
+    def of(
+        first_row: int, inputs: dict[str, Floats], values: dict[str, Floats], errors: dict[int, str]
+    ) -> Part:
+        """A part of columns in SI units, with the reasons of failed rows by place."""
+        import pyarrow as pa
+
+        rows = np.arange(first_row, first_row + len(next(iter(inputs.values()))))
+        failed = np.isin(rows - first_row, list(errors)) if errors else None
+        columns = {"row": rows, **inputs}
+        columns |= {column_name(q): pa.array(v, mask=failed) for q, v in values.items()}
+        columns["error"] = pa.array([errors.get(k) for k in range(len(rows))], pa.string())
+        return Part(pa.table(columns), tuple(inputs), tuple(values))
 
     def __len__(self) -> int:
-        columns = self.inputs or self.values
-        return len(next(iter(columns.values())))
+        return int(self.table.num_rows)
 
     @property
-    def answered(self) -> slice | np.ndarray[Any, np.dtype[np.bool_]]:
-        """The rows with values."""
-        if not self.errors:
-            return slice(None)
-        answered = np.ones(len(self), dtype=bool)
-        answered[list(self.errors)] = False
-        return answered
+    def first_row(self) -> int:
+        """The number of the first row."""
+        return int(self.table["row"][0].as_py())
+
+    @property
+    def inputs(self) -> dict[str, Floats]:
+        """The inputs that vary, in SI units."""
+        return {name: self.table[name].to_numpy() for name in self._inputs}
+
+    @property
+    def values(self) -> dict[str, Floats]:
+        """The quantities; NaN for failed rows."""
+        return {name: self.table[column_name(name)].to_numpy() for name in self._quantities}
+
+    @property
+    def errors(self) -> dict[int, str]:
+        """The reasons of failed rows, by place in this part."""
+        reasons = self.table["error"]
+        if reasons.null_count == len(reasons):
+            return {}
+        return {k: reason for k, reason in enumerate(reasons.to_pylist()) if reason is not None}
 
     def write(self, path: Path, fingerprint: str) -> None:
         """Writes a Parquet file, complete or not at all."""
-        import pyarrow as pa
         import pyarrow.parquet as pq
 
-        failed = np.zeros(len(self), dtype=bool)
-        failed[list(self.errors)] = True
-        columns: dict[str, Any] = {"row": np.arange(self.first_row, self.first_row + len(self))}
-        columns |= self.inputs
-        for quantity, values in self.values.items():
-            columns[column_name(quantity)] = pa.array(values, mask=failed if self.errors else None)
-        reasons = [self.errors.get(k) for k in range(len(self))] if self.errors else None
-        error = pa.array(reasons, pa.string()) if reasons else pa.nulls(len(self), pa.string())
-        columns["error"] = error
-        table = pa.table(columns).replace_schema_metadata({FINGERPRINT: fingerprint})
+        table = self.table.replace_schema_metadata({FINGERPRINT: fingerprint})
         temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}.tmp")
         try:
             with temporary.open("wb") as file:
@@ -84,34 +104,16 @@ class Part:
             temporary.unlink(missing_ok=True)
 
     @staticmethod
-    def read(path: Path, inputs: list[str], quantities: list[str]) -> Part:
+    def read(path: Path, inputs: Iterable[str], quantities: Iterable[str]) -> Part:
         """Reads some of the columns."""
         import pyarrow.parquet as pq
 
-        names = ["row", *inputs, *(column_name(q) for q in quantities), "error"]
+        inputs, quantities = tuple(inputs), tuple(quantities)
+        names = ["row", *inputs, *map(column_name, quantities), "error"]
         try:
-            table = pq.read_table(path, columns=names)
+            return Part(pq.read_table(path, columns=names), inputs, quantities)
         except (ValueError, OSError) as error:
             raise ValueError(
                 f"{path} is no complete part of a sweep: call sweep with the same arguments to compute "
                 f"it again ({error})"
             ) from error
-        reasons = table["error"]
-        errors: dict[int, str] = {}
-        if reasons.null_count < len(reasons):
-            errors = {k: reason for k, reason in enumerate(reasons.to_pylist()) if reason is not None}
-
-        def column(name: str) -> Floats:
-            return np.asarray(table[name].to_numpy(), dtype=np.float64)
-
-        return Part(
-            table["row"][0].as_py(),
-            {name: column(name) for name in inputs},
-            {quantity: column(column_name(quantity)) for quantity in quantities},
-            errors,
-        )
-
-
-def column_name(quantity: str) -> str:
-    """The column of a quantity, with its unit, as in ``Curve.to_dataframe``."""
-    return column_names([quantity])[quantity]

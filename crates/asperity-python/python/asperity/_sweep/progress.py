@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import time
 from dataclasses import dataclass, field
-from types import TracebackType
 
 
 @dataclass
@@ -40,9 +39,6 @@ class Progress:
         self._shown = sys.stderr.isatty() if shown is None else shown
         self._begun = time.perf_counter()
 
-    def __enter__(self) -> Progress:
-        return self
-
     def add(self, rows: int, worker: str, memory: int | None) -> None:
         """Adds a finished part."""
         run = self._run
@@ -53,32 +49,19 @@ class Progress:
         if self._shown:
             done = self._before + run.rows
             left = (self._rows - done) / run.rows_per_second
-            print(
-                f"\rsweep: {done} of {self._rows} rows ({100 * done / self._rows:.0f} %), "
-                f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left ",
-                end="",
-                file=sys.stderr,
-                flush=True,
+            text = (
+                f"sweep: {done} of {self._rows} rows ({100 * done / self._rows:.0f} %), "
+                f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left "
             )
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if self._shown and self._run.rows:
-            print(file=sys.stderr)
+            print(f"\r{text}", end="\n" if done == self._rows else "", file=sys.stderr, flush=True)
 
 
 def peak_memory() -> int | None:
     """The peak memory of this process [bytes]; None if the system does not report it."""
     try:
         with open("/proc/self/status", encoding="ascii") as status:
-            for line in status:
-                if line.startswith("VmHWM:"):
-                    return 1024 * int(line.split()[1])
-    except OSError:
+            return next(1024 * int(line.split()[1]) for line in status if line.startswith("VmHWM:"))
+    except (OSError, StopIteration):
         pass
     try:
         import resource

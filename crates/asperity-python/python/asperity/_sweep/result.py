@@ -6,6 +6,7 @@ import os
 import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +14,6 @@ import numpy.typing as npt
 
 from asperity._asperity import ContactWarning, floats
 from asperity._scene import Floats
-from asperity._sweep import statistics
 from asperity._sweep.folder import Folder
 from asperity._sweep.part import Part, column_name
 from asperity._sweep.progress import Run
@@ -47,7 +47,7 @@ class Sensitivity:
 class SweepResult:
     """Rows of a sweep, in memory or in a folder; made by ``sweep`` and ``read_sweep``.
 
-    Statistics are computed part by part, without failed rows, which cause a warning.
+    Statistics are without failed rows, which cause a warning; one column is in memory as a whole.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -97,16 +97,13 @@ class SweepResult:
 
     def __getitem__(self, column: str) -> Floats:
         """A whole column, of an input that varies or a quantity; masked for failed rows."""
-        values, masks, column = [], [], self._name(column)
-        for part in self.parts(column):
-            mask = np.zeros(len(part), dtype=bool)
-            mask[list(part.errors)] = column in self.quantities
-            values.append(part.inputs[column] if column in part.inputs else part.values[column])
-            masks.append(mask)
-        whole, mask = np.concatenate(values), np.concatenate(masks)
-        if not mask.any():
+        column = self._name(column)
+        parts = list(self.parts(column))
+        head = column if column in self.inputs else column_name(column)
+        whole: Floats = np.concatenate([part.table[head].to_numpy() for part in parts])
+        if not any(part.table[head].null_count for part in parts):
             return whole
-        masked: Floats = np.ma.MaskedArray(whole, mask)
+        masked: Floats = np.ma.masked_invalid(whole)
         return masked
 
     def failures(self) -> Iterator[tuple[int, str]]:
@@ -115,49 +112,42 @@ class SweepResult:
             for place, reason in part.errors.items():
                 yield part.first_row + place, reason
 
-    def _answers(self, quantity: str) -> Callable[[], Iterator[Floats]]:
+    def _values(self, quantity: str) -> Floats:
+        """The values of a quantity without failed rows."""
         quantity = self._name(quantity)
         if quantity not in self.quantities:
             names = ", ".join(self.quantities)
             raise KeyError(f"{quantity} was not requested: add it to the quantities ({names})")
+        values: Floats = np.ma.compressed(self[quantity])
+        return values
 
-        def chunks() -> Iterator[Floats]:
-            for part in self.parts(quantity):
-                yield part.values[quantity][part.answered]
-
-        return chunks
-
-    def _moments(self, quantity: str) -> tuple[int, float, float]:
-        count, mean, squares = statistics.moments(self._answers(quantity)())
-        self._warn_of_failures(count)
-        return count, mean, squares
-
-    def _warn_of_failures(self, count: int) -> None:
-        if count < 2:
-            raise ValueError(f"{count} of {self.rows} rows have values: at least 2 were required")
-        if count < self.rows:
+    def _sample(self, quantity: str) -> Floats:
+        """The same, with a warning about failed rows."""
+        values = self._values(quantity)
+        if len(values) < 2:
+            raise ValueError(f"{len(values)} of {self.rows} rows have values: at least 2 were required")
+        if len(values) < self.rows:
             message = (
-                f"{self.rows - count} of {self.rows} rows failed and are left out: failures() has the reasons"
+                f"{self.rows - len(values)} of {self.rows} rows failed and are left out: failures() has "
+                "the reasons"
             )
-            warnings.warn(message, ContactWarning, stacklevel=4)
+            warnings.warn(message, ContactWarning, stacklevel=3)
+        return values
 
     def mean(self, quantity: str) -> float:
         """The mean of a quantity."""
-        return self._moments(quantity)[1]
+        return float(np.mean(self._sample(quantity)))
 
     def std(self, quantity: str) -> float:
         """The standard deviation of a quantity."""
-        count, _, squares = self._moments(quantity)
-        return float(np.sqrt(squares / (count - 1)))
+        return float(np.std(self._sample(quantity), ddof=1))
 
     def quantile(self, quantity: str, q: npt.ArrayLike) -> Floats:
         """Quantiles of a quantity at probabilities ``q``, by the method of ``numpy.quantile``."""
-        chunks, probabilities = self._answers(quantity), floats(q, "q")
+        probabilities = floats(q, "q")
         if not ((probabilities >= 0.0) & (probabilities <= 1.0)).all():
             raise ValueError(f"q is {probabilities}: probabilities from 0 to 1 were required")
-        self._moments(quantity)
-        found = statistics.quantiles(chunks, probabilities.ravel())
-        return found.reshape(probabilities.shape)
+        return np.asarray(np.quantile(self._sample(quantity), probabilities))
 
     def sensitivity(
         self,
@@ -169,7 +159,6 @@ class SweepResult:
 
         ``transform`` is applied to the values first: use ``numpy.log`` for a quantity that spans
         decades, or its largest values dominate. The half-widths are from ``resamples`` resamples.
-        One column is in memory as a whole.
         """
         from SALib.analyze import sobol
 
@@ -178,7 +167,7 @@ class SweepResult:
             raise ValueError(
                 f"the design is {design!r}: 'saltelli' or 'saltelli-pairs' was required for indices"
             )
-        values = np.concatenate(list(self._answers(quantity)()))
+        values = self._values(quantity)
         if len(values) < self.rows:
             raise ValueError(
                 f"{self.rows - len(values)} of {self.rows} rows failed: every row is required for "
@@ -190,49 +179,33 @@ class SweepResult:
         if np.ptp(values) == 0.0:
             raise ValueError(f"{quantity} does not vary: indices are shares of its variance")
         pairs = design == "saltelli-pairs"
-        problem = {"num_vars": len(self.inputs), "names": list(self.inputs)}
         found = sobol.analyze(
-            problem,
+            {"num_vars": len(self.inputs), "names": list(self.inputs)},
             values,
             calc_second_order=pairs,
             num_resamples=resamples,
             seed=self._identity["seed"],
         )
+        both = list(combinations(enumerate(self.inputs), 2)) if pairs else []
 
-        def by_name(key: str) -> dict[str, float]:
+        def of_one(key: str) -> dict[str, float]:
             return dict(zip(self.inputs, found[key].tolist(), strict=True))
 
-        def by_pair(key: str) -> dict[tuple[str, str], float]:
-            places = [(j, k) for j in range(len(self.inputs)) for k in range(j + 1, len(self.inputs))]
-            return {
-                (self.inputs[j], self.inputs[k]): float(found[key][j, k]) for j, k in places if pairs
-            }
+        def of_two(key: str) -> dict[tuple[str, str], float]:
+            return {(a, b): float(found[key][j, k]) for (j, a), (k, b) in both}
 
-        return Sensitivity(
-            by_name("S1"),
-            by_name("S1_conf"),
-            by_name("ST"),
-            by_name("ST_conf"),
-            by_pair("S2"),
-            by_pair("S2_conf"),
-        )
+        first, first_conf, total, total_conf = map(of_one, ("S1", "S1_conf", "ST", "ST_conf"))
+        second, second_conf = map(of_two, ("S2", "S2_conf"))
+        return Sensitivity(first, first_conf, total, total_conf, second, second_conf)
 
     def to_dataframe(self) -> pd.DataFrame:
         """All rows, with units in the heads of quantities, and a column ``error`` if rows failed."""
-        import pandas as pd
+        import pyarrow as pa
 
-        tables = []
-        for part in self.parts():
-            columns: dict[str, Any] = dict(part.inputs)
-            for quantity, values in part.values.items():
-                column = values.copy()
-                column[list(part.errors)] = np.nan
-                columns[column_name(quantity)] = column
-            table = pd.DataFrame(columns)
-            if part.errors:
-                table["error"] = pd.Series(part.errors, dtype=object)
-            tables.append(table)
-        return pd.concat(tables, ignore_index=True)
+        table = pa.concat_tables(part.table for part in self.parts()).drop_columns("row")
+        if table["error"].null_count == len(table):
+            table = table.drop_columns("error")
+        return table.to_pandas()
 
     def __repr__(self) -> str:
         names = " and ".join(filter(None, [", ".join(self.inputs[:-1]), self.inputs[-1]]))

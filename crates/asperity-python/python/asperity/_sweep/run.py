@@ -7,9 +7,11 @@ import warnings
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from importlib.metadata import version
-from typing import TYPE_CHECKING
+from itertools import zip_longest
+from typing import TYPE_CHECKING, TypeAlias
 
-from asperity._arguments import checked_errors, checked_unit, quantity_names
+from asperity import _asperity
+from asperity._arguments import checked_errors, checked_unit
 from asperity._asperity import ContactWarning
 from asperity._model import Model
 from asperity._sweep.design import Design, integer
@@ -98,7 +100,7 @@ def sweep(
     job = Job(
         space,
         model if isinstance(model, Model) else Model(model),
-        tuple(quantity_names(quantities)),
+        tuple(_asperity.quantities(quantities)),
         Design(
             design,
             integer("n", n, 1),
@@ -111,45 +113,51 @@ def sweep(
         checked_errors(errors),
         version("asperity"),
     )
-    run, rows = Run(), job.design.rows
-    if folder is None:
-        memory: list[Part] = []
-        with Progress(run, rows, 0, progress) as shown:
-            for _, part, messages in _answer_ahead(job, list(range(job.design.parts))):
-                memory.append(part)
-                _warn(messages)
-                shown.add(len(part), "this process", peak_memory())
-        return SweepResult(job.identity(), memory, run)
-    stored = Folder.of(folder, job.identity())
-    missing = stored.missing()
-    done = rows - sum(job.design.rows_of(number) for number in missing)
-    with Progress(run, rows, done, progress) as shown:
-        if client is None:
-            for number, part, messages in _answer_ahead(job, missing):
-                part.write(stored.part(number), stored.fingerprint)
-                _warn(messages)
-                shown.add(len(part), "this process", peak_memory())
-        else:
-            _run_on_cluster(client, job, stored, missing, shown)
-    result = SweepResult(stored.identity, stored, run)
+    run, parts = Run(), job.design.parts
+    stored: Folder | list[Part] = []
+    missing = list(range(len(parts)))
+    if folder is not None:
+        stored = Folder.of(folder, job.identity())
+        missing = stored.missing()
+    done = job.design.rows - sum(len(parts[number]) for number in missing)
+    shown = Progress(run, job.design.rows, done, progress)
+    found = _here(job, stored, missing)
+    if client is not None and isinstance(stored, Folder):
+        found = _on_cluster(client, job, stored, missing)
+    for rows, worker, memory, messages in found:
+        for message in messages:
+            # Python shows equal messages once.
+            warnings.warn(message, ContactWarning, stacklevel=2)
+        shown.add(rows, worker, memory)
+    identity = stored.identity if isinstance(stored, Folder) else job.identity()
+    result = SweepResult(identity, stored, run)
     if errors == "raise" and done:
         for row, reason in result.failures():
             raise ValueError(f"row {row} failed in an earlier run: {reason}")
     return result
 
 
-def _answer_ahead(job: Job, numbers: list[int]) -> Iterator[tuple[int, Part, list[str]]]:
+#: Rows of a finished part, its worker, the peak memory of the worker, and the warnings of the model.
+Finished: TypeAlias = tuple[int, str, int | None, list[str]]
+
+
+def _here(job: Job, stored: Folder | list[Part], numbers: list[int]) -> Iterator[Finished]:
     """Parts in order; the inputs of the next part are drawn while one is evaluated."""
     with ThreadPoolExecutor(1) as pool:
         drawn = [pool.submit(job.draw, number) for number in numbers[:1]]
-        for place, number in enumerate(numbers):
+        for number, following in zip_longest(numbers, numbers[1:]):
             columns = drawn.pop().result()
-            drawn += [pool.submit(job.draw, following) for following in numbers[place + 1 :][:1]]
-            yield number, *job.answer(number, columns)
+            drawn += [] if following is None else [pool.submit(job.draw, following)]
+            part, messages = job.answer(number, columns)
+            if isinstance(stored, Folder):
+                part.write(stored.part(number), stored.fingerprint)
+            else:
+                stored.append(part)
+            yield len(part), "this process", peak_memory(), messages
 
 
-def write_part(job: Job, path: str, number: int) -> tuple[int, str, int | None, list[str]]:
-    """Evaluates and writes a part on a worker: the rows, the worker, its memory and warnings."""
+def write_part(job: Job, path: str, number: int) -> Finished:
+    """Evaluates and writes a part on a worker."""
     import distributed
 
     worker = str(distributed.get_worker().address)
@@ -167,9 +175,9 @@ def write_part(job: Job, path: str, number: int) -> tuple[int, str, int | None, 
     return len(part), worker, peak_memory(), messages
 
 
-def _run_on_cluster(
-    client: Client, job: Job, stored: Folder, missing: list[int], shown: Progress
-) -> None:
+def _on_cluster(
+    client: Client, job: Job, stored: Folder, missing: list[int]
+) -> Iterator[Finished]:
     from distributed import as_completed
 
     path = str(stored.path)
@@ -177,9 +185,7 @@ def _run_on_cluster(
     futures = [client.submit(write_part, job, path, number, pure=False) for number in missing]
     try:
         for future in as_completed(futures):
-            rows, worker, memory, messages = future.result()
-            _warn(messages)
-            shown.add(rows, worker, memory)
+            yield future.result()
             future.release()
     finally:
         client.cancel(futures)
@@ -190,9 +196,3 @@ def _run_on_cluster(
             f"parts {lost} are missing: workers wrote them to another folder at {path}; a folder shared by "
             "all workers was required"
         )
-
-
-def _warn(messages: list[str]) -> None:
-    for message in messages:
-        # Python shows equal messages once.
-        warnings.warn(message, ContactWarning, stacklevel=3)
