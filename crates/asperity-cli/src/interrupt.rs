@@ -1,13 +1,13 @@
 //! Ctrl-C: a long run stops and keeps the results so far; pressed twice, the program ends.
 
-use std::ops::ControlFlow;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
-use asperity::bem::Progress;
+use asperity_answer::Watch;
+use indicatif::ProgressBar;
 
-use crate::output::print_message;
+use crate::output::{print_message, progress};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -43,13 +43,23 @@ pub fn listen() -> Result<()> {
     }
 }
 
-/// A callback that reports progress and stops on Ctrl-C.
-pub fn watch(
-    mut report: impl FnMut(&Progress),
-) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
-    listen()?;
-    Ok(move |progress: &Progress| {
-        report(progress);
-        if requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    })
+/// The terminal as it watches long work: it shows progress, and Ctrl-C stops the work.
+pub struct Terminal(ProgressBar);
+
+impl Terminal {
+    /// Shows what is done, after a second.
+    pub fn watch(what: &str) -> Result<Self> {
+        listen()?;
+        Ok(Self(progress(what)))
+    }
+}
+
+impl Watch for Terminal {
+    fn progress(&self, doing: &str) {
+        self.0.set_message(doing.to_string());
+    }
+
+    fn is_stopped(&self) -> bool {
+        requested()
+    }
 }

@@ -7,9 +7,7 @@ mod ask;
 mod commands;
 mod input;
 mod interrupt;
-mod joints;
 mod output;
-mod pressed;
 mod scene;
 
 use std::process::ExitCode;

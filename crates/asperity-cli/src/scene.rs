@@ -7,7 +7,9 @@ use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
 use asperity::{
     At, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
+    Tolerance,
 };
+use asperity_answer::{Subject, by_reason};
 use asperity_inputs::{LeftOut, SceneFile};
 
 use crate::output::{self, once, print_message, report};
@@ -77,6 +79,12 @@ impl LoadedScene {
         let scene = Self::open(path)?;
         report(&scene.file.warnings);
         Ok(scene)
+    }
+
+    /// A model on this scene.
+    pub fn subject<'a>(&'a self, (id, model): &'a NamedModel) -> Subject<'a> {
+        let tolerance = Tolerance::default();
+        Subject { file: &self.file, name: &self.name, id, model, tolerance }
     }
 
     /// Reports the findings about the scene.
@@ -227,23 +235,4 @@ fn note_left_out(left_out: &[LeftOut]) {
     for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
         print_message("note", &format!("left out: {text}"));
     }
-}
-
-/// The models without a result, one message for each reason.
-pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
-    let mut reasons: Vec<(String, Vec<&str>)> = vec![];
-    for (id, reason) in lacking {
-        // The reason contains the name of the model, which would separate equal reasons.
-        let reason = match reason {
-            ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
-            ContactError::Refused { reason, .. } => format!(": {reason}"),
-            reason => format!(": {reason}"),
-        };
-        match reasons.iter_mut().find(|(known, _)| *known == reason) {
-            Some((_, ids)) if ids.contains(&id.as_str()) => {}
-            Some((_, ids)) => ids.push(id),
-            None => reasons.push((reason, vec![id])),
-        }
-    }
-    reasons.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
 }

@@ -6,7 +6,6 @@ mod check;
 mod compare;
 mod conductance;
 mod conductance_picture;
-mod conductance_rows;
 mod conductivity;
 mod curve;
 mod export;
@@ -14,8 +13,9 @@ mod fit;
 mod fit_lists;
 mod generate;
 mod glance;
-mod history;
 mod init;
+mod joint;
+mod joint_plots;
 mod manual;
 mod materials;
 mod models;
@@ -23,14 +23,8 @@ mod plan;
 mod pull_off;
 mod recommend;
 mod scales;
-mod slip;
-mod slip_forces;
-mod slip_preloads;
 mod solve;
 mod surface;
-mod truth;
-mod unload;
-mod unload_bem;
 
 use anyhow::Result;
 use clap::Subcommand;
@@ -49,13 +43,20 @@ pub enum Command {
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Plan(plan::Plan),
-    Unload(unload::Unload),
-    Slip(slip::Slip),
+    Joint(joint::Joint),
+    #[command(hide = true)]
+    Unload(joint::Joint),
+    #[command(hide = true)]
+    #[command(mut_arg("friction", |arg| arg.required(true)))]
+    #[command(mut_group("cycle", |group| group.required(true)))]
+    Slip(joint::Joint),
+    #[command(hide = true)]
     PullOff(pull_off::PullOff),
     Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
-    Truth(truth::TruthCommand),
-    Export(export::Export),
+    #[command(hide = true)]
+    Truth(bem::BemCommand),
+    Export(export::ExportCommand),
     Manual(manual::Manual),
 }
 
@@ -74,12 +75,13 @@ impl Command {
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
             Self::Plan(command) => command.run(),
-            Self::Unload(command) => command.run(),
-            Self::Slip(command) => command.run(),
+            Self::Joint(command) => command.run("joint"),
+            Self::Unload(command) => command.run("unload"),
+            Self::Slip(command) => command.run("slip"),
             Self::PullOff(command) => command.run(),
             Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
-            Self::Truth(command) => command.run(),
+            Self::Truth(command) => command.run_truth(),
             Self::Export(command) => command.run(),
             Self::Manual(command) => command.run(),
         }

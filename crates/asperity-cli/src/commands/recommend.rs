@@ -10,7 +10,7 @@ use crate::input::args::{ModelArgs, OutputArgs, model_id};
 use crate::input::numbers::share;
 use crate::output::table::{Cell, Table};
 use crate::output::{print_message, progress};
-use crate::scene::{LoadedScene, by_reason};
+use crate::scene::LoadedScene;
 
 /// Recommend the simplest valid model near a reference, with evidence from boundary elements
 #[derive(Debug, Args)]
@@ -125,7 +125,7 @@ impl Recommend {
             }
             table.rows.push(row);
         }
-        for text in by_reason(&lacking) {
+        for text in asperity_answer::by_reason(&lacking) {
             print_message("note", &format!("no value: {text}"));
         }
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };

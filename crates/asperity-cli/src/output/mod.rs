@@ -16,7 +16,9 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use asperity::Findings;
+use asperity::{Finding, Findings};
+pub use asperity_answer::once;
+use asperity_answer::{Sheet, Unanswered};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
 
@@ -137,17 +139,6 @@ pub fn summary(error: &anyhow::Error) -> String {
     text
 }
 
-/// Each once, in order.
-pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
-    let mut kept: Vec<T> = vec![];
-    for item in all {
-        if !kept.contains(item) {
-            kept.push(item.clone());
-        }
-    }
-    kept
-}
-
 /// Progress on a terminal, shown after one second until it is dropped.
 pub fn progress(what: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
@@ -199,7 +190,22 @@ pub fn print_always(kind: &str, text: &str) {
 
 /// Each finding on a line of standard error, most severe first.
 pub fn report(found: &Findings) {
+    print_findings(found);
+}
+
+/// Each finding on a line of standard error.
+pub fn print_findings(found: &[Finding]) {
     found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
+}
+
+/// The answer, with its findings on standard error.
+pub fn reported(answer: Result<Sheet, Unanswered>) -> Result<Sheet> {
+    let findings = match &answer {
+        Ok(sheet) => &sheet.findings,
+        Err(unanswered) => &unanswered.findings,
+    };
+    print_findings(findings);
+    Ok(answer?)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::rc::Rc;
 
 use asperity::shortest_digits;
+use asperity_answer::Sheet;
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
@@ -32,6 +33,17 @@ pub struct Table {
 pub enum Cell {
     Text(Rc<str>),
     Number(Option<f64>),
+}
+
+impl From<&Sheet> for Table {
+    fn from(sheet: &Sheet) -> Self {
+        let cell = |cell: &asperity_answer::Cell| match cell {
+            asperity_answer::Cell::Text(text) => Cell::from(&**text),
+            other => Cell::Number(other.number()),
+        };
+        let rows = sheet.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+        Self { head: sheet.heads.clone(), rows }
+    }
 }
 
 impl From<&str> for Cell {
