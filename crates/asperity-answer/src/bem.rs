@@ -6,9 +6,8 @@ use asperity::bem::{Bem, BemError, Continuation, LoadCase, Progress, Solution};
 use asperity::{ContactError, ContactModel, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
-use crate::number::once;
-use crate::subject::Unanswered;
-use crate::{Cell, Sheet, Watch};
+use crate::models::once;
+use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// Columns of every solution.
 const COLUMNS: [&str; 9] = [
@@ -51,9 +50,6 @@ pub struct Press<'a> {
     pub keep: bool,
 }
 
-/// A row for each load or gap, and the pressures \[Pa\] of the solved contacts, if they are kept.
-pub type Pressed = (Sheet, Vec<Vec<f64>>);
-
 /// What solutions remark.
 #[derive(Default)]
 struct Remarks {
@@ -66,71 +62,74 @@ struct Remarks {
 type Solved = Option<Vec<Cell>>;
 
 impl Press<'_> {
-    /// Solves the loads and gaps. Where the work is stopped, the rows are those solved by then.
+    /// Fills a sheet with a row for each load or gap, and returns the pressures \[Pa\] of the
+    /// solved contacts, if they are kept. Where the work is stopped, the rows are those solved by
+    /// then.
     ///
     /// # Errors
     /// Quantities that boundary elements or the scene lack, a grid that cannot be halved, and
     /// where no load is solved.
-    pub fn solve(&self, watch: &dyn Watch) -> Result<Pressed, Unanswered> {
+    pub fn solve(
+        &self,
+        sheet: &mut Sheet,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Vec<f64>>, AnswerError> {
         let mut quantities = once(self.quantities);
         let own = |quantity: &Quantity| COLUMNS.contains(&&*quantity.column());
         quantities.retain(|quantity| !own(quantity));
         let mut remarks = Remarks::default();
-        let sheet = Sheet::filled("", &COLUMNS, |sheet| {
-            // Refuses what boundary elements or the scene lack before anything is solved.
-            let request = Request::new(quantities.iter().copied());
-            self.bem.compile(&self.file.scene, &request)?;
-            // Before the hours of the whole grid.
-            let half = self.refine.then(|| self.bem.half_grid()).transpose();
-            let half = half.map_err(|error| match self.bem.continuation() {
-                Continuation::Periodic => format!("{REFINE_PERIODIC}: {error}"),
-                _ => format!("{REFINE}: {error}"),
-            })?;
-            let whole = self.rows(self.bem, &quantities, watch, &mut remarks)?;
-            let maps = std::mem::take(&mut remarks.maps);
-            let half = match half.filter(|_| !watch.is_stopped()) {
-                Some(half) => Some(self.rows(&half, &quantities, watch, &mut remarks)?),
-                None => None,
-            };
-            remarks.maps = maps;
-            remarks.errors.iter().for_each(|text| sheet.warn("unsolved", text));
-            sheet.report(self.file, std::mem::take(&mut remarks.found));
-            sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
-            let width = sheet.heads.len();
-            if half.is_some() {
-                let of_half = |name: &String| format!("{name}_half_grid");
-                let names: Vec<String> = sheet.heads[2..].iter().map(of_half).collect();
-                sheet.heads.extend(names);
-            }
-            sheet.heads.push("boundary".into());
-            let solved = whole.iter().any(Option::is_some);
-            for (k, row) in whole.into_iter().enumerate() {
-                // Loads without a result are blank; those that were not reached are left out.
-                if row.is_none() && (watch.is_stopped() || !solved) {
-                    continue;
-                }
-                let mut cells = row.unwrap_or_default();
-                cells.resize(width, Cell::BLANK);
-                if let Some(half) = &half {
-                    cells.extend(half[k].iter().flat_map(|cells| cells[2..].to_vec()));
-                }
-                cells.resize(sheet.heads.len() - 1, Cell::BLANK);
-                cells.push(self.bem.continuation().name().into());
-                sheet.rows.push(cells);
-            }
-            if sheet.rows.is_empty() && !watch.is_stopped() {
-                return Err(format!("{}: no load was solved", self.name).into());
-            }
-            // A contact that has yielded may unload stiffer.
-            let is_elastic =
-                |row: &Vec<Cell>| row[4].number().is_some_and(|plastic| plastic <= 0.0);
-            let free = self.bem.continuation() == Continuation::Free;
-            if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
-                sheet.note("free-stiffnesses", FREE_STIFFNESSES);
-            }
-            Ok(())
+        sheet.under(&[&COLUMNS]);
+        // Refuses what boundary elements or the scene lack before anything is solved.
+        let request = Request::new(quantities.iter().copied());
+        self.bem.compile(&self.file.scene, &request)?;
+        // Before the hours of the whole grid.
+        let half = self.refine.then(|| self.bem.half_grid()).transpose();
+        let half = half.map_err(|error: BemError| match self.bem.continuation() {
+            Continuation::Periodic => format!("{REFINE_PERIODIC}: {error}"),
+            _ => format!("{REFINE}: {error}"),
         })?;
-        Ok((sheet, remarks.maps))
+        let whole = self.rows(self.bem, &quantities, watch, &mut remarks)?;
+        let maps = std::mem::take(&mut remarks.maps);
+        let half = match half.filter(|_| !watch.is_stopped()) {
+            Some(half) => Some(self.rows(&half, &quantities, watch, &mut remarks)?),
+            None => None,
+        };
+        remarks.maps = maps;
+        remarks.errors.iter().for_each(|text| sheet.warn("unsolved", text));
+        sheet.report(self.file, std::mem::take(&mut remarks.found));
+        sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
+        let width = sheet.heads.len();
+        if half.is_some() {
+            let of_half = |name: &String| format!("{name}_half_grid");
+            let names: Vec<String> = sheet.heads[2..].iter().map(of_half).collect();
+            sheet.heads.extend(names);
+        }
+        sheet.heads.push("boundary".into());
+        let solved = whole.iter().any(Option::is_some);
+        for (k, row) in whole.into_iter().enumerate() {
+            // Loads without a result are blank; those that were not reached are left out.
+            if row.is_none() && (watch.is_stopped() || !solved) {
+                continue;
+            }
+            let mut cells = row.unwrap_or_default();
+            cells.resize(width, Cell::BLANK);
+            if let Some(half) = &half {
+                cells.extend(half[k].iter().flat_map(|cells| cells[2..].to_vec()));
+            }
+            cells.resize(sheet.heads.len() - 1, Cell::BLANK);
+            cells.push(self.bem.continuation().name().into());
+            sheet.rows.push(cells);
+        }
+        if sheet.rows.is_empty() && !watch.is_stopped() {
+            return Err(format!("{}: no load was solved", self.name).into());
+        }
+        // A contact that has yielded may unload stiffer.
+        let is_elastic = |row: &Vec<Cell>| row[4].number().is_some_and(|plastic| plastic <= 0.0);
+        let free = self.bem.continuation() == Continuation::Free;
+        if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
+            sheet.note("free-stiffnesses", FREE_STIFFNESSES);
+        }
+        Ok(remarks.maps)
     }
 
     /// The cells of each load or gap on a grid.

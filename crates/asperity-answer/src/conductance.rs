@@ -5,8 +5,8 @@ use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit
 use asperity_inputs::SceneFile;
 
 use crate::number::rounded;
-use crate::subject::{Outcome, Unanswered};
-use crate::{Cell, Sheet};
+use crate::subject::Outcome;
+use crate::{AnswerError, Cell, Sheet};
 
 const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 
@@ -24,8 +24,6 @@ pub struct Gas {
 pub struct Conductance<'a> {
     /// The scene, with a thermal conductivity.
     pub file: &'a SceneFile,
-    /// The name of the scene in messages.
-    pub name: &'a str,
     /// Models by the name of their rows, or why there is none.
     pub models: Vec<(String, Result<Model, String>)>,
     /// Correlations.
@@ -44,51 +42,49 @@ struct Loaded {
 }
 
 impl Conductance<'_> {
-    /// The conductance per area of each model and correlation at loads or pressures; those that
-    /// cannot tell are left out with a warning.
+    /// Fills a sheet with the conductance per area of each model and correlation at loads or
+    /// pressures; those that cannot tell are left out with a warning.
     ///
     /// # Errors
     /// The reason of a single model or correlation, and where none has a conductance.
-    pub fn sheet(&self, places: &[At]) -> Result<Sheet, Unanswered> {
+    pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
         let mut heads =
             ["model", "load_N", "pressure_Pa", "relative_pressure"].map(String::from).to_vec();
         heads.extend([CONDUCTANCE.column(), "holds".into()]);
         if self.gas.is_some() {
             heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
         }
-        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        sheet.heads = heads;
         let contact = &self.file.scene;
         let loaded = |at: &At| {
             let (load, pressure) = at.load(contact).zip(at.pressure(contact))?;
             Some(Loaded { at: *at, load, pressure })
         };
         let loads: Vec<Loaded> = places.iter().filter_map(loaded).collect();
-        Sheet::filled(self.name, &heads, |sheet| {
-            let mut answered = vec![];
-            for (id, model) in &self.models {
-                let rows = model.as_ref().map_err(|reason| reason.clone().into());
-                match rows.and_then(|model| self.add_model(sheet, &loads, id, model)) {
-                    Ok(()) => answered.extend(model),
-                    Err(reason) => self.leave_out(sheet, id, &reason.to_string())?,
-                }
+        let mut answered = vec![];
+        for (id, model) in &self.models {
+            let rows = model.as_ref().map_err(|reason| reason.clone().into());
+            match rows.and_then(|model| self.add_model(sheet, &loads, id, model)) {
+                Ok(()) => answered.extend(model),
+                Err(reason) => self.leave_out(sheet, id, &reason.to_string())?,
             }
-            let found = answered.into_iter().flat_map(|model| self.file.findings_at(model, places));
-            sheet.report(self.file, found.collect());
-            let mut used = vec![];
-            for &correlation in &self.correlations {
-                match self.add_correlation(sheet, &loads, correlation) {
-                    Ok(()) => used.push(correlation.id()),
-                    Err(reason) => self.leave_out(sheet, correlation.id(), &reason.to_string())?,
-                }
+        }
+        let found = answered.into_iter().flat_map(|model| self.file.findings_at(model, places));
+        sheet.report(self.file, found.collect());
+        let mut used = vec![];
+        for &correlation in &self.correlations {
+            match self.add_correlation(sheet, &loads, correlation) {
+                Ok(()) => used.push(correlation.id()),
+                Err(reason) => self.leave_out(sheet, correlation.id(), &reason.to_string())?,
             }
-            if sheet.rows.is_empty() {
-                return Err("no model or correlation of the list has a conductance".into());
-            }
-            if !used.is_empty() {
-                self.note_roughness(sheet, &used.join(", "));
-            }
-            Ok(())
-        })
+        }
+        if sheet.rows.is_empty() {
+            return Err("no model or correlation of the list has a conductance".into());
+        }
+        if !used.is_empty() {
+            self.note_roughness(sheet, &used.join(", "));
+        }
+        Ok(())
     }
 
     fn add_model(&self, sheet: &mut Sheet, loads: &[Loaded], id: &str, model: &Model) -> Outcome {

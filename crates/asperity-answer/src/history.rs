@@ -4,9 +4,9 @@ use asperity::joints::{Joint, Path, UnloadingLaw};
 use asperity::{At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit};
 
 use crate::number::rounded;
-use crate::subject::{Subject, Unanswered};
+use crate::subject::Subject;
 use crate::unloading::READ_0;
-use crate::{Cell, Sheet};
+use crate::{AnswerError, Cell, Sheet};
 
 /// Points on each path between turning points.
 const STEPS: usize = 50;
@@ -19,10 +19,11 @@ pub fn history(
     subject: &Subject<'_>,
     laws: &[UnloadingLaw],
     turns: &[At],
-) -> Result<Sheet, Unanswered> {
+    sheet: &mut Sheet,
+) -> Result<(), AnswerError> {
     let heads = ["model", "law", "way", "separation_over_sigma", "separation_m", "force_N"];
-    let heads = [&heads[..], &["pressure_Pa", "stiffness_N_per_m"]].concat();
-    subject.sheet(&heads, |sheet| {
+    sheet.under(&[&heads, &["pressure_Pa", "stiffness_N_per_m"]]);
+    subject.fill(sheet, |sheet| {
         for joint in subject.joints(laws)? {
             let path = joint.path(&joint.turning_points(turns)?, STEPS)?;
             let law = joint.law().to_string();

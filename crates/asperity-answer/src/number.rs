@@ -18,18 +18,6 @@ pub fn within(x: f64, tolerance: Tolerance) -> f64 {
     format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
-/// Each once, in order.
-#[must_use]
-pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
-    let mut kept: Vec<T> = vec![];
-    for item in all {
-        if !kept.contains(item) {
-            kept.push(item.clone());
-        }
-    }
-    kept
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,49 +1,49 @@
 //! The largest tension of surfaces with adhesion.
 
-use asperity::{ContactModel, Model, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
+use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
 use asperity_inputs::SceneFile;
 
 use crate::number::rounded;
-use crate::subject::Unanswered;
-use crate::{Cell, Sheet};
+use crate::{AnswerError, Cell, NamedModel, Sheet};
 
 /// Tension \[% of that of asperities of equal height\] below which there is practically none.
 const SMALLEST: f64 = 1e-6;
 
 /// The largest tension of models with adhesion, and its separation; blank if there is no tensile
-/// force. `name` is that of the scene in messages.
+/// force.
 ///
 /// # Errors
 /// Those of the models on the scene.
 pub fn pull_off(
-    (file, name): (&SceneFile, &str),
-    models: &[(String, Model)],
+    file: &SceneFile,
+    models: &[NamedModel],
     tolerance: Tolerance,
-) -> Result<Sheet, Unanswered> {
+    sheet: &mut Sheet,
+) -> Result<(), AnswerError> {
     let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
     let (scene, from) = (&file.scene, file.separation_from);
-    Sheet::filled(name, &heads, |sheet| {
-        for (id, model) in models {
-            let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
-            let contact = model.compile(scene, &request).map_err(|e| format!("{id}: {e}"))?;
-            let found = asperity::pull_off(&*contact).map_err(|e| format!("{id}: {e}"))?;
-            let mut row = vec![Cell::from(&**id)];
-            if let Some(found) = found {
-                sheet.report(file, file.findings_at(model, &[found.separation.into()]));
-                let force = found.force.value();
-                note_reduction(sheet, id, force, scene);
-                row.extend([force, force / scene.nominal_area].map(Cell::from));
-                for unit in [SeparationUnit::Sigma, SeparationUnit::Metres] {
-                    row.push(found.separation.measured_in(unit, from, scene)?.value.into());
-                }
-            } else {
-                sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));
+    sheet.under(&[&heads]);
+    for (id, model) in models {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let contact = model.compile(scene, &request);
+        let found = contact.and_then(|contact| asperity::pull_off(&*contact));
+        let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
+        let mut row = vec![Cell::from(&**id)];
+        if let Some(found) = found {
+            sheet.report(file, file.findings_at(model, &[found.separation.into()]));
+            let force = found.force.value();
+            note_reduction(sheet, id, force, scene);
+            row.extend([force, force / scene.nominal_area].map(Cell::from));
+            for unit in [SeparationUnit::Sigma, SeparationUnit::Metres] {
+                row.push(found.separation.measured_in(unit, from, scene)?.value.into());
             }
-            row.resize(heads.len(), Cell::BLANK);
-            sheet.rows.push(row);
+        } else {
+            sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));
         }
-        Ok(())
-    })
+        row.resize(heads.len(), Cell::BLANK);
+        sheet.rows.push(row);
+    }
+    Ok(())
 }
 
 /// Notes the tension relative to that of asperities of equal height.

@@ -4,8 +4,8 @@ use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
 
 use crate::number::{rounded, within};
-use crate::subject::{Outcome, Subject, Unanswered};
-use crate::{Cell, Sheet};
+use crate::subject::{Outcome, Subject};
+use crate::{AnswerError, Cell, Sheet};
 
 /// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
@@ -35,21 +35,22 @@ pub enum Amplitude {
 }
 
 impl Slip<'_> {
-    /// The loop of one cycle at one preload with this number of shifts, or a row for each of
-    /// several cycles, all by shift or all by force.
+    /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with a
+    /// row for each of several cycles, all by shift or all by force.
     ///
     /// # Errors
     /// Those of [`PartialSlip`] if no cycle has a result.
-    pub fn sheet(
+    pub fn answer(
         &self,
         preloads: &[At],
         amplitudes: &[Amplitude],
         points: usize,
-    ) -> Result<Sheet, Unanswered> {
-        match (preloads, amplitudes) {
-            ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points),
-            _ => self.cycles(preloads, amplitudes),
-        }
+        sheet: &mut Sheet,
+    ) -> Result<(), AnswerError> {
+        self.subject.fill(sheet, |sheet| match (preloads, amplitudes) {
+            ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet),
+            _ => self.cycles(preloads, amplitudes, sheet),
+        })
     }
 
     fn at(&self, preload: At) -> Result<(Unloading, PartialSlip), ContactError> {
@@ -64,100 +65,103 @@ impl Slip<'_> {
     }
 
     /// The first shift and a steady cycle at one preload.
-    fn cycle(&self, preload: At, amplitude: Amplitude, points: usize) -> Result<Sheet, Unanswered> {
+    fn cycle(
+        &self,
+        preload: At,
+        amplitude: Amplitude,
+        points: usize,
+        sheet: &mut Sheet,
+    ) -> Outcome {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
-        self.subject.sheet(&heads, |sheet| {
-            let id = self.subject.id;
-            let (joint, slip) = self.at(preload)?;
-            let amplitude = shift_of(&slip, amplitude)?;
-            // First, so that the error for a tiny amplitude names the amplitude.
-            let loss = rounded(slip.loss(amplitude)?.value());
-            let factor = rounded(slip.loss_factor(amplitude)?);
-            for shift in linspace(-amplitude, amplitude, points) {
-                let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
-                let (back, forth) = (path(false)?, path(true)?);
-                let [force, loss, factor] = match shift < 0.0 {
-                    true => [None; 3],
-                    false => {
-                        let factor = if shift > 0.0 { slip.loss_factor(shift)? } else { 0.0 };
-                        [slip.force(shift)?.value(), slip.loss(shift)?.value(), factor].map(Some)
-                    }
-                };
-                let numbers = [Some(shift), force, back, forth, loss, factor];
-                let mut row = vec![Cell::from(id)];
-                row.extend(numbers.map(|x| Cell::from(x.map(|x| self.digits(x)))));
-                sheet.rows.push(row);
-            }
-            let text = format!(
-                "{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})"
-            );
-            sheet.note("loss", text);
-            let sliding = slip.shift_at(SLIDING)?;
-            self.check_amplitude(sheet, amplitude, sliding);
-            let limit = rounded(self.friction * joint.force(0.0)?.value());
-            let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
-            let text = format!(
-                "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
-            );
-            sheet.note("gross-slip", text);
-            Ok(())
-        })
+        sheet.under(&[&heads]);
+        let id = self.subject.id;
+        let (joint, slip) = self.at(preload)?;
+        let amplitude = shift_of(&slip, amplitude)?;
+        // First, so that the error for a tiny amplitude names the amplitude.
+        let loss = rounded(slip.loss(amplitude)?.value());
+        let factor = rounded(slip.loss_factor(amplitude)?);
+        for shift in linspace(-amplitude, amplitude, points) {
+            let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
+            let (back, forth) = (path(false)?, path(true)?);
+            let [force, loss, factor] = match shift < 0.0 {
+                true => [None; 3],
+                false => {
+                    let factor = if shift > 0.0 { slip.loss_factor(shift)? } else { 0.0 };
+                    [slip.force(shift)?.value(), slip.loss(shift)?.value(), factor].map(Some)
+                }
+            };
+            let numbers = [Some(shift), force, back, forth, loss, factor];
+            let mut row = vec![Cell::from(id)];
+            row.extend(numbers.map(|x| Cell::from(x.map(|x| self.digits(x)))));
+            sheet.rows.push(row);
+        }
+        let text =
+            format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
+        sheet.note("loss", text);
+        let sliding = slip.shift_at(SLIDING)?;
+        self.check_amplitude(sheet, amplitude, sliding);
+        let limit = rounded(self.friction * joint.force(0.0)?.value());
+        let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
+        let text = format!(
+            "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
+        );
+        sheet.note("gross-slip", text);
+        Ok(())
     }
 
     /// A row for each cycle; blank where there is none.
-    fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude]) -> Result<Sheet, Unanswered> {
+    fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude], sheet: &mut Sheet) -> Outcome {
         let shift = match amplitudes {
             [Amplitude::Shift(shift), ..] => Some(*shift),
             _ => None,
         };
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let given = if shift.is_some() { FORCES } else { SHIFTS };
-        self.subject.sheet(&[&heads[..], &given[..]].concat(), |sheet| {
-            let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
-            for &at in preloads {
-                let joint = self.at(at);
-                let preload = |(joint, _): &(Unloading, PartialSlip)| self.preload(at, joint);
-                let preload = joint.as_ref().map_err(Clone::clone).and_then(preload);
-                let mut refused: Vec<String> = vec![];
-                for &amplitude in amplitudes {
-                    let found = match (&joint, &preload) {
-                        (Ok((_, slip)), Ok(_)) => self.under(slip, amplitude),
-                        (Err(error), _) | (_, Err(error)) => Err(error.clone().into()),
-                    };
-                    answered |= found.is_ok();
-                    let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
-                        refused.push(error.to_string());
-                        match amplitude {
-                            Amplitude::Shift(_) => [None; 5],
-                            Amplitude::Force(force) => [Some(force), None, None, None, None],
-                        }
-                    });
-                    farthest = farthest.max(cycle[4].unwrap_or(0.0));
-                    let place = preload.clone().map(|known| known.map(Some));
-                    let place = place.unwrap_or_else(|_| self.given(at));
-                    let mut row = vec![Cell::from(self.subject.id)];
-                    row.extend(place.into_iter().chain(cycle).map(Cell::from));
-                    sheet.rows.push(row);
-                }
-                match shift {
-                    Some(_) => reasons.extend(refused),
-                    None => reasons.extend(by_size(refused, amplitudes.len())),
-                }
+        sheet.under(&[&heads, &given]);
+        let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
+        for &at in preloads {
+            let joint = self.at(at);
+            let preload = |(joint, _): &(Unloading, PartialSlip)| self.preload(at, joint);
+            let preload = joint.as_ref().map_err(Clone::clone).and_then(preload);
+            let mut refused: Vec<String> = vec![];
+            for &amplitude in amplitudes {
+                let found = match (&joint, &preload) {
+                    (Ok((_, slip)), Ok(_)) => self.under(slip, amplitude),
+                    (Err(error), _) | (_, Err(error)) => Err(error.clone().into()),
+                };
+                answered |= found.is_ok();
+                let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
+                    refused.push(error.to_string());
+                    match amplitude {
+                        Amplitude::Shift(_) => [None; 5],
+                        Amplitude::Force(force) => [Some(force), None, None, None, None],
+                    }
+                });
+                farthest = farthest.max(cycle[4].unwrap_or(0.0));
+                let place = preload.clone().map(|known| known.map(Some));
+                let place = place.unwrap_or_else(|_| self.given(at));
+                let mut row = vec![Cell::from(self.subject.id)];
+                row.extend(place.into_iter().chain(cycle).map(Cell::from));
+                sheet.rows.push(row);
             }
-            if !answered && !reasons.is_empty() {
-                reasons.truncate(if shift.is_some() { 1 } else { reasons.len() });
-                return Err(reasons.join("; ").into());
+            match shift {
+                Some(_) => reasons.extend(refused),
+                None => reasons.extend(by_size(refused, amplitudes.len())),
             }
-            let Subject { name, id, .. } = self.subject;
-            let blank = if shift.is_some() { "the row of a preload is blank: " } else { "" };
-            for reason in reasons {
-                sheet.warn("blank", format!("{name}: {id}: {blank}{reason}"));
-            }
-            if let Some(shift) = shift {
-                self.check_amplitude(sheet, shift, farthest);
-            }
-            Ok(())
-        })
+        }
+        if !answered && !reasons.is_empty() {
+            reasons.truncate(if shift.is_some() { 1 } else { reasons.len() });
+            return Err(reasons.join("; ").into());
+        }
+        let id = self.subject.id;
+        let blank = if shift.is_some() { "the row of a preload is blank: " } else { "" };
+        for reason in reasons {
+            self.subject.warn_blank(sheet, format!("{id}: {blank}{reason}"));
+        }
+        if let Some(shift) = shift {
+            self.check_amplitude(sheet, shift, farthest);
+        }
+        Ok(())
     }
 
     /// The numbers of a cycle, in the order of [`FORCES`] or [`SHIFTS`].

@@ -1,14 +1,12 @@
 //! What a sheet is about: a model on a scene, with the names that messages have for both.
 
-use std::error::Error;
-
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
     At, ContactError, Finding, Findings, Model, Separation, SeparationUnit, Severity, Tolerance,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
-use crate::Sheet;
+use crate::{AnswerError, Sheet};
 
 /// A model on a scene.
 #[derive(Debug, Clone, Copy)]
@@ -25,51 +23,35 @@ pub struct Subject<'a> {
     pub tolerance: Tolerance,
 }
 
-/// Why there is no sheet, and the findings that precede the reason.
-#[derive(Debug, Clone, thiserror::Error)]
-#[error("{reason}")]
-pub struct Unanswered {
-    /// The reason.
-    pub reason: String,
-    /// Findings, in the order in which they are to be read.
-    pub findings: Vec<Finding>,
-}
-
-/// Fills a sheet, or tells why it cannot.
-pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+/// A result, or the reason why there is none.
+pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
 
 impl Sheet {
-    /// A sheet under these columns; an error begins with what it is about, if anything.
-    pub(crate) fn filled(
-        about: &str,
-        heads: &[&str],
-        fill: impl FnOnce(&mut Self) -> Outcome,
-    ) -> Result<Self, Unanswered> {
-        let mut sheet = Self::new(heads);
-        match fill(&mut sheet) {
-            Ok(()) => Ok(sheet),
-            Err(error) => {
-                let colon = if about.is_empty() { "" } else { ": " };
-                let reason = format!("{about}{colon}{error}");
-                Err(Unanswered { reason, findings: sheet.findings })
-            }
-        }
-    }
-
     /// Adds the warnings and errors that the scene does not accept, one for each cause.
     pub(crate) fn report(&mut self, file: &SceneFile, found: Findings) {
         self.extend(file.accepted(found).at_least(Severity::Warning));
     }
+
+    /// Names the columns.
+    pub(crate) fn under(&mut self, heads: &[&[&str]]) {
+        self.heads = heads.concat().into_iter().map(String::from).collect();
+    }
 }
 
 impl Subject<'_> {
-    /// A sheet under these columns about this model on this scene.
-    pub(crate) fn sheet(
+    /// Fills a sheet; an error is about the model.
+    pub(crate) fn fill(
         &self,
-        heads: &[&str],
+        sheet: &mut Sheet,
         fill: impl FnOnce(&mut Sheet) -> Outcome,
-    ) -> Result<Sheet, Unanswered> {
-        Sheet::filled(&format!("{}: {}", self.name, self.id), heads, fill)
+    ) -> Outcome {
+        fill(sheet).map_err(|error| error.of_model(self.id))
+    }
+
+    /// Warns of blank cells of the model.
+    pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
+        let found = Finding::warning("blank", "", f64::NAN).fact(text);
+        sheet.findings.push(found.from_origin(self.name));
     }
 
     /// A separation from the plane of the scene, in this unit.

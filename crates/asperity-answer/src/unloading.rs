@@ -4,8 +4,8 @@ use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, linspace};
 
 use crate::number::rounded;
-use crate::subject::{Subject, Unanswered, unit_warning};
-use crate::{Cell, Sheet};
+use crate::subject::{Subject, unit_warning};
+use crate::{AnswerError, Cell, Sheet};
 
 /// Number of default retreats.
 const POINTS: usize = 101;
@@ -26,12 +26,13 @@ pub fn unloading(
     laws: &[UnloadingLaw],
     closest: At,
     retreats: Option<Retreats<'_>>,
-) -> Result<Sheet, Unanswered> {
+    sheet: &mut Sheet,
+) -> Result<(), AnswerError> {
     let with_area = laws.iter().any(|law| has_area(*law));
     let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
-    let heads = [&heads[..], area, &["stiffness_N_per_m", "contacts"]].concat();
-    subject.sheet(&heads, |sheet| {
+    sheet.under(&[&heads, area, &["stiffness_N_per_m", "contacts"]]);
+    subject.fill(sheet, |sheet| {
         let (mut openings, mut last) = (vec![], None);
         for joint in subject.joints(laws)? {
             let opening = joint.unloading(closest)?;
@@ -152,18 +153,19 @@ fn add_rows(
     };
     let rows: Vec<Vec<Cell>> =
         retreats.iter().map(|retreat| row(*retreat)).collect::<Result<_, _>>()?;
-    let context = format!("{}: {} by {law}", subject.name, subject.id);
+    let context = format!("{} by {law}", subject.id);
     let blank = rows.iter().flatten().find_map(|cell| match cell {
         Cell::Blank(Some(reason)) => Some(reason),
         _ => None,
     });
     if let Some(reason) = blank {
-        sheet.warn("blank", format!("{context}: a value is blank: {reason}"));
+        subject.warn_blank(sheet, format!("{context}: a value is blank: {reason}"));
     }
     let is_0 = |row: &&Vec<Cell>| row[4..].contains(&Cell::Number(0.0));
     let zeros = rows.iter().filter(is_0).filter_map(|row| row[2].number());
     if let Some(from) = zeros.reduce(f64::min).map(rounded) {
-        sheet.warn("zero", format!("{context}: from a retreat of {from} m on, values {READ_0}"));
+        let text = format!("{context}: from a retreat of {from} m on, values {READ_0}");
+        subject.warn_blank(sheet, text);
     }
     sheet.rows.extend(rows);
     Ok(())

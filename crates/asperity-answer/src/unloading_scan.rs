@@ -5,10 +5,11 @@ use std::ops::ControlFlow;
 use asperity::bem::{BemError, LoadCase};
 use asperity::{At, Datum, Separation, SeparationUnit, linspace};
 
-use crate::number::{once, rounded};
-use crate::subject::{Subject, Unanswered};
+use crate::models::once;
+use crate::number::rounded;
+use crate::subject::Subject;
 use crate::unloading::{Retreats, metres};
-use crate::{Cell, Sheet, Watch};
+use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// Number of default retreats: each takes some solutions.
 const POINTS: usize = 21;
@@ -21,12 +22,13 @@ pub fn unloading_scan(
     subject: &Subject<'_>,
     closest: At,
     retreats: Option<Retreats<'_>>,
+    sheet: &mut Sheet,
     watch: &dyn Watch,
-) -> Result<Sheet, Unanswered> {
+) -> Result<(), AnswerError> {
     let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
-    let heads = [&heads[..], &["area_m2", "stiffness_N_per_m"]].concat();
-    subject.sheet(&heads, |sheet| {
-        let (name, id, contact) = (subject.name, subject.id, &subject.file.scene);
+    sheet.under(&[&heads, &["area_m2", "stiffness_N_per_m"]]);
+    subject.fill(sheet, |sheet| {
+        let (id, contact) = (subject.id, &subject.file.scene);
         let retreats = retreats.map(|given| metres(sheet, subject, given));
         let bem = subject.file.bem(None, false)?;
         sheet.findings.extend(bem.note());
@@ -69,7 +71,7 @@ pub fn unloading_scan(
             sheet.rows.push(row);
         }
         for reason in once(&reasons) {
-            sheet.warn("blank", format!("{name}: {id}: {reason}"));
+            subject.warn_blank(sheet, format!("{id}: {reason}"));
         }
         if sheet.rows.is_empty() {
             return Err("no retreat was solved".into());

@@ -11,7 +11,7 @@ use asperity::{
     At, Body, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
 };
 use asperity_answer::{
-    ConductanceAgainst, Export, Exported, Silent, Subject, TableFormat, UnitSystem,
+    ConductanceAgainst, Export, Exported, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
 use asperity_inputs::SceneFile;
 
@@ -45,7 +45,7 @@ fn exported(
         conductance,
         friction: None,
     };
-    export.run(&Silent).unwrap()
+    export.answer(&mut Sheet::default(), &Silent).unwrap()
 }
 
 /// The values of one quantity of a scene at a pressure or separation, over the nominal area.

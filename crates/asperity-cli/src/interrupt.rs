@@ -4,10 +4,8 @@ use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
-use asperity_answer::Watch;
-use indicatif::ProgressBar;
 
-use crate::output::{print_message, progress};
+use crate::output::{Terminal, print_message};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -43,23 +41,8 @@ pub fn listen() -> Result<()> {
     }
 }
 
-/// The terminal as it watches long work: it shows progress, and Ctrl-C stops the work.
-pub struct Terminal(ProgressBar);
-
-impl Terminal {
-    /// Shows what is done, after a second.
-    pub fn watch(what: &str) -> Result<Self> {
-        listen()?;
-        Ok(Self(progress(what)))
-    }
-}
-
-impl Watch for Terminal {
-    fn progress(&self, doing: &str) {
-        self.0.set_message(doing.to_string());
-    }
-
-    fn is_stopped(&self) -> bool {
-        requested()
-    }
+/// The terminal as it watches long work, which Ctrl-C stops.
+pub fn terminal() -> Result<Terminal> {
+    listen()?;
+    Ok(Terminal::default())
 }

@@ -3,7 +3,6 @@
 //! Data goes to standard output, messages to standard error; exit code 0, 1 for bad input, 2 for
 //! bad usage. Parsing and printing only: the libraries compute.
 
-mod ask;
 mod commands;
 mod input;
 mod interrupt;

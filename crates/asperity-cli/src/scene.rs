@@ -2,26 +2,19 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
-use asperity::bem::Bem;
-use asperity::recommended::YIELDING;
-use asperity::{
-    At, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
-    Tolerance,
-};
-use asperity_answer::{Subject, by_reason};
-use asperity_inputs::{LeftOut, SceneFile};
+use anyhow::{Context, Result};
+use asperity::{At, Finding, Findings, Quantity, Severity, Tolerance};
+pub use asperity_answer::{ALL_MODELS, NamedModel};
+use asperity_answer::{AnswerError, Sheet, Subject, one_or_usual, scene_findings, use_asperities};
+use asperity_inputs::SceneFile;
 
-use crate::output::{self, once, print_message, report};
+use crate::output::{self, report};
 
 /// A scene file and its name.
 pub struct LoadedScene {
     pub file: SceneFile,
     pub name: String,
 }
-
-/// A model, and its name in the result.
-pub type NamedModel = (String, Model);
 
 impl LoadedScene {
     /// Reads the file, and reports what is unusual.
@@ -32,9 +25,7 @@ impl LoadedScene {
     /// Reads the file for these models, and reports on its asperities only if one of them uses
     /// asperities; otherwise a scan needs none.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
-        let knows =
-            |id: &String| id.parse().map_or(id != Bem::ID, |m: Model| m.validity().asperities);
-        if !ids.is_empty() && !ids.iter().any(knows) {
+        if !use_asperities(ids) {
             return Self::load_scan(path, false);
         }
         let scene = Self::open(path)?;
@@ -69,9 +60,7 @@ impl LoadedScene {
     }
 
     fn report_for(&self, asperities: bool) {
-        let found = self.file.warnings.iter().cloned().chain(self.file.findings());
-        let found = found.collect::<Findings>().for_asperities(asperities);
-        report(&found.at_least(Severity::Warning));
+        report(&scene_findings(&self.file, asperities));
     }
 
     /// Reads the file; only its files are reported on.
@@ -81,9 +70,8 @@ impl LoadedScene {
         Ok(scene)
     }
 
-    /// A model on this scene.
-    pub fn subject<'a>(&'a self, (id, model): &'a NamedModel) -> Subject<'a> {
-        let tolerance = Tolerance::default();
+    /// A model on this scene, with a tolerance of its values.
+    pub fn subject<'a>(&'a self, (id, model): &'a NamedModel, tolerance: Tolerance) -> Subject<'a> {
         Subject { file: &self.file, name: &self.name, id, model, tolerance }
     }
 
@@ -111,128 +99,50 @@ impl LoadedScene {
 
     /// Notes which models include the scene's adhesion, where it has any.
     pub fn note_adhesion(&self) {
-        report(
-            &self.file.findings().into_iter().filter(|found| found.code == "adhesion").collect(),
-        );
+        let mut sheet = Sheet::default();
+        asperity_answer::note_adhesion(&self.file, &mut sheet);
+        output::show(&sheet.findings);
+    }
+
+    /// A sheet, as this function fills it; its findings are shown, also where it fails.
+    pub fn answer<T>(&self, fill: impl FnOnce(&mut Sheet) -> Result<T>) -> Result<(Sheet, T)> {
+        let mut sheet = Sheet::default();
+        let filled = fill(&mut sheet);
+        output::show(&sheet.findings);
+        match filled.map_err(anyhow::Error::downcast::<AnswerError>) {
+            Ok(filled) => Ok((sheet, filled)),
+            // These have the name of the file.
+            Err(Ok(AnswerError::Scene(error))) => Err(error.into()),
+            Err(Ok(error)) => Err(error).with_context(|| self.name.clone()),
+            Err(Err(error)) => Err(error),
+        }
+    }
+
+    fn model_of(&self, find: impl FnOnce(&mut Sheet) -> Result<NamedModel>) -> Result<NamedModel> {
+        Ok(self.answer(find)?.1)
     }
 
     /// The reference model: the usual one unless another is given.
     pub fn reference(&self, requested: Option<&str>) -> Result<NamedModel> {
-        self.model(requested.unwrap_or(asperity::usual_reference(&self.file.scene)))
+        self.model_of(|sheet| Ok(asperity_answer::reference(&self.file, requested, sheet)?))
     }
 
     /// The models given, of which some may be refused where they are compiled, or all that the
     /// scene allows; a note names the others.
     pub fn models(&self, requested: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
-        let requested = by_name(requested);
-        if !requested.is_empty() {
-            let models =
-                once(requested).iter().map(|id| self.named(id)).collect::<Result<Vec<_>>>()?;
-            if !models.iter().all(|(_, model)| model.validity().adhesive) {
-                self.note_adhesion();
-            }
-            return Ok(models);
-        }
-        let models = self.available(quantities);
-        if models.is_empty() {
-            bail!("{}: no model is available for this scene", self.name);
-        }
-        Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
-    }
-
-    /// All models that the scene allows and that have these quantities; a note names the others.
-    fn available(&self, quantities: &[Quantity]) -> Vec<Model> {
-        let (models, mut left_out) = self.file.models();
-        let (models, refused): (Vec<_>, Vec<_>) = models
-            .into_iter()
-            .map(|model| {
-                let request = Request::new(quantities.iter().copied());
-                let refusal = model.compile(&self.file.scene, &request).err();
-                // Anything else is an error of the scene.
-                let refusal = refusal.filter(|e| matches!(e, ContactError::Unsupported { .. }));
-                (model, refusal)
-            })
-            .partition(|(_, refusal)| refusal.is_none());
-        let models: Vec<Model> = models.into_iter().map(|(model, _)| model).collect();
-        left_out.extend(refused.into_iter().filter_map(|(model, refusal)| {
-            Some(LeftOut { id: model.id().into(), reason: refusal? })
-        }));
-        note_left_out(&left_out);
-        self.note_adhesion();
-        models
-    }
-
-    /// The models given, or all that can be compared with boundary elements; a note names the
-    /// others.
-    pub fn models_beside_bem(
-        &self,
-        requested: &[String],
-        quantities: &[Quantity],
-    ) -> Result<Vec<Model>> {
-        let requested = by_name(requested);
-        if !requested.is_empty() {
-            let models = self.models(requested, quantities)?;
-            return Ok(models.into_iter().map(|(_, model)| model).collect());
-        }
-        let mut models = self.available(quantities);
-        let (all, mut left_out) = self.file.models_beside_bem();
-        let (allowed, noted) = self.file.models();
-        left_out.retain(|model| !noted.contains(model));
-        note_left_out(&left_out);
-        let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
-        models.extend(all.into_iter().filter(|model| !known(model)));
-        Ok(models)
+        let find =
+            |sheet: &mut _| Ok(asperity_answer::models(&self.file, requested, quantities, sheet)?);
+        Ok(self.answer(find)?.1)
     }
 
     /// The usual model where none is asked for; a note tells of a hardness that may be forgotten.
     pub fn default_model(&self) -> Result<NamedModel> {
-        let named = self.reference(None)?;
-        if self.file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none()) {
-            let text = format!(
-                "{}: the default model is {}, which ignores yielding, as hardness is missing; {YIELDING} need it",
-                self.name, named.0
-            );
-            print_message("note", &text);
-        }
-        Ok(named)
+        self.model_of(|sheet| Ok(one_or_usual(&self.file, &self.name, None, sheet)?))
     }
 
     /// A model with the scene's options, under the given name; an error if the scene has not what
     /// it needs.
     pub fn model(&self, id: &str) -> Result<NamedModel> {
-        let named = self.named(id)?;
-        // Other models report what they lack with their answers.
-        let averaged = named.1.asperity_model().is_some();
-        if let Some(reason) = averaged.then(|| self.file.refusal(&named.1)).flatten() {
-            bail!("{}: {reason}", self.name);
-        }
-        Ok(named)
-    }
-
-    fn named(&self, id: &str) -> Result<NamedModel> {
-        let model = self.file.model(id)?;
-        if model.id() != id {
-            print_message(
-                "note",
-                &format!("{id} means {} by the options of the scene", model.id()),
-            );
-        }
-        Ok((id.to_string(), model))
-    }
-}
-
-/// The name in a list of models that stands for all that the scene allows.
-pub const ALL_MODELS: &str = "all";
-
-/// The models requested by name; none if all are requested.
-fn by_name(requested: &[String]) -> &[String] {
-    if requested.iter().any(|id| id == ALL_MODELS) { &[] } else { requested }
-}
-
-/// Notes the models that are left out, those of one reason together.
-fn note_left_out(left_out: &[LeftOut]) {
-    let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
-    for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
-        print_message("note", &format!("left out: {text}"));
+        self.model_of(|sheet| Ok(asperity_answer::one_model(&self.file, id, sheet)?))
     }
 }

@@ -1,7 +1,9 @@
 //! Contact tables for finite-element codes.
 
 use asperity::Tolerance;
-use asperity_answer::{ConductanceAgainst, Export, Silent, Subject, TableFormat, UnitSystem};
+use asperity_answer::{
+    ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
+};
 use pyo3::prelude::*;
 
 use crate::convert::axis::Axis;
@@ -48,8 +50,9 @@ pub(crate) fn contact_table(
         conductance: conductance.map(against).transpose()?,
         friction,
     };
-    let found = py.detach(|| export.run(&Silent)).map_err(value_error)?;
-    let column = |k: usize| found.sheet.rows.iter().filter_map(|row| row[k].number()).collect();
+    let mut sheet = Sheet::default();
+    let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
+    let column = |k: usize| sheet.rows.iter().filter_map(|row| row[k].number()).collect();
     let [pressure_error, tangent_error] = [found.pressure_error, found.tangent_error];
     Ok((column(0), column(1), column(2), pressure_error, tangent_error, found.text))
 }

@@ -1,7 +1,7 @@
 //! The calculation of the page as lines for a shell, Python and Rust, and as tables.
 
 use asperity::{At, Quantity, Tolerance};
-use asperity_answer::{Export, Silent, Subject, TableFormat, UnitSystem};
+use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
@@ -88,11 +88,12 @@ pub(crate) fn table(
     let units: UnitSystem = units.parse()?;
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
-    let subject = Subject { file, name: "", id, model: &model, tolerance: Tolerance::default() };
+    let subject =
+        Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
     let within = |error| {
         let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
         Export { subject, ends, nodes, max_error, format, units, conductance, friction }
-            .run(&Silent)
+            .answer(&mut Sheet::default(), &Silent)
     };
     // COMBIN39 takes few nodes.
     let errors = match format {

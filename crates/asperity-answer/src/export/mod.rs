@@ -9,13 +9,12 @@ mod table;
 mod text;
 mod units;
 
-use std::error::Error;
 use std::str::FromStr;
 
-use asperity::{At, Described, SeparationUnit};
+use asperity::{At, Described, Separation, SeparationUnit};
 
-use crate::subject::{Subject, Unanswered};
-use crate::{Sheet, Watch};
+use crate::subject::Subject;
+use crate::{AnswerError, Sheet, Watch};
 pub(crate) use table::{ContactNode, ContactTable};
 pub use units::UnitSystem;
 
@@ -145,12 +144,10 @@ pub struct Export<'a> {
     pub friction: Option<f64>,
 }
 
-/// A table as a file, and as a sheet.
+/// A table as a file.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Exported {
-    /// Clearance, pressure and tangent at the nodes, in SI units.
-    pub sheet: Sheet,
     /// The table in its format and units.
     pub text: String,
     /// Bound of the relative error of the pressure between the nodes.
@@ -160,47 +157,39 @@ pub struct Exported {
 }
 
 impl Export<'_> {
-    /// The table, made with the tolerance of the subject.
+    /// The table, made with the tolerance of the subject; fills a sheet with clearance, pressure and
+    /// tangent at the nodes, in SI units.
     ///
     /// # Errors
     /// Those of the model on the scene, ends in the wrong order, pressures that do not fall, an error
     /// that no table meets, and what the format has no room for.
-    pub fn run(&self, watch: &dyn Watch) -> Result<Exported, Unanswered> {
-        let heads = ["clearance_m", "pressure_Pa", "tangent_Pa_per_m"];
-        let (mut text, mut errors) = (String::new(), [0.0; 2]);
-        let about = [self.subject.name, self.subject.id].map(|name| format!("{name}: "));
-        let about = if self.subject.name.is_empty() { String::new() } else { about.concat() };
-        let sheet = Sheet::filled("", &heads, |sheet| {
-            self.format.check(self.conductance, self.friction)?;
-            watch.progress("nodes");
-            let named = |error: Box<dyn Error>| format!("{about}{error}");
-            let table = ContactTable::new(self).map_err(named)?;
-            let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
-            text = table.text(self, &format!("asperity {version}, model {id}"))?;
-            if let Some(against) = self.conductance {
-                text += &table.conductance_text(self, against).map_err(named)?;
-            }
-            if let Some(friction) = self.friction {
-                text += &table.friction_text(self, friction).map_err(named)?;
-            }
-            for node in &table.nodes {
-                let clearance = asperity::Separation::sigmas(node.separation);
-                let clearance = self.subject.place(clearance, SeparationUnit::Metres)?;
-                sheet
-                    .rows
-                    .push([clearance, node.pressure, node.stiffness].map(Into::into).to_vec());
-            }
-            errors = [table.pressure_error, table.stiffness_error];
-            if errors[0] > 0.1 {
-                let percent = (100.0 * errors[0]).round();
-                let text = format!(
-                    "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
-                );
-                sheet.warn("interpolation-error", text);
-            }
-            Ok(())
-        })?;
-        let [pressure_error, tangent_error] = errors;
-        Ok(Exported { sheet, text, pressure_error, tangent_error })
+    pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
+        sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
+        self.format.check(self.conductance, self.friction)?;
+        watch.progress("nodes");
+        let of_model = |error: AnswerError| error.of_model(self.subject.id);
+        let table = ContactTable::new(self).map_err(of_model)?;
+        let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
+        let mut text = table.text(self, &format!("asperity {version}, model {id}"))?;
+        if let Some(against) = self.conductance {
+            text += &table.conductance_text(self, against).map_err(of_model)?;
+        }
+        if let Some(friction) = self.friction {
+            text += &table.friction_text(self, friction).map_err(of_model)?;
+        }
+        for node in &table.nodes {
+            let clearance = Separation::sigmas(node.separation);
+            let clearance = self.subject.place(clearance, SeparationUnit::Metres)?;
+            sheet.rows.push([clearance, node.pressure, node.stiffness].map(Into::into).to_vec());
+        }
+        let [pressure_error, tangent_error] = [table.pressure_error, table.stiffness_error];
+        if pressure_error > 0.1 {
+            let percent = (100.0 * pressure_error).round();
+            let text = format!(
+                "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
+            );
+            sheet.warn("interpolation-error", text);
+        }
+        Ok(Exported { text, pressure_error, tangent_error })
     }
 }

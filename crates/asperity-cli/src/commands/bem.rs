@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Error, Result, bail};
 use asperity::Quantity;
 use asperity::bem::{Bem, Continuation, LoadCase};
-use asperity_answer::{Press, Sheet, rounded, truth};
+use asperity_answer::{AnswerError, Press, Sheet, rounded, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -17,8 +17,8 @@ use crate::input::args::{
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
-use crate::interrupt::{self, Terminal};
-use crate::output::{self, contact_map, print_findings, print_message};
+use crate::interrupt::{self, terminal};
+use crate::output::{self, contact_map, print_message, show};
 use crate::scene::LoadedScene;
 
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
@@ -155,10 +155,10 @@ impl BemCommand {
             refine: self.refine,
             keep: self.map.is_some() || self.picture.is_some(),
         };
-        let (sheet, maps) = match press.solve(&Terminal::watch(Bem::ID)?) {
-            Ok((sheet, maps)) => (output::reported(Ok(sheet))?, maps),
-            Err(unanswered) => return output::reported(Err(unanswered)).map(drop),
-        };
+        let watch = terminal()?;
+        let solve = |sheet: &mut Sheet| press.solve(sheet, &watch).map_err(reason);
+        let (sheet, maps) = scene.answer(solve)?;
+        drop(watch);
         self.write_or_end(&sheet, given.len())?;
         if let Some(path) = &self.map {
             contact_map::write(path, &maps, bem.map().shape())?;
@@ -176,7 +176,7 @@ impl BemCommand {
         if sheet.rows.is_empty() {
             interrupt::end(0, all);
         }
-        self.output.write(&sheet.into())
+        self.output.write_sheet(sheet)
     }
 
     /// Compares models with boundary elements.
@@ -191,16 +191,17 @@ impl BemCommand {
         }
         let scene = LoadedScene::load_any(&self.scene, self.periodic())?;
         let bem = self.bem(&scene)?;
-        let models = scene.models_beside_bem(&self.models, &[])?;
         let area = scene.file.scene.nominal_area;
         let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);
         let pressures = places.pressures.iter().flat_map(|list| &list.0).copied();
         let pressures: Vec<f64> = pressures.chain(loads).collect();
-        let subject = (&scene.file, &*scene.name, &bem);
-        let watch = Terminal::watch("truth")?;
-        let answer = truth(subject, &models, &pressures, self.refine, &watch);
+        let (watch, refine) = (terminal()?, self.refine);
+        let fill = |sheet: &mut Sheet| {
+            truth((&scene.file, &scene.name, &bem), &self.models, &pressures, refine, sheet, &watch)
+                .map_err(reason)
+        };
+        let (sheet, ()) = scene.answer(fill)?;
         drop(watch);
-        let sheet = output::reported(answer)?;
         self.write_or_end(&sheet, pressures.len())?;
         end_if_stopped(&sheet, pressures.len());
         Ok(())
@@ -217,7 +218,7 @@ impl BemCommand {
             Ok(bem) => bem,
             Err(error) => bail!("{}: {error}", scene.name),
         };
-        print_findings(bem.note().as_slice());
+        show(bem.note().as_slice());
         Ok(bem)
     }
 
@@ -234,6 +235,11 @@ impl BemCommand {
         ];
         refuse_same_place("bem", self.output.output.as_deref(), &others, texts);
     }
+}
+
+/// The reason alone: it names the scene where that is meant.
+fn reason(error: AnswerError) -> Error {
+    Error::msg(error.to_string())
 }
 
 /// Ends the program after stopped work, of which the rows so far are written.

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::{At, Check as CheckedScene, SeparationUnit, Severity};
+use asperity_answer::{Cell, Sheet};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id, separation_unit};
 use crate::input::distances::{Distance, warn_unit};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
-use crate::output::table::{Cell, Format, Table};
+use crate::output::table::{self, Format};
 use crate::scene::LoadedScene;
 
 /// Check a scene: derived numbers, unusual values, likely unit errors, validity of a model
@@ -84,10 +85,10 @@ impl Check {
         if self.output.format == Format::Json {
             self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;
         } else {
-            let table = numbers(&checked);
+            let sheet = numbers(&checked);
             let findings = self.output.format == Format::Table;
             output::write(self.output.output.as_deref(), |out| {
-                table.write(self.output.format, out)?;
+                table::write(&sheet, self.output.format, out)?;
                 let shown = if findings { &checked.findings[..] } else { &[] };
                 shown.iter().enumerate().try_for_each(|(k, finding)| {
                     let gap = if k == 0 { "\n" } else { "" };
@@ -112,16 +113,11 @@ impl Check {
     }
 }
 
-fn numbers(checked: &CheckedScene) -> Table {
-    let mut table = Table::new(&["name", "value", "unit", "meaning"]);
-    for number in &checked.numbers {
-        let value = Cell::Number(Some(number.value));
-        table.rows.push(vec![
-            number.name.into(),
-            value,
-            number.unit.into(),
-            (*number.meaning).into(),
-        ]);
-    }
-    table
+fn numbers(checked: &CheckedScene) -> Sheet {
+    let mut sheet = Sheet::new(&["name", "value", "unit", "meaning"]);
+    sheet.rows.extend(checked.numbers.iter().map(|number| {
+        let value = Cell::Number(number.value);
+        vec![number.name.into(), value, number.unit.into(), (*number.meaning).into()]
+    }));
+    sheet
 }

@@ -88,14 +88,13 @@ impl Conductance {
         let scene = self.open()?;
         let question = Question {
             file: &scene.file,
-            name: &scene.name,
             models: self.named_models(&scene)?,
             correlations: self.correlations(),
             roughness: self.roughness(),
             gas: self.gas(),
         };
-        let answer = question.sheet(&self.places());
-        self.output.show(answer, |sheet| picture(sheet, &scene.file.scene))
+        let (sheet, ()) = scene.answer(|sheet| Ok(question.answer(&self.places(), sheet)?))?;
+        self.output.write_sheet(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.

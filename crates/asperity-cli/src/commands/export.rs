@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result};
-use asperity::{At, SeparationUnit};
-use asperity_answer::{ConductanceAgainst, Export, TableFormat, UnitSystem};
+use asperity::{At, SeparationUnit, Tolerance};
+use asperity_answer::{AnswerError, ConductanceAgainst, Export, Sheet, TableFormat, UnitSystem};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -13,8 +13,7 @@ use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{error_below_1, friction, load, pressure};
-use crate::interrupt::Terminal;
-use crate::output;
+use crate::output::{self, Terminal};
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code
@@ -136,7 +135,7 @@ impl ExportCommand {
         });
         scene.report_answers(&[&named], &ends);
         let export = Export {
-            subject: scene.subject(&named),
+            subject: scene.subject(&named, Tolerance::default()),
             ends,
             nodes: span.count.unwrap_or(2),
             max_error: self.max_error,
@@ -145,14 +144,14 @@ impl ExportCommand {
             conductance: self.conductance,
             friction: self.friction,
         };
-        let watch = Terminal::watch("nodes")?;
-        let answer = export.run(&watch);
-        drop(watch);
-        let (text, answer) = match answer {
-            Ok(found) => (found.text, Ok(found.sheet)),
-            Err(unanswered) => (String::new(), Err(unanswered)),
+        let watch = Terminal::default();
+        let fill = |sheet: &mut Sheet| match export.answer(sheet, &watch) {
+            // About the format, not about the scene.
+            Err(AnswerError::Reason(reason)) => Err(Error::msg(reason)),
+            answer => Ok(answer?),
         };
-        output::reported(answer)?;
-        output::write_text(self.output.as_deref(), &text)
+        let (_, found) = scene.answer(fill)?;
+        drop(watch);
+        output::write_text(self.output.as_deref(), &found.text)
     }
 }

@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, SeparationUnit, Tolerance, shortest_digits};
-use asperity_answer::{Amplitude, Slip, Subject, history, rounded, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, rounded, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
@@ -16,7 +16,7 @@ use crate::input::distances::{Distances, turning_separations, warn_unit};
 use crate::input::lists::{Numbers, all, turning_loads};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
-use crate::interrupt::Terminal;
+use crate::interrupt::terminal;
 use crate::output::{once, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -185,14 +185,15 @@ impl Joint {
         }
         self.check_slip(&scene)?;
         let places = self.place.all(&scene, &named, self.unit);
-        let subject = Subject { tolerance: self.tolerance, ..scene.subject(&named) };
+        let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
-            return self.slip(&Slip { subject, law: laws[0], friction }, &places);
+            return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
         if self.place.turns() {
+            let (sheet, ()) =
+                scene.answer(|sheet| Ok(history(&subject, &laws, &places, sheet)?))?;
             let from = scene.file.separation_from;
-            let answer = history(&subject, &laws, &places);
-            return self.output.show(answer, |sheet| joint_plots::history(sheet, from));
+            return self.output.write_sheet(&sheet, || joint_plots::history(&sheet, from));
         }
         let [closest] = places[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
@@ -201,25 +202,33 @@ impl Joint {
         let retreats = self.retreat.as_ref();
         let retreats = retreats.map(|list| (&list.values[..], list.unit(self.unit)));
         if is_scan {
-            let answer = unloading_scan(&subject, closest, retreats, &Terminal::watch(Bem::ID)?);
-            return self.output.show(answer, |sheet| joint_plots::opening(sheet, sheet));
+            let watch = terminal()?;
+            let fill =
+                |sheet: &mut Sheet| Ok(unloading_scan(&subject, closest, retreats, sheet, &watch)?);
+            let (sheet, ()) = scene.answer(fill)?;
+            drop(watch);
+            return self.output.write_sheet(&sheet, || joint_plots::opening(&sheet, &sheet));
         }
-        let answer = unloading(&subject, &laws, closest, retreats);
-        self.output.show(answer, |sheet| {
-            let dense = joint_plots::dense_retreats(sheet);
-            let dense = (&dense[..], SeparationUnit::Metres);
-            joint_plots::opening(sheet, &unloading(&subject, &laws, closest, Some(dense))?)
+        let fill = |sheet: &mut Sheet| Ok(unloading(&subject, &laws, closest, retreats, sheet)?);
+        let (sheet, ()) = scene.answer(fill)?;
+        self.output.write_sheet(&sheet, || {
+            let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
+            let dense = Some((&dense[..], SeparationUnit::Metres));
+            unloading(&subject, &laws, closest, dense, &mut smooth)?;
+            joint_plots::opening(&sheet, &smooth)
         })
     }
 
-    fn slip(&self, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
+    fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
         let amplitudes = self.amplitudes();
         if let (Some(points), false) = (self.points, preloads.len() * amplitudes.len() == 1) {
             let text = format!("--points {points} is not used: several cycles have one row each");
             print_message("note", &text);
         }
-        let answer = slip.sheet(preloads, &amplitudes, self.points.unwrap_or(POINTS));
-        self.output.show(answer, |sheet| joint_plots::slip(sheet, self.cycle.amplitude))
+        let points = self.points.unwrap_or(POINTS);
+        let fill = |sheet: &mut Sheet| Ok(slip.answer(preloads, &amplitudes, points, sheet)?);
+        let (sheet, ()) = scene.answer(fill)?;
+        self.output.write_sheet(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
     }
 
     fn amplitudes(&self) -> Vec<Amplitude> {

@@ -13,6 +13,7 @@ use crate::Cli;
 /// Write man pages and completions of bash, zsh and fish
 #[derive(Debug, Args)]
 #[command(
+    hide = true,
     after_help = "The files go to man/man1, bash-completion/completions, zsh/site-functions and
 fish/vendor_completions.d in the folder. Below ~/.local/share man, bash and fish find
 them; zsh does if zsh/site-functions is in its fpath. Existing files are overwritten.

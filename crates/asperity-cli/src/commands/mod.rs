@@ -3,7 +3,6 @@
 
 mod bem;
 mod check;
-mod compare;
 mod conductance;
 mod conductance_picture;
 mod conductivity;
@@ -16,14 +15,11 @@ mod glance;
 mod init;
 mod joint;
 mod joint_plots;
+mod list;
 mod manual;
-mod materials;
-mod models;
-mod plan;
 mod pull_off;
 mod recommend;
 mod scales;
-mod solve;
 mod surface;
 
 use anyhow::Result;
@@ -35,14 +31,15 @@ pub enum Command {
     Surface(surface::Surface),
     Generate(generate::Generate),
     Check(check::Check),
-    Materials(materials::Materials),
-    Models(models::Models),
-    Solve(solve::Solve),
+    List(list::List),
+    Materials(list::Materials),
+    Models(list::Models),
+    Solve(curve::Solve),
     Curve(curve::Curve),
-    Compare(compare::Compare),
+    Compare(curve::Compare),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
-    Plan(plan::Plan),
+    Plan(curve::Plan),
     Joint(joint::Joint),
     #[command(hide = true)]
     Unload(joint::Joint),
@@ -67,6 +64,7 @@ impl Command {
             Self::Surface(command) => command.run(),
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
+            Self::List(command) => command.run(),
             Self::Materials(command) => command.run(),
             Self::Models(command) => command.run(),
             Self::Solve(command) => command.run(),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::Tolerance;
-use asperity_answer::pull_off;
+use asperity_answer::{Sheet, pull_off};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id, tolerance};
@@ -66,7 +66,8 @@ impl PullOff {
             }
             models.push(named);
         }
-        self.output.show(pull_off((&scene.file, &scene.name), &models, self.tolerance))
+        let fill = |sheet: &mut Sheet| Ok(pull_off(&scene.file, &models, self.tolerance, sheet)?);
+        self.output.write_sheet(&scene.answer(fill)?.0)
     }
 }
 

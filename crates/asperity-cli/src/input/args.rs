@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
-use asperity_answer::{Sheet, Unanswered};
+use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -17,7 +17,7 @@ use serde::de::value::{Error, StrDeserializer};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
-use crate::output::table::{Format, Table};
+use crate::output::table::{self, Format, Table};
 use crate::output::{self, once};
 use crate::scene::ALL_MODELS;
 
@@ -120,13 +120,12 @@ impl ModelArgs {
 }
 
 impl OutputArgs {
-    /// Shows an answer.
-    pub fn show(&self, answer: Result<Sheet, Unanswered>) -> Result<()> {
-        self.write(&(&output::reported(answer)?).into())
-    }
-
     pub fn write(&self, table: &Table) -> Result<()> {
         output::write(self.output.as_deref(), |out| table.write(self.format, out))
+    }
+
+    pub fn write_sheet(&self, sheet: &Sheet) -> Result<()> {
+        output::write(self.output.as_deref(), |out| table::write(sheet, self.format, out))
     }
 
     pub fn write_text(&self, text: &str) -> Result<()> {
@@ -135,6 +134,11 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
+    /// The file to write to, if there is one.
+    pub fn into_output(self) -> Option<PathBuf> {
+        self.output.output
+    }
+
     /// Ends the `command` where plot and data have the same destination.
     pub fn check(&self, command: &str) {
         let texts = [
@@ -144,22 +148,16 @@ impl DrawnArgs {
         refuse_same_place(command, self.output.output.as_deref(), &[self.plot.as_deref()], texts);
     }
 
-    /// Shows an answer, and its plot where one is requested.
-    pub fn show(
+    /// Writes the sheet, and its plot where one is requested.
+    pub fn write_sheet(
         &self,
-        answer: Result<Sheet, Unanswered>,
-        picture: impl FnOnce(&Sheet) -> Result<String>,
+        sheet: &Sheet,
+        picture: impl FnOnce() -> Result<String>,
     ) -> Result<()> {
-        let sheet = output::reported(answer)?;
-        self.write(&Table::from(&sheet), || picture(&sheet))
-    }
-
-    /// Writes the table, and its plot where one is requested.
-    pub fn write(&self, table: &Table, picture: impl FnOnce() -> Result<String>) -> Result<()> {
         if self.plot.is_some() {
             output::write_text(self.plot.as_deref(), &picture()?)?;
         }
-        self.output.write(table)
+        self.output.write_sheet(sheet)
     }
 }
 

@@ -8,7 +8,7 @@ use asperity_answer::unit_warning;
 use crate::input::ambiguous::one_value_only;
 use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};
 use crate::input::numbers::{number, of_unit};
-use crate::output::print_findings;
+use crate::output::show;
 
 /// The values of one `--separation`: plain numbers in the unit of the command, or metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,7 +107,7 @@ fn metre(text: &str) -> Result<f64, String> {
 
 /// Warns of values that look like another unit, by the largest of them.
 pub fn warn_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
-    print_findings(unit_warning(name, values, unit, height_std).as_slice());
+    show(unit_warning(name, values, unit, height_std).as_slice());
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ pub mod number;
 pub mod plot;
 pub mod table;
 
+use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -17,10 +18,12 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use asperity::{Finding, Findings};
+use asperity_answer::Watch;
 pub use asperity_answer::once;
-use asperity_answer::{Sheet, Unanswered};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
+
+use crate::interrupt;
 
 /// Shorter work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -188,24 +191,31 @@ pub fn print_always(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
-/// Each finding on a line of standard error, most severe first.
-pub fn report(found: &Findings) {
-    print_findings(found);
-}
-
 /// Each finding on a line of standard error.
-pub fn print_findings(found: &[Finding]) {
+pub fn show(found: &[Finding]) {
     found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 
-/// The answer, with its findings on standard error.
-pub fn reported(answer: Result<Sheet, Unanswered>) -> Result<Sheet> {
-    let findings = match &answer {
-        Ok(sheet) => &sheet.findings,
-        Err(unanswered) => &unanswered.findings,
-    };
-    print_findings(findings);
-    Ok(answer?)
+/// Shows the progress of an answer on a terminal, and ends it on Ctrl-C.
+#[derive(Default)]
+pub struct Terminal(RefCell<Option<ProgressBar>>);
+
+impl Watch for Terminal {
+    fn progress(&self, doing: &str) {
+        match &mut *self.0.borrow_mut() {
+            Some(bar) => bar.set_message(doing.to_string()),
+            hidden => *hidden = Some(progress(doing)),
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        interrupt::requested()
+    }
+}
+
+/// Each finding on a line of standard error, most severe first.
+pub fn report(found: &Findings) {
+    found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 
 #[cfg(test)]

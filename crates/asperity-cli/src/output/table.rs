@@ -28,22 +28,10 @@ pub struct Table {
     pub rows: Vec<Vec<Cell>>,
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
     Text(Rc<str>),
     Number(Option<f64>),
-}
-
-impl From<&Sheet> for Table {
-    fn from(sheet: &Sheet) -> Self {
-        let cell = |cell: &asperity_answer::Cell| match cell {
-            asperity_answer::Cell::Text(text) => Cell::from(&**text),
-            other => Cell::Number(other.number()),
-        };
-        let rows = sheet.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
-        Self { head: sheet.heads.clone(), rows }
-    }
 }
 
 impl From<&str> for Cell {
@@ -57,13 +45,6 @@ impl Cell {
     pub fn number(&self) -> Option<f64> {
         if let Self::Number(number) = self { *number } else { None }
     }
-
-    fn text(&self, number: fn(f64) -> String) -> String {
-        match self {
-            Self::Text(text) => text.to_string(),
-            Self::Number(value) => value.map_or(String::new(), number),
-        }
-    }
 }
 
 impl Table {
@@ -72,49 +53,89 @@ impl Table {
     }
 
     pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        match format {
-            Format::Csv => self.csv(out),
-            Format::Json => self.json(out),
-            Format::Table => self.aligned(out),
-        }
+        write(&self.sheet(), format, out)
     }
 
     pub fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(out, "{}", self.head.join(","))?;
-        for row in &self.rows {
-            let fields: Vec<String> =
-                row.iter().map(|cell| quoted(cell.text(shortest_digits))).collect();
-            writeln!(out, "{}", fields.join(","))?;
-        }
-        Ok(())
+        csv(&self.sheet(), out)
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        for (k, cells) in self.rows.iter().enumerate() {
-            out.write_all(if k == 0 { b"[\n" } else { b",\n" })?;
-            serde_json::to_writer(&mut *out, &Row { head: &self.head, cells })?;
-        }
-        out.write_all(if self.rows.is_empty() { b"[]\n" } else { b"\n]\n" })
+    fn sheet(&self) -> Sheet {
+        let cell = |cell: &Cell| match cell {
+            Cell::Text(text) => (&**text).into(),
+            Cell::Number(number) => (*number).into(),
+        };
+        let rows = self.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+        Sheet { heads: self.head.clone(), rows, findings: vec![] }
     }
+}
 
-    fn aligned(&self, out: &mut dyn Write) -> io::Result<()> {
-        let texts = |row: &Vec<Cell>| row.iter().map(|cell| cell.text(rounded)).collect();
-        let lines: Vec<Vec<String>> =
-            std::iter::once(self.head.clone()).chain(self.rows.iter().map(texts)).collect();
-        let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max();
-        let widths: Vec<usize> = (0..self.head.len()).map(|k| width(k).unwrap_or(0)).collect();
-        for line in &lines {
-            let mut text = String::new();
-            for (k, (cell, width)) in line.iter().zip(&widths).enumerate() {
-                let gap = if k == 0 { "" } else { "  " };
-                match self.rows.first().map(|row| &row[k]) {
-                    Some(Cell::Number(_)) => text += &format!("{gap}{cell:>width$}"),
-                    _ => text += &format!("{gap}{cell:<width$}"),
+impl From<&Sheet> for Table {
+    fn from(sheet: &Sheet) -> Self {
+        let cell = |cell: &asperity_answer::Cell| match cell {
+            asperity_answer::Cell::Text(text) => Cell::from(&**text),
+            other => Cell::Number(other.number()),
+        };
+        let rows = sheet.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+        Self { head: sheet.heads.clone(), rows }
+    }
+}
+
+/// Writes a sheet in a format.
+pub fn write(sheet: &Sheet, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    match format {
+        Format::Csv => csv(sheet, out),
+        Format::Json => json(sheet, out),
+        Format::Table => aligned(sheet, out),
+    }
+}
+
+/// Comma-separated values with all digits.
+pub fn csv(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}", sheet.heads.join(","))?;
+    for row in &sheet.rows {
+        let fields: Vec<String> =
+            row.iter().map(|cell| quoted(text(cell, shortest_digits))).collect();
+        writeln!(out, "{}", fields.join(","))?;
+    }
+    Ok(())
+}
+
+fn json(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
+    for (k, cells) in sheet.rows.iter().enumerate() {
+        out.write_all(if k == 0 { b"[\n" } else { b",\n" })?;
+        serde_json::to_writer(&mut *out, &Row { heads: &sheet.heads, cells })?;
+    }
+    out.write_all(if sheet.rows.is_empty() { b"[]\n" } else { b"\n]\n" })
+}
+
+fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
+    let texts = |row: &Vec<asperity_answer::Cell>| row.iter().map(|c| text(c, rounded)).collect();
+    let lines: Vec<Vec<String>> =
+        std::iter::once(sheet.heads.clone()).chain(sheet.rows.iter().map(texts)).collect();
+    let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max();
+    let widths: Vec<usize> = (0..sheet.heads.len()).map(|k| width(k).unwrap_or(0)).collect();
+    for line in &lines {
+        let mut all = String::new();
+        for (k, (cell, width)) in line.iter().zip(&widths).enumerate() {
+            let gap = if k == 0 { "" } else { "  " };
+            match sheet.rows.first().map(|row| &row[k]) {
+                Some(asperity_answer::Cell::Text(_)) | None => {
+                    all += &format!("{gap}{cell:<width$}");
                 }
+                _ => all += &format!("{gap}{cell:>width$}"),
             }
-            writeln!(out, "{}", text.trim_end())?;
         }
-        Ok(())
+        writeln!(out, "{}", all.trim_end())?;
+    }
+    Ok(())
+}
+
+fn text(cell: &asperity_answer::Cell, number: fn(f64) -> String) -> String {
+    match cell {
+        asperity_answer::Cell::Text(text) => text.to_string(),
+        asperity_answer::Cell::Number(value) => number(*value),
+        asperity_answer::Cell::Blank(_) => String::new(),
     }
 }
 
@@ -128,13 +149,13 @@ fn quoted(text: String) -> String {
 
 /// A row as an object with its keys in order.
 struct Row<'t> {
-    head: &'t [String],
-    cells: &'t [Cell],
+    heads: &'t [String],
+    cells: &'t [asperity_answer::Cell],
 }
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.head.iter().zip(self.cells))
+        serializer.collect_map(self.heads.iter().zip(self.cells))
     }
 }
 

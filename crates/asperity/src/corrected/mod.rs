@@ -1,5 +1,7 @@
 //! Models divided by their expected ratio to boundary elements.
 
+use std::sync::Arc;
+
 use crate::evidence::{Counted, Lacking, compile_known};
 use crate::recommended::BEM;
 use crate::{
@@ -33,7 +35,7 @@ use crate::{
 #[derive(Debug)]
 pub struct Corrected {
     id: String,
-    contact: Box<dyn Contact>,
+    contact: Arc<dyn Contact>,
     counted: Counted,
     lacking: Lacking,
     shape: Option<SurfaceShape>,
@@ -91,17 +93,39 @@ impl Corrected {
         shape: Option<SurfaceShape>,
         request: &Request,
     ) -> Result<Self, ContactError> {
+        Self::check(model)?;
+        let (contact, lacking) = compile_known(model, scene, request)?;
+        Self::of(model, contact.into(), lacking, shape)
+    }
+
+    /// The same of a contact that is compiled already, for the quantities asked for except those
+    /// that it lacks, and for area, tangent and unloading stiffness as far as the model has them.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn of(
+        model: &Model,
+        contact: Arc<dyn Contact>,
+        lacking: Vec<(Quantity, ContactError)>,
+        shape: Option<SurfaceShape>,
+    ) -> Result<Self, ContactError> {
+        let id = Self::check(model)?;
+        let counted = Counted::on(contact.scene())?;
+        Ok(Self { id, contact, counted, lacking, shape })
+    }
+
+    /// The id of a corrected model; an error for one that the evidence says nothing about.
+    fn check(model: &Model) -> Result<String, ContactError> {
         let id = format!("{}-corrected", model.id());
         let unlike = match model.id() {
             BEM => Some("boundary elements are the reference; solve without correction"),
             "ghaednia" => Some("the solved surfaces do not harden; solve without correction"),
             _ => None,
         };
-        if let Some(reason) = unlike {
-            return Err(ContactError::Refused { model: id, reason: reason.into() });
+        match unlike {
+            Some(reason) => Err(ContactError::Refused { model: id, reason: reason.into() }),
+            None => Ok(id),
         }
-        let (contact, lacking) = compile_known(model, scene, request)?;
-        Ok(Self { id, contact, counted: Counted::on(scene)?, lacking, shape })
     }
 
     /// The same under the id by which the model was asked for, as `ke`, which the options of a

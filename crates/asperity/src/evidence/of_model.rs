@@ -6,6 +6,10 @@ use crate::{
 };
 
 impl Compared {
+    /// The quantities of a contact that are compared; the mean gap is none.
+    pub const QUANTITIES: [Quantity; 3] =
+        [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+
     /// The value of a model at a mean pressure \[Pa\]: area over nominal area, stiffness \[N/m\],
     /// mean gap \[m\].
     ///
@@ -104,7 +108,7 @@ pub(crate) fn compile(
     scene: &Scene,
     request: &Request,
 ) -> Result<Box<dyn Contact>, ContactError> {
-    let compared = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+    let compared = Compared::QUANTITIES;
     let with = |others: &[Quantity]| {
         let mut all = request.quantities.clone();
         all.extend(others.iter().filter(|quantity| !request.quantities.contains(quantity)));

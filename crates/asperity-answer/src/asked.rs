@@ -1,0 +1,180 @@
+//! A model on a scene, compiled once for what is asked of it.
+
+use std::sync::Arc;
+
+use asperity::{
+    At, Compared, Contact, ContactError, ContactModel, Corrected, Evaluation, Finding, Findings,
+    Model, Quantity, Request, Separation, SeparationUnit, Severity,
+};
+use asperity_inputs::SceneFile;
+
+use crate::models::grouped;
+
+/// A model on a scene, compiled once for the quantities that it has.
+#[derive(Debug)]
+pub struct Asked {
+    model: Model,
+    contact: Arc<dyn Contact>,
+    request: Request,
+    /// The quantities that the model does not have, and why.
+    refused: Vec<(Quantity, ContactError)>,
+    /// Whether a load has a row for every separation that carries it, not for the largest alone.
+    all: bool,
+}
+
+/// A separation or load with the values there.
+#[derive(Debug)]
+pub struct Line {
+    /// As given.
+    pub given: At,
+    /// The separation \[σ_z, m\] from the plane of the scene, if there is one.
+    pub separation: [Option<f64>; 2],
+    /// One for each quantity of the request, or the reason why there is none.
+    pub values: Vec<Result<Evaluation, ContactError>>,
+}
+
+impl Asked {
+    /// The model compiled for the request, as far as it has the quantities, and for what it is
+    /// judged by; to be `corrected`, also for what is compared with boundary elements.
+    ///
+    /// # Errors
+    /// The reason why the scene refuses the model.
+    pub fn new(
+        file: &SceneFile,
+        model: &Model,
+        request: &Request,
+        (all, corrected): (bool, bool),
+    ) -> Result<Self, ContactError> {
+        let scene = &file.scene;
+        // The law of an area that is not asked for is made for it: of inclined contacts, it takes
+        // longer than to judge without tables. Boundary elements count no contacts.
+        let (asperities, angles) = (model.validity().asperities, model.validity().angles);
+        let free = |q: &Quantity| asperities && (*q != Quantity::Area || !angles);
+        let judged = Quantity::JUDGED.into_iter().filter(free);
+        // Where each load has one row, few loads need no tables.
+        let alone = |quantities: &[Quantity]| {
+            let quantities = quantities.iter().copied().chain(judged.clone());
+            let places = request.at.iter().copied();
+            let request = Request::new(quantities).within(request.tolerance).at(places);
+            if all { model.compile(scene, &request) } else { model.contact(scene, &request) }
+        };
+        let compile = |quantities: &[Quantity]| match corrected {
+            true => {
+                // Some have no contact radii or no gap.
+                let with = |k: usize| alone(&[quantities, &Compared::QUANTITIES[..k]].concat());
+                [3, 2, 1].iter().find_map(|k| with(*k).ok()).map_or_else(|| with(0), Ok)
+            }
+            false => alone(quantities),
+        };
+        let (contact, refused) = match compile(&request.quantities) {
+            Ok(contact) => (contact, vec![]),
+            Err(whole) => {
+                let refusal = |q: &Quantity| Some((*q, compile(&[*q]).err()?));
+                let refused: Vec<_> = request.quantities.iter().filter_map(refusal).collect();
+                let mut had = request.quantities.clone();
+                had.retain(|q| refused.iter().all(|(lacks, _)| lacks != q));
+                // Without any quantity, the separations are still known.
+                let had = if had.is_empty() { vec![Quantity::Force] } else { had };
+                (compile(&had).map_err(|_| whole)?, refused)
+            }
+        };
+        let (model, request) = (model.clone(), request.clone());
+        Ok(Self { model, contact: contact.into(), request, refused, all })
+    }
+
+    /// Whether the model has a quantity.
+    #[must_use]
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.refused.iter().all(|(lacks, _)| *lacks != quantity)
+    }
+
+    /// The contact.
+    #[must_use]
+    pub fn contact(&self) -> &dyn Contact {
+        &*self.contact
+    }
+
+    /// The findings at these places, and how the scan is continued, for example.
+    #[must_use]
+    pub fn findings(&self, file: &SceneFile, places: &[At]) -> [Findings; 2] {
+        let found = file.findings_of(&self.model, &*self.contact, places);
+        let notes = match self.model.validity().asperities {
+            true => Findings::default(),
+            false => {
+                let notes = self.contact.notes().iter();
+                notes.filter(|note| note.severity == Severity::Note).cloned().collect()
+            }
+        };
+        [found, file.accepted(notes)]
+    }
+
+    /// The model over its expected ratio to boundary elements, under the id by which it was asked
+    /// for.
+    ///
+    /// # Errors
+    /// Those of [`Corrected::of`], and the reason why no solved surface is like the scan.
+    pub fn corrected(&self, file: &SceneFile, id: &str) -> Result<Corrected, ContactError> {
+        let (contact, refused) = (self.contact.clone(), self.refused.clone());
+        Ok(Corrected::of(&self.model, contact, refused, file.surface_shape()?)?.named(id))
+    }
+
+    /// The quantities that the model does not have, those of one reason together.
+    #[must_use]
+    pub fn refusals(&self) -> Vec<String> {
+        let pair = |(quantity, reason): &(Quantity, ContactError)| {
+            (reason.to_string(), quantity.to_string())
+        };
+        let groups = grouped(self.refused.iter().map(pair)).into_iter();
+        groups.map(|(reason, names)| format!("no {}: {reason}", names.join(", "))).collect()
+    }
+
+    /// The lines of these places, and the findings of their values.
+    #[must_use]
+    pub fn lines(&self, file: &SceneFile, places: &[At]) -> (Vec<Line>, Vec<Finding>) {
+        let places: Vec<(At, At)> = places.iter().flat_map(|at| self.places(file, *at)).collect();
+        let had = self.request.quantities.iter().copied().filter(|q| self.has(*q));
+        let request = Request::new(had).within(self.request.tolerance);
+        let mut response = self.contact.respond(&request.at(places.iter().map(|place| place.1)));
+        let mut columns: Vec<_> =
+            response.columns.drain(..).map(|column| column.rows.into_iter()).collect();
+        let lines = places.into_iter().map(|(given, at)| {
+            let mut found = columns.iter_mut().filter_map(Iterator::next);
+            let value = |quantity: &Quantity| match self
+                .refused
+                .iter()
+                .find(|(lacks, _)| lacks == quantity)
+            {
+                Some((_, reason)) => Err(reason.clone()),
+                None => match found.next() {
+                    Some(value) => value.map_err(|reason| *reason),
+                    None => Err(ContactError::NotRequested { quantity: *quantity }),
+                },
+            };
+            let values = self.request.quantities.iter().map(value).collect();
+            Line { given, separation: self.separation(file, at), values }
+        });
+        (lines.collect(), response.warnings)
+    }
+
+    /// The separation at a place in σ_z and in metres, from the plane of the scene.
+    fn separation(&self, file: &SceneFile, at: At) -> [Option<f64>; 2] {
+        let separation = self.contact.separation(at).ok();
+        [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| {
+            let found = separation.as_ref()?;
+            Some(found.measured_in(unit, file.separation_from, &file.scene).ok()?.value)
+        })
+    }
+
+    /// A load or separation as given and as evaluated: with `all`, each separation of a load.
+    fn places(&self, file: &SceneFile, at: At) -> Vec<(At, At)> {
+        let (scene, from) = (&file.scene, file.separation_from);
+        let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
+        let load = at.load(scene).filter(|_| self.all);
+        match load.map(|load| self.contact.separations_at(load)) {
+            Some(Ok(found)) => {
+                found.into_iter().map(|s| (at, counted(s).unwrap_or(s).into())).collect()
+            }
+            _ => vec![(at, at)],
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! The models that are asked: those named, or all that the scene allows.
+
+use asperity::bem::Bem;
+use asperity::recommended::YIELDING;
+use asperity::{ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity};
+use asperity_inputs::{LeftOut, SceneFile};
+
+use crate::{AnswerError, Sheet};
+
+/// The name in a list of models that stands for all that the scene allows.
+pub const ALL_MODELS: &str = "all";
+
+/// A model under the name by which it was asked for: `ke`, which the options of a scene may make
+/// `ke-random`.
+pub type NamedModel = (String, Model);
+
+/// A model with the scene's options, under the given name.
+///
+/// # Errors
+/// Those of [`SceneFile::model`].
+pub fn named_model(
+    file: &SceneFile,
+    id: &str,
+    sheet: &mut Sheet,
+) -> Result<NamedModel, AnswerError> {
+    let model = file.model(id)?;
+    if model.id() != id {
+        sheet.note("variant", format!("{id} means {} by the options of the scene", model.id()));
+    }
+    Ok((id.to_string(), model))
+}
+
+/// The one model of an answer; an error if the scene has not what it needs.
+///
+/// # Errors
+/// Those of [`named_model`], and the reason why the scene refuses the model.
+pub fn one_model(file: &SceneFile, id: &str, sheet: &mut Sheet) -> Result<NamedModel, AnswerError> {
+    let named = named_model(file, id, sheet)?;
+    // Other models report what they lack with their answers.
+    let averaged = named.1.asperity_model().is_some();
+    match averaged.then(|| file.refusal(&named.1)).flatten() {
+        Some(reason) => Err(reason.into()),
+        None => Ok(named),
+    }
+}
+
+/// The reference model: the usual one unless another is named.
+///
+/// # Errors
+/// Those of [`one_model`].
+pub fn reference(
+    file: &SceneFile,
+    id: Option<&str>,
+    sheet: &mut Sheet,
+) -> Result<NamedModel, AnswerError> {
+    one_model(file, id.unwrap_or(asperity::usual_reference(&file.scene)), sheet)
+}
+
+/// The usual model where none is named; a note tells of a hardness that may be forgotten.
+///
+/// # Errors
+/// Those of [`one_model`].
+pub fn one_or_usual(
+    file: &SceneFile,
+    name: &str,
+    id: Option<&str>,
+    sheet: &mut Sheet,
+) -> Result<NamedModel, AnswerError> {
+    let named = reference(file, id, sheet)?;
+    let elastic = file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
+    if id.is_none() && elastic {
+        let text = format!(
+            "the default model is {}, which ignores yielding, as hardness is missing; {YIELDING} need it",
+            named.0
+        );
+        let found = Finding::note("default-model", "hardness", f64::NAN).fact(text);
+        sheet.findings.push(found.from_origin(name));
+    }
+    Ok(named)
+}
+
+/// The models given, of which some may be refused where they are compiled, or all that the scene
+/// allows; a note names the others.
+///
+/// # Errors
+/// Those of [`SceneFile::model`], and [`AnswerError::NoModel`].
+pub fn models(
+    file: &SceneFile,
+    requested: &[String],
+    quantities: &[Quantity],
+    sheet: &mut Sheet,
+) -> Result<Vec<NamedModel>, AnswerError> {
+    if let Some(requested) = by_name(requested) {
+        let requested = once(requested);
+        let models = requested.iter().map(|id| named_model(file, id, sheet));
+        let models = models.collect::<Result<Vec<_>, _>>()?;
+        if !models.iter().all(|(_, model)| model.validity().adhesive) {
+            note_adhesion(file, sheet);
+        }
+        return Ok(models);
+    }
+    let models = available(file, quantities, sheet);
+    if models.is_empty() {
+        return Err(AnswerError::NoModel);
+    }
+    Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
+}
+
+/// The models given, or all that can be compared with boundary elements; a note names the others.
+///
+/// # Errors
+/// Those of [`models`].
+pub fn models_beside_bem(
+    file: &SceneFile,
+    requested: &[String],
+    quantities: &[Quantity],
+    sheet: &mut Sheet,
+) -> Result<Vec<Model>, AnswerError> {
+    if by_name(requested).is_some() {
+        let models = models(file, requested, quantities, sheet)?;
+        return Ok(models.into_iter().map(|(_, model)| model).collect());
+    }
+    let mut models = available(file, quantities, sheet);
+    let (all, mut left_out) = file.models_beside_bem();
+    let (allowed, noted) = file.models();
+    left_out.retain(|model| !noted.contains(model));
+    note_left_out(&left_out, sheet);
+    let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
+    models.extend(all.into_iter().filter(|model| !known(model)));
+    Ok(models)
+}
+
+/// All models that the scene allows and that have these quantities; a note names the others.
+fn available(file: &SceneFile, quantities: &[Quantity], sheet: &mut Sheet) -> Vec<Model> {
+    let (mut models, mut left_out) = file.models();
+    let request = Request::new(quantities.iter().copied());
+    models.retain(|model| match model.compile(&file.scene, &request) {
+        Err(reason @ ContactError::Unsupported { .. }) => {
+            left_out.push(LeftOut { id: model.id().into(), reason });
+            false
+        }
+        // Anything else is an error of the scene.
+        _ => true,
+    });
+    note_left_out(&left_out, sheet);
+    note_adhesion(file, sheet);
+    models
+}
+
+/// The models requested by name; none if all are requested.
+fn by_name(requested: &[String]) -> Option<&[String]> {
+    let all = requested.is_empty() || requested.iter().any(|id| id == ALL_MODELS);
+    (!all).then_some(requested)
+}
+
+/// Notes which models include the scene's adhesion, where it has any.
+pub fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
+    sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
+}
+
+/// Notes the models that are left out, those of one reason together.
+fn note_left_out(left_out: &[LeftOut], sheet: &mut Sheet) {
+    let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
+    for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
+        sheet.note("left-out", format!("left out: {text}"));
+    }
+}
+
+/// The models without a result, one text for each reason.
+pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
+    // The reason contains the name of the model, which would separate equal reasons.
+    let reason = |reason: &ContactError| match reason {
+        ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
+        ContactError::Refused { reason, .. } => format!(": {reason}"),
+        reason => format!(": {reason}"),
+    };
+    let grouped = grouped(lacking.iter().map(|(id, error)| (reason(error), id.clone())));
+    grouped.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
+}
+
+/// Values under their keys, each once, in the order of the first.
+pub(crate) fn grouped<K: PartialEq, V: PartialEq>(
+    pairs: impl IntoIterator<Item = (K, V)>,
+) -> Vec<(K, Vec<V>)> {
+    let mut groups: Vec<(K, Vec<V>)> = vec![];
+    for (key, value) in pairs {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, values)) if values.contains(&value) => {}
+            Some((_, values)) => values.push(value),
+            None => groups.push((key, vec![value])),
+        }
+    }
+    groups
+}
+
+/// Each once, in order.
+pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
+    let mut kept: Vec<T> = vec![];
+    for item in all {
+        if !kept.contains(item) {
+            kept.push(item.clone());
+        }
+    }
+    kept
+}
+
+/// The findings about a scene: of its files, its numbers and, unless no model uses them, its
+/// asperities.
+#[must_use]
+pub fn scene_findings(file: &SceneFile, asperities: bool) -> Findings {
+    let found = file.warnings.iter().cloned().chain(file.findings());
+    let found = found.collect::<Findings>().for_asperities(asperities);
+    found.at_least(Severity::Warning)
+}
+
+/// Whether one of these models uses the asperities of a scene; all do, if none is named.
+#[must_use]
+pub fn use_asperities(ids: &[String]) -> bool {
+    let knows = |id: &String| id.parse().map_or(id != Bem::ID, |m: Model| m.validity().asperities);
+    ids.is_empty() || ids.iter().any(knows)
+}

@@ -1,0 +1,147 @@
+//! The simplest valid model near a reference, and how far each is from boundary elements.
+
+use asperity::{At, Compared, Comparison, Deviation, Quantity, Recommendation, Request};
+use asperity_inputs::SceneFile;
+
+use crate::inquiry::column_beside;
+use crate::models::{NamedModel, by_reason, models_beside_bem, reference};
+use crate::{AnswerError, Cell, Sheet};
+
+/// What the sheet of a recommendation is about.
+#[derive(Debug, Clone)]
+pub struct Recommend<'a> {
+    /// Names of models, or none for all that can be compared with boundary elements.
+    pub models: &'a [String],
+    /// The name of the reference, if it is not the usual one.
+    pub reference: Option<&'a str>,
+    /// The largest deviation from the reference.
+    pub within: f64,
+    /// Quantities, separations or loads, tolerance.
+    pub request: Request,
+    /// Whether nobody has chosen the separations: findings are about a typical one then.
+    pub at_defaults: bool,
+}
+
+/// The compared quantities of a row, and the names of their columns.
+const OFF: [(Compared, &str); 3] = [
+    (Compared::Area, "area_off_bem"),
+    (Compared::Stiffness, "stiffness_off_bem"),
+    (Compared::UnloadingStiffness, "unloading_stiffness_off_bem"),
+];
+
+impl Recommend<'_> {
+    /// Fills a sheet with a row for each model, from simplest to most complex; the verdict and the
+    /// evidence are findings.
+    ///
+    /// # Errors
+    /// Those of the reference, and of the models named.
+    pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
+        let Self { request, within, .. } = self;
+        let (id, reference) = reference(file, self.reference, sheet)?;
+        // Persson's theory has evidence, too.
+        let models = models_beside_bem(file, self.models, &request.quantities, sheet)?;
+        let advice = file
+            .recommend_among(models, request, &reference, *within)
+            .map_err(|error| AnswerError::Reference { id, error })?;
+
+        let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
+        let off = if unloading { &OFF[..] } else { &OFF[..2] };
+        sheet.heads = ["model", "asperities", "parts"].map(String::from).into();
+        sheet.heads.extend(request.quantities.iter().map(|q| column_beside(*q, "deviation")));
+        sheet.heads.push("simplest".into());
+        sheet
+            .heads
+            .extend(off.iter().flat_map(|(_, name)| [(*name).into(), format!("{name}_spread")]));
+        let mut lacking = vec![];
+        for found in &advice.comparisons {
+            sheet.rows.push(row(found, &advice, &request.quantities, off));
+            let lacks = found.lacking.iter().map(|(_, error)| error);
+            let whole = found.deviations.as_ref().err().filter(|_| found.lacking.is_empty());
+            let id = found.model.id();
+            lacking.extend(lacks.chain(whole).map(|error| (id.to_string(), error.clone())));
+        }
+        for text in by_reason(&lacking) {
+            sheet.note("no-value", format!("no value: {text}"));
+        }
+        self.report(file, &advice, sheet);
+        Ok(())
+    }
+
+    /// Adds what there is to say about the models and the evidence.
+    fn report(&self, file: &SceneFile, advice: &Recommendation, sheet: &mut Sheet) {
+        let places = match self.at_defaults {
+            true => vec![At::from(2.0)],
+            false => self.request.at.clone(),
+        };
+        let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
+        let checked = [&advice.reference].into_iter().chain(&advice.simplest);
+        let mut models: Vec<NamedModel> = vec![];
+        for model in checked.chain(outside.map(|found| &found.model)) {
+            if models.iter().all(|(id, _)| id != model.id()) {
+                models.push((model.id().to_string(), model.clone()));
+            }
+        }
+        let models: Vec<&NamedModel> = models.iter().collect();
+        judge(file, &models, &places, sheet);
+        let verdict = advice.verdict(|model| model.id().to_string());
+        let text = format!("{verdict}; models are listed from simplest to most complex");
+        sheet.note("verdict", text);
+        let (compared, all) = (advice.evidence.len(), places.len());
+        if compared < all {
+            let text = format!(
+                "boundary elements are expected at {compared} of the {all} separations or loads, from the first to the last"
+            );
+            sheet.note("evidence", text);
+        }
+        for text in [advice.summary(), advice.expectations()].concat() {
+            sheet.note("evidence", text);
+        }
+    }
+}
+
+/// The findings about the answers of models at places.
+pub fn judge(file: &SceneFile, models: &[&NamedModel], places: &[At], sheet: &mut Sheet) {
+    let found = models.iter().flat_map(|(_, model)| file.findings_at(model, places)).collect();
+    sheet.extend(file.accepted(found).at_least(asperity::Severity::Warning));
+}
+
+/// The row of a model.
+fn row(
+    found: &Comparison,
+    advice: &Recommendation,
+    quantities: &[Quantity],
+    off: &[(Compared, &str)],
+) -> Vec<Cell> {
+    let validity = found.model.validity();
+    let asperities = match (validity.asperities, validity.angles) {
+        (false, _) => "none",
+        (true, true) => "at angles",
+        (true, false) if found.model.equal().id() != found.model.id() => "random",
+        (true, false) => "upright",
+    };
+    let mut row = vec![found.model.id().into(), asperities.into()];
+    row.push((found.regimes as f64).into());
+    let known = |quantity: &Quantity| {
+        let mut known = found.deviations.iter().flatten();
+        known.find(|(known, _)| known == quantity).map(|(_, deviation)| *deviation)
+    };
+    row.extend(quantities.iter().map(|q| Cell::from(known(q).filter(|d| d.is_finite()))));
+    let is_simplest = advice.simplest.as_ref().is_some_and(|model| model.id() == found.model.id());
+    row.push(match &found.deviations {
+        Err(_) => "no value".into(),
+        Ok(_) if !found.lacking.is_empty() => "no: a value is missing".into(),
+        Ok(_) if is_simplest && advice.merging.is_some() => "yes but contacts merge".into(),
+        Ok(_) if is_simplest => "yes".into(),
+        Ok(_) if found.outside.is_some() => "no: not valid here".into(),
+        Ok(_) if found.largest() <= advice.within => "no: a simpler one is as near".into(),
+        Ok(_) => (&*format!("no: too far from {}", advice.reference.id())).into(),
+    });
+    let deviation: Deviation = found.off.unwrap_or_default();
+    for (quantity, _) in off {
+        match deviation.in_quantity(*quantity) {
+            Some(off) => row.extend(off.map(Cell::Number)),
+            None => row.extend([Cell::BLANK; 2]),
+        }
+    }
+    row
+}
