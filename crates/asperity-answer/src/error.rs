@@ -1,6 +1,7 @@
 //! Why there is no answer.
 
 use asperity::ContactError;
+use asperity::bem::BemError;
 use asperity_inputs::SceneError;
 use thiserror::Error;
 
@@ -25,7 +26,43 @@ pub enum AnswerError {
         /// The reason.
         error: ContactError,
     },
+    /// Boundary elements without a result.
+    #[error(transparent)]
+    Bem(#[from] BemError),
+    /// A model of an answer has no result.
+    #[error("{id}: {reason}")]
+    OfModel {
+        /// The name of the model.
+        id: String,
+        /// The reason.
+        reason: Box<Self>,
+    },
+    /// Another reason.
+    #[error("{0}")]
+    Reason(String),
     /// Every row is blank; findings give the reasons.
     #[error("no row has a value")]
     NoValue,
+}
+
+impl AnswerError {
+    /// This error of a model that is known by a name, if it has one.
+    pub(crate) fn of_model(self, id: &str) -> Self {
+        match id {
+            "" => self,
+            id => Self::OfModel { id: id.into(), reason: Box::new(self) },
+        }
+    }
+}
+
+impl From<String> for AnswerError {
+    fn from(reason: String) -> Self {
+        Self::Reason(reason)
+    }
+}
+
+impl From<&str> for AnswerError {
+    fn from(reason: &str) -> Self {
+        Self::Reason(reason.into())
+    }
 }

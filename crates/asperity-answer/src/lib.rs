@@ -1,21 +1,43 @@
 #![doc = include_str!("../README.md")]
 
 mod asked;
+mod bem;
+mod conductance;
 mod corrected;
 mod error;
+mod export;
+mod history;
 mod inquiry;
 mod models;
+mod number;
+mod pull_off;
 mod recommend;
 mod sheet;
+mod slip;
+mod subject;
+mod truth_sheet;
+mod unloading;
+mod unloading_scan;
 mod watch;
 
 pub use asked::{Asked, Line};
+pub use bem::Press;
+pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
+pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
+pub use history::history;
 pub use inquiry::{Beside, Inquiry, column_beside};
 pub use models::{
     ALL_MODELS, NamedModel, by_reason, models, models_beside_bem, named_model, note_adhesion, once,
     one_model, one_or_usual, reference, scene_findings, use_asperities,
 };
+pub use number::{rounded, within};
+pub use pull_off::pull_off;
 pub use recommend::{Recommend, judge};
 pub use sheet::{Cell, Sheet};
+pub use slip::{Amplitude, Slip};
+pub use subject::{Subject, unit_warning};
+pub use truth_sheet::truth;
+pub use unloading::{Retreats, unloading};
+pub use unloading_scan::unloading_scan;
 pub use watch::{Silent, Watch};

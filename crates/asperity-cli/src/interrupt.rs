@@ -1,13 +1,11 @@
 //! Ctrl-C: a long run stops and keeps the results so far; pressed twice, the program ends.
 
-use std::ops::ControlFlow;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
-use asperity::bem::Progress;
 
-use crate::output::print_message;
+use crate::output::{Terminal, print_message};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -43,13 +41,8 @@ pub fn listen() -> Result<()> {
     }
 }
 
-/// A callback that reports progress and stops on Ctrl-C.
-pub fn watch(
-    mut report: impl FnMut(&Progress),
-) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
+/// The terminal as it watches long work, which Ctrl-C stops.
+pub fn terminal() -> Result<Terminal> {
     listen()?;
-    Ok(move |progress: &Progress| {
-        report(progress);
-        if requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    })
+    Ok(Terminal::default())
 }

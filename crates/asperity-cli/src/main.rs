@@ -6,9 +6,7 @@
 mod commands;
 mod input;
 mod interrupt;
-mod joints;
 mod output;
-mod pressed;
 mod scene;
 
 use std::process::ExitCode;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity::{At, Finding, Findings, Quantity, Severity};
-pub use asperity_answer::{ALL_MODELS, NamedModel, by_reason};
-use asperity_answer::{AnswerError, Sheet, one_or_usual, scene_findings, use_asperities};
+use asperity::{At, Finding, Findings, Quantity, Severity, Tolerance};
+pub use asperity_answer::{ALL_MODELS, NamedModel};
+use asperity_answer::{AnswerError, Sheet, Subject, one_or_usual, scene_findings, use_asperities};
 use asperity_inputs::SceneFile;
 
 use crate::output::{self, report};
@@ -68,6 +68,11 @@ impl LoadedScene {
         let scene = Self::open(path)?;
         report(&scene.file.warnings);
         Ok(scene)
+    }
+
+    /// A model on this scene, with a tolerance of its values.
+    pub fn subject<'a>(&'a self, (id, model): &'a NamedModel, tolerance: Tolerance) -> Subject<'a> {
+        Subject { file: &self.file, name: &self.name, id, model, tolerance }
     }
 
     /// Reports the findings about the scene.

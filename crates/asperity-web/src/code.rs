@@ -1,6 +1,7 @@
 //! The calculation of the page as lines for a shell, Python and Rust, and as tables.
 
-use asperity::{At, ContactTable, Quantity, TableFormat, Tolerance, UnitSystem};
+use asperity::{At, Quantity, Tolerance};
+use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
@@ -77,41 +78,36 @@ pub(crate) fn table(
     form: &str,
     units: &str,
 ) -> Result<TableFile, Refusal> {
-    let (format, extension) = match form {
-        "csv" => (TableFormat::Csv, "csv"),
-        "abaqus" => (TableFormat::Abaqus, "inp"),
-        "calculix" => (TableFormat::Calculix, "inp"),
-        "ansys" => (TableFormat::Ansys, "mac"),
-        other => return Err(Refusal::new(format!("{other:?} is no form of a table"))),
+    let refused = |_| Refusal::new(format!("{form:?} is no form of a table"));
+    let format: TableFormat = form.parse().map_err(refused)?;
+    let extension = match format {
+        TableFormat::Csv => "csv",
+        TableFormat::Ansys => "mac",
+        _ => "inp",
     };
     let units: UnitSystem = units.parse()?;
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
-    let [low, high] = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
-    let (scene, tolerance) = (&file.scene, Tolerance::default());
+    let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
+    let subject =
+        Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
     let within = |error| {
-        let range = (low, high, 2);
-        ContactTable::within(&model, scene, tolerance, range, error, format.interpolation())
+        let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
+        Export { subject, ends, nodes, max_error, format, units, conductance, friction }
+            .answer(&mut Sheet::default(), &Silent)
     };
     // COMBIN39 takes few nodes.
-    let errors = [TABLE_ERROR, 0.03, 0.1, 0.3];
-    let mut table = within(errors[0]);
-    let mut text = Err(Refusal::new("no table"));
-    for error in errors {
-        if error > errors[0] {
-            table = within(error);
-        }
-        let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        text = match &table {
-            Ok(table) => table
-                .text((format, units), scene, file.separation_from, &title)
-                .map_err(Refusal::from),
-            Err(error) => Err(Refusal::new(error)),
-        };
-        if text.is_ok() || form != "ansys" {
-            break;
+    let errors = match format {
+        TableFormat::Ansys => &[TABLE_ERROR, 0.03, 0.1, 0.3][..],
+        _ => &[TABLE_ERROR],
+    };
+    let mut found = within(errors[0]);
+    for error in &errors[1..] {
+        if found.is_err() {
+            found = within(*error);
         }
     }
-    Ok(TableFile { name: format!("{id}-{form}.{extension}"), text: text? })
+    let text = found.map_err(Refusal::new)?.text;
+    Ok(TableFile { name: format!("{id}-{form}.{extension}"), text })
 }
 
 #[cfg(test)]

@@ -105,7 +105,6 @@ macro_rules! refusals {
 refusals!(
     asperity::ContactError,
     asperity::QuadratureError,
-    asperity::TableError,
     asperity::bem::BemError,
     asperity_plot::PlotError,
     asperity_topography::TopographyError,

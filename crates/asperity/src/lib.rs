@@ -8,7 +8,6 @@ mod ranking;
 #[cfg(feature = "evidence")]
 mod recommend;
 mod registry;
-mod tables;
 #[cfg(all(feature = "bem", feature = "evidence"))]
 mod truth;
 
@@ -52,10 +51,5 @@ pub use recommend::{
     usual_reference,
 };
 pub use registry::Model;
-pub use tables::contact_table::{ContactNode, ContactTable};
-pub use tables::error::TableError;
-pub use tables::format::{Interpolation, TableFormat};
-pub use tables::interaction::ConductanceAgainst;
-pub use tables::units::UnitSystem;
 #[cfg(all(feature = "bem", feature = "evidence"))]
 pub use truth::{ContactState, Truth, Unranked, beside_table, compare_with_bem, summary, unranked};

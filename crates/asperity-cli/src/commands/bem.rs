@@ -1,24 +1,24 @@
-//! `asperity bem`: boundary elements on the scan of a scene.
+//! `asperity bem`: boundary elements on the scan of a scene, and models beside them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Error, Result, bail};
+use asperity::Quantity;
 use asperity::bem::{Bem, Continuation, LoadCase};
-use asperity::{ContactModel, Findings, Quantity, Request};
+use asperity_answer::{AnswerError, Press, Sheet, rounded, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
+use crate::input::args::{
+    OutputArgs, is_png, listed_model_id, npy_file, refuse_same_place, svg_or_png_file,
+};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
-use crate::interrupt;
-use crate::output::contact_map;
-use crate::output::number::rounded;
-use crate::output::table::{Cell, Table};
-use crate::output::{self, print_message};
-use crate::pressed::{Row, Run};
+use crate::input::usage_error;
+use crate::interrupt::{self, terminal};
+use crate::output::{self, contact_map, print_message, show};
 use crate::scene::LoadedScene;
 
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
@@ -32,6 +32,11 @@ pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the
 planes), patches, iterations, residual; then those of --quantity, with the names that
 models have; with --refine the same on half the grid;
 boundary (periodic, periodic-part or free).
+--compare solves the same contacts by models, with the asperities of the same scan. Deviations
+are relative to bem; of the mean gap, over the rms height of the scan. A model that needs
+more than the nominal area, or a mean pressure above 1.5 times the hardness, has no result.
+Rows and values without a result are blank; the reason is printed. Where contacts yield, the
+stiffness of bem is the chord between pressures up to 5 % to either side.
 After Ctrl-C the loads solved so far are written; the exit code is 130.
 
 Examples:
@@ -39,7 +44,8 @@ Examples:
   asperity bem scan.toml --load 1000 --elastic --boundary free --format json
   asperity bem scan.toml --pressure 1e7:1e9:5:log --refine --output bem.csv --format csv
   asperity bem scan.toml --pressure 1e7,1e8 --quantity unloading-stiffness
-  asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg"
+  asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg
+  asperity bem scan.toml --pressure 1e7,1e8 --compare --model gw,ke"
 )]
 pub struct BemCommand {
     /// Scene file that names a scan
@@ -47,8 +53,20 @@ pub struct BemCommand {
     scene: PathBuf,
     #[command(flatten)]
     places: Places,
-    #[command(flatten)]
-    way: Way,
+    /// Compare models with boundary elements: area, mean gap and stiffness, with deviations
+    #[arg(long)]
+    compare: bool,
+    /// Models to compare [default: all that the scene allows, with random asperities and Persson]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
+    models: Vec<String>,
+    /// Ignore the hardness: elastic, with unlimited pressures
+    #[arg(long)]
+    elastic: bool,
+    /// Beyond the edges of the scan: periodic (repeated as it is, with steps), periodic-part (its
+    /// periodic component) or free [default: periodic if the scene says periodic = true or the
+    /// edges match, otherwise periodic-part]
+    #[arg(long, value_name = "WHAT", value_parser = continuation())]
+    boundary: Option<Continuation>,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
@@ -73,7 +91,7 @@ pub struct BemCommand {
 /// The loads or gaps to solve.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
-pub struct Places {
+struct Places {
     /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
     /// v,v,...
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure))]
@@ -88,19 +106,6 @@ pub struct Places {
     #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
     #[arg(action = ArgAction::Append)]
     gaps: Vec<Numbers>,
-}
-
-/// The material and the boundary.
-#[derive(Debug, Args)]
-pub struct Way {
-    /// Ignore the hardness: elastic, with unlimited pressures
-    #[arg(long)]
-    pub elastic: bool,
-    /// Beyond the edges of the scan: periodic (repeated as it is, with steps), periodic-part (its
-    /// periodic component) or free [default: periodic if the scene says periodic = true or the
-    /// edges match, otherwise periodic-part]
-    #[arg(long, value_name = "WHAT", value_parser = continuation())]
-    pub boundary: Option<Continuation>,
 }
 
 /// The values of `--boundary`.
@@ -123,207 +128,135 @@ impl Places {
     }
 }
 
-impl Way {
+impl BemCommand {
+    /// Compares models with boundary elements under the former name of that command.
+    pub fn run_truth(self) -> Result<()> {
+        self.compared("truth")
+    }
+
+    pub fn run(self) -> Result<()> {
+        if self.compare {
+            return self.compared("bem");
+        }
+        if !self.models.is_empty() {
+            let text = "--model names models to compare with boundary elements; add --compare";
+            usage_error("bem", ErrorKind::MissingRequiredArgument, text);
+        }
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic())?;
+        let given = self.places.given(scene.file.scene.nominal_area);
+        self.check(&given);
+        let bem = self.bem(&scene)?;
+        let press = Press {
+            file: &scene.file,
+            name: &scene.name,
+            bem: &bem,
+            given: &given,
+            quantities: &self.quantities,
+            refine: self.refine,
+            keep: self.map.is_some() || self.picture.is_some(),
+        };
+        let watch = terminal()?;
+        let solve = |sheet: &mut Sheet| press.solve(sheet, &watch).map_err(reason);
+        let (sheet, maps) = scene.answer(solve)?;
+        drop(watch);
+        self.write_or_end(&sheet, given.len())?;
+        if let Some(path) = &self.map {
+            contact_map::write(path, &maps, bem.map().shape())?;
+        }
+        if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
+            let hardness = bem.hardness(&scene.file.scene.interface)?;
+            draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, &scene.name))?;
+        }
+        end_if_stopped(&sheet, given.len());
+        Ok(())
+    }
+
+    /// Writes the rows, unless the work was stopped before there were any.
+    fn write_or_end(&self, sheet: &Sheet, all: usize) -> Result<()> {
+        if sheet.rows.is_empty() {
+            interrupt::end(0, all);
+        }
+        self.output.write_sheet(sheet)
+    }
+
+    /// Compares models with boundary elements.
+    fn compared(&self, command: &str) -> Result<()> {
+        let only = "--quantity, --gap, --map and --picture are for boundary elements without models; leave them out";
+        let places = &self.places;
+        if !(self.quantities.is_empty() && places.gaps.is_empty())
+            || self.map.is_some()
+            || self.picture.is_some()
+        {
+            usage_error(command, ErrorKind::ArgumentConflict, only);
+        }
+        let scene = LoadedScene::load_any(&self.scene, self.periodic())?;
+        let bem = self.bem(&scene)?;
+        let area = scene.file.scene.nominal_area;
+        let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);
+        let pressures = places.pressures.iter().flat_map(|list| &list.0).copied();
+        let pressures: Vec<f64> = pressures.chain(loads).collect();
+        let (watch, refine) = (terminal()?, self.refine);
+        let fill = |sheet: &mut Sheet| {
+            truth((&scene.file, &scene.name, &bem), &self.models, &pressures, refine, sheet, &watch)
+                .map_err(reason)
+        };
+        let (sheet, ()) = scene.answer(fill)?;
+        drop(watch);
+        self.write_or_end(&sheet, pressures.len())?;
+        end_if_stopped(&sheet, pressures.len());
+        Ok(())
+    }
+
     /// Whether the scan is declared periodic.
-    pub fn periodic(&self) -> bool {
+    fn periodic(&self) -> bool {
         self.boundary == Some(Continuation::Periodic)
     }
 
     /// The model of the scene's scan, with a note if its periodic component is used by default.
-    pub fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
+    fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
         let bem = match scene.file.bem(self.boundary, self.elastic) {
             Ok(bem) => bem,
             Err(error) => bail!("{}: {error}", scene.name),
         };
-        crate::output::report(&bem.note().into_iter().collect());
+        show(bem.note().as_slice());
         Ok(bem)
-    }
-}
-
-impl BemCommand {
-    pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_scan(&self.scene, self.way.periodic())?;
-        let given = self.places.given(scene.file.scene.nominal_area);
-        self.check(&given);
-        let bem = self.way.bem(&scene)?;
-        let quantities = added(&self.quantities);
-        // Refuses what boundary elements or the scene lack before anything is solved.
-        bem.compile(&scene.file.scene, &Request::new(quantities.iter().copied()))?;
-        let mut run = Run {
-            scene: &scene,
-            quantities: &quantities,
-            given: &given,
-            maps: vec![],
-            errors: vec![],
-            found: Findings::default(),
-        };
-        // Before the hours of the whole grid.
-        let half_grid = self.refine.then(|| bem.half_grid()).transpose();
-        let half_grid = half_grid.context(match bem.continuation() {
-            Continuation::Periodic => REFINE_PERIODIC,
-            _ => REFINE,
-        })?;
-        let keep = self.map.is_some() || self.picture.is_some();
-        let mut whole = run.solve(&bem, keep)?;
-        let mut half = match half_grid.filter(|_| !interrupt::requested()) {
-            Some(half) => Some(run.solve(&half, false)?),
-            None => None,
-        };
-        if interrupt::requested() {
-            // Loads without a result are left out, not blank.
-            let mut solved = whole.iter().map(Option::is_some).collect::<Vec<_>>().into_iter();
-            half = half.map(|half| {
-                let rows = half.into_iter().zip(solved.clone());
-                rows.filter(|(_, solved)| *solved).map(|(row, _)| row).collect()
-            });
-            whole.retain(|_| solved.next().unwrap_or(false));
-        }
-        let maps = std::mem::take(&mut run.maps);
-        run.errors.iter().for_each(|text| print_message("warning", text));
-        scene.report(std::mem::take(&mut run.found));
-        if !whole.iter().any(Option::is_some) {
-            if interrupt::requested() {
-                interrupt::end(0, given.len());
-            }
-            bail!("{}: no load was solved", scene.name);
-        }
-        // A contact that has yielded may unload stiffer.
-        let is_elastic = whole.iter().flatten().any(|row| row.plastic <= 0.0);
-        let free = bem.continuation() == Continuation::Free;
-        if free && is_elastic && has_both_stiffnesses(&quantities) {
-            print_message("note", FREE_STIFFNESSES);
-        }
-        let nominal_area = scene.file.scene.nominal_area;
-        let mut table = table(&whole, half.as_deref(), nominal_area, &quantities);
-        table.head.push("boundary".into());
-        table.rows.iter_mut().for_each(|row| row.push(bem.continuation().name().into()));
-        self.output.write(&table)?;
-        if let Some(path) = &self.map {
-            contact_map::write(path, &maps, bem.map().shape())?;
-        }
-        if let (Some(path), [pressures], Some(Some(row))) =
-            (&self.picture, &maps[..], whole.first())
-        {
-            let hardness = scene.file.scene.interface.check()?.0;
-            let hardness = hardness.filter(|_| !self.way.elastic);
-            let map = contact_map::picture(&bem, pressures, row, hardness, &scene.name);
-            if is_png(path) {
-                let png = map_png(&map)?;
-                output::write(Some(path), |out| out.write_all(&png))?;
-                let (label, top) = (&map.label, rounded(map.top));
-                print_message(
-                    "note",
-                    &format!("{}: {label} from yellow to black at {top}", path.display()),
-                );
-            } else {
-                output::write_text(Some(path), &draw_map(&map)?)?;
-            }
-        }
-        if interrupt::requested() {
-            interrupt::end(whole.len(), given.len());
-        }
-        Ok(())
     }
 
     /// Refuses options that exclude each other.
     fn check(&self, given: &[LoadCase]) {
-        let refuse =
-            |text: &str| crate::input::usage_error("bem", ErrorKind::ArgumentConflict, text);
         if self.picture.is_some() && given.len() > 1 {
-            refuse(&format!("--picture draws one load, not {}", given.len()));
+            let text = format!("--picture draws one load, not {}", given.len());
+            usage_error("bem", ErrorKind::ArgumentConflict, &text);
         }
-        let outputs = [self.output.output.as_deref(), self.picture.as_deref(), self.map.as_deref()];
-        let given = [true, self.picture.is_some(), self.map.is_some()];
-        let named: Vec<_> = outputs.iter().copied().flatten().collect();
-        let twice = |k: usize| named[..k].iter().any(|path| output::is_same(path, named[k]));
-        if (0..named.len()).any(|k| !output::is_standard(Some(named[k])) && twice(k)) {
-            refuse("--output, --picture and --map name the same file; choose different names");
-        }
-        let standard =
-            outputs.iter().zip(given).filter(|(path, given)| *given && output::is_standard(**path));
-        if standard.count() > 1 {
-            refuse(
-                "--map - and --picture - use standard output; name a file for the data with --output",
-            );
-        }
-    }
-}
-
-/// The quantities without a column of their own, each once.
-fn added(quantities: &[Quantity]) -> Vec<Quantity> {
-    let mut all: Vec<Quantity> = vec![];
-    for quantity in quantities {
-        if !COLUMNS.contains(&&*quantity.column()) && !all.contains(quantity) {
-            all.push(*quantity);
-        }
-    }
-    all
-}
-
-/// Whether the slope of loading and the stiffness of a joint are asked for.
-fn has_both_stiffnesses(quantities: &[Quantity]) -> bool {
-    let slope = |quantity: &Quantity| matches!(quantity, Quantity::Tangent | Quantity::Stiffness);
-    quantities.iter().any(slope) && quantities.contains(&Quantity::UnloadingStiffness)
-}
-
-fn table(
-    rows: &[Option<Row>],
-    half: Option<&[Option<Row>]>,
-    nominal_area: f64,
-    quantities: &[Quantity],
-) -> Table {
-    let cells = |row: Option<&Row>| -> Vec<Cell> {
-        let Some(row) = row else {
-            return vec![Cell::Number(None); COLUMNS.len() + quantities.len()];
-        };
-        let all = [
-            row.pressure * nominal_area,
-            row.pressure,
-            row.area,
-            row.pixel_area,
-            row.plastic,
-            row.gap,
-            row.patches as f64,
-            row.iterations as f64,
-            row.residual,
+        let others = [self.picture.as_deref(), self.map.as_deref()];
+        let texts = [
+            "--output, --picture and --map name the same file; choose different names",
+            "--map - and --picture - use standard output; name a file for the data with --output",
         ];
-        all.map(Some).iter().chain(&row.values).map(|value| Cell::Number(*value)).collect()
-    };
-    let mut table = Table::new(&COLUMNS);
-    table.head.extend(quantities.iter().map(|quantity| quantity.column()));
-    if half.is_some() {
-        let names: Vec<String> =
-            table.head[2..].iter().map(|name| format!("{name}_half_grid")).collect();
-        table.head.extend(names);
+        refuse_same_place("bem", self.output.output.as_deref(), &others, texts);
     }
-    for (k, row) in rows.iter().enumerate() {
-        let mut all = cells(row.as_ref());
-        if let Some(half) = half {
-            all.extend(cells(half[k].as_ref()).split_off(2));
-        }
-        table.rows.push(all);
-    }
-    table
 }
 
-/// Why the stiffnesses of an elastic contact differ.
-const FREE_STIFFNESSES: &str = "with a free boundary the tangent exceeds the unloading stiffness of the same elastic contact, the more the larger the contact: the tangent is the slope against the mean gap under the scan, the unloading stiffness that against the approach of distant points";
+/// The reason alone: it names the scene where that is meant.
+fn reason(error: AnswerError) -> Error {
+    Error::msg(error.to_string())
+}
 
-/// Why a grid cannot be halved.
-const REFINE: &str =
-    "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
+/// Ends the program after stopped work, of which the rows so far are written.
+fn end_if_stopped(sheet: &Sheet, all: usize) {
+    if interrupt::requested() {
+        interrupt::end(sheet.rows.len(), all);
+    }
+}
 
-/// The same for a scan whose crop would not be periodic.
-const REFINE_PERIODIC: &str = "--refine needs an even number of rows and columns; resample the period to such a grid (a crop is not periodic), or leave --refine out";
-
-const COLUMNS: [&str; 9] = [
-    "load_N",
-    "pressure_Pa",
-    "area_fraction",
-    "area_fraction_pixels",
-    "plastic_fraction",
-    "mean_gap_m",
-    "patches",
-    "iterations",
-    "residual",
-];
+/// Writes a map as svg or, without labels, as png.
+fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
+    if !is_png(path) {
+        return output::write_text(Some(path), &draw_map(map)?);
+    }
+    let png = map_png(map)?;
+    output::write(Some(path), |out| out.write_all(&png))?;
+    let (path, label, top) = (path.display(), &map.label, rounded(map.top));
+    print_message("note", &format!("{path}: {label} from yellow to black at {top}"));
+    Ok(())
+}

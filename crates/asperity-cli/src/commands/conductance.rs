@@ -4,21 +4,20 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, nearest_hint, nearest_name, shortest_digits};
+use asperity::{At, Model, nearest_hint, nearest_name, shortest_digits};
+use asperity_answer::{Conductance as Question, Gas, rounded};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;
-use super::conductance_rows::{Case, Gas};
 use super::conductivity::{
     Conductivity, conductivity, interface_conductivity, missing_conductivity,
 };
 use crate::input::args::{DrawnArgs, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, slope};
-use crate::output::number::rounded;
-use crate::output::{once, print_message};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::output::{once, print_message, summary};
+use crate::scene::LoadedScene;
 
 /// Thermal contact conductance per area, from models and from published correlations
 #[derive(Debug, Args)]
@@ -87,40 +86,38 @@ impl Conductance {
         self.check_gas();
         self.check_roughness()?;
         let scene = self.open()?;
-        let places = self.places();
-        let roughness = self.roughness().unwrap_or_else(|| scene.file.gap_roughness());
-        let mut case = Case::new(&scene, &places, self.gas(), self.models.len() == 1);
-        let models = self.named_models(&scene, &case)?;
-        scene.report_answers(&case.add_models(&models)?, &places);
-        let used = case.add_correlations(&self.correlations(), &roughness)?;
-        if case.table.rows.is_empty() {
-            bail!("{}: no model or correlation of the list has a conductance", scene.name);
-        }
-        if !used.is_empty() {
-            self.note_roughness(&scene, &used.join(", "), &roughness);
-        }
-        self.output.write(&case.table, || picture(&case.table, &scene.file.scene))
+        let question = Question {
+            file: &scene.file,
+            models: self.named_models(&scene)?,
+            correlations: self.correlations(),
+            roughness: self.roughness(),
+            gas: self.gas(),
+        };
+        let (sheet, ()) = scene.answer(|sheet| Ok(question.answer(&self.places(), sheet)?))?;
+        self.output.write_sheet(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.
     fn open(&self) -> Result<LoadedScene> {
         let mut scene = LoadedScene::load_for(&self.scene, &self.ids())?;
         let interface = &mut scene.file.scene.interface;
-        if let Some(given) = self.conductivity {
-            given.note();
-            interface.thermal_conductivity = Some(given.value());
-            let found = interface.findings().into_iter();
-            scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
-        } else if interface.thermal_conductivity.is_none() {
-            bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
-        }
+        let Some(given) = self.conductivity else {
+            if interface.thermal_conductivity.is_none() {
+                bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
+            }
+            return Ok(scene);
+        };
+        interface.thermal_conductivity = Some(given.value());
+        given.note();
+        let found = interface.findings().into_iter();
+        scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
         Ok(scene)
     }
 
     fn places(&self) -> Vec<At> {
-        let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
-        let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));
-        loads.into_iter().map(At::Load).chain(pressures.into_iter().map(At::Pressure)).collect()
+        let [loads, pressures] =
+            [&self.load, &self.pressure].map(|list| list.iter().flat_map(|list| &list.0).copied());
+        loads.map(At::Load).chain(pressures.map(At::Pressure)).collect()
     }
 
     fn gas(&self) -> Option<Gas> {
@@ -143,19 +140,19 @@ impl Conductance {
         once(&self.models.iter().filter_map(id).collect::<Vec<_>>())
     }
 
-    /// The models of the list, or the reference; one that lacks a property is left out.
-    fn named_models(&self, scene: &LoadedScene, case: &Case<'_>) -> Result<Vec<NamedModel>> {
+    /// The models of the list, or the reference; one that lacks a property has the reason.
+    fn named_models(&self, scene: &LoadedScene) -> Result<Vec<(String, Result<Model, String>)>> {
         if self.models.is_empty() {
-            return Ok(vec![scene.default_model()?]);
+            let (id, model) = scene.default_model()?;
+            return Ok(vec![(id, Ok(model))]);
         }
-        let mut models = vec![];
-        for id in self.ids() {
-            match scene.model(&id) {
-                Ok(model) => models.push(model),
-                Err(reason) => case.leave_out(&id, reason)?,
-            }
-        }
-        Ok(models)
+        let name = format!("{}: ", scene.name);
+        let reason = |error| summary(&error).trim_start_matches(&name).to_string();
+        let model = |id: String| {
+            let found = scene.model(&id).map(|(_, model)| model).map_err(reason);
+            (id, found)
+        };
+        Ok(self.ids().into_iter().map(model).collect())
     }
 
     /// The correlations of the list, or all.
@@ -164,23 +161,6 @@ impl Conductance {
             self.models.is_empty() || self.models.contains(&Formula::Correlation(correlation.id()))
         };
         Correlation::ALL.into_iter().filter(is_wanted).collect()
-    }
-
-    /// Notes the roughness of the correlations used, and what they lack.
-    fn note_roughness(&self, scene: &LoadedScene, used: &str, roughness: &GapRoughness) {
-        if self.gas.is_some() {
-            let text =
-                format!("{used}: correlations have no separation, so that gas and total are blank");
-            print_message("note", &text);
-        }
-        let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
-        let of = match (self.sigma, &scene.file.measured) {
-            (Some(_), _) => "as given",
-            (_, Some(_)) => "of the scan",
-            _ => "of a Gaussian surface with these asperities; a measured surface may differ",
-        };
-        let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
-        print_message("note", &text);
     }
 }
 

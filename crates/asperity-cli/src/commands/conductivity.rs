@@ -1,11 +1,11 @@
 //! The thermal conductivity of an interface, as given or from its two bodies.
 
 use asperity::{Body, Interface};
+use asperity_answer::rounded;
 use asperity_inputs::SceneFile;
 
 use crate::input::lists::Numbers;
 use crate::input::numbers::{of_unit, positive};
-use crate::output::number::rounded;
 use crate::output::print_message;
 
 /// The conductivity of an interface, or those of its two bodies \[W/(m K)\].

@@ -2,19 +2,18 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
-use asperity::{
-    At, ConductanceAgainst, ContactModel, ContactTable, SeparationUnit, TableFormat, Tolerance,
-    UnitSystem,
-};
+use anyhow::{Context, Error, Result};
+use asperity::{At, SeparationUnit, Tolerance};
+use asperity_answer::{AnswerError, ConductanceAgainst, Export, Sheet, TableFormat, UnitSystem};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
-use clap::{Args, ValueEnum};
 
 use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{error_below_1, friction, load, pressure};
-use crate::output::{self, print_message, progress};
+use crate::output::{self, Terminal};
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code
@@ -39,7 +38,7 @@ Examples:
   asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 0.01 --units mm-N-MPa
   asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
 )]
-pub struct Export {
+pub struct ExportCommand {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
@@ -47,8 +46,8 @@ pub struct Export {
     #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: String,
     /// Form of the table: for a solver, or csv
-    #[arg(long = "as", value_name = "FORM")]
-    form: Form,
+    #[arg(long = "as", value_name = "FORM", value_parser = form())]
+    format: TableFormat,
     #[command(flatten)]
     ends: Ends,
     /// Unit of separations given without one: sigma (asperity_height_std) or m
@@ -62,8 +61,8 @@ pub struct Export {
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance
-    #[arg(long, value_name = "AGAINST")]
-    conductance: Option<Against>,
+    #[arg(long, value_name = "AGAINST", value_parser = against())]
+    conductance: Option<ConductanceAgainst>,
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
     #[arg(long, alias = "mu", value_name = "MU", value_parser = friction)]
     friction: Option<f64>,
@@ -92,25 +91,27 @@ struct Ends {
     pressure: Option<Span>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Against {
-    Pressure,
-    Clearance,
+/// The forms of tables.
+fn form() -> impl TypedValueParser<Value = TableFormat> {
+    let help = [
+        "Clearance, pressure and tangent, for cubics",
+        "Pressure and overclosure, for straight lines",
+        "Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure",
+        "Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area",
+    ];
+    let named =
+        |(form, help): (TableFormat, &'static str)| PossibleValue::new(form.name()).help(help);
+    let values = TableFormat::ALL.into_iter().zip(help).map(named).collect::<Vec<_>>();
+    PossibleValuesParser::new(values).try_map(|name| name.parse())
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// Clearance, pressure and tangent, for cubics.
-    Csv,
-    /// Pressure and overclosure, for straight lines.
-    Abaqus,
-    /// Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure.
-    Calculix,
-    /// Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area.
-    Ansys,
+/// The variables of conductance.
+fn against() -> impl TypedValueParser<Value = ConductanceAgainst> {
+    let names = ConductanceAgainst::ALL.map(ConductanceAgainst::name);
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
 }
 
-impl Export {
+impl ExportCommand {
     pub fn run(self) -> Result<()> {
         let Ends { separation, load, pressure } = self.ends;
         let span =
@@ -119,70 +120,38 @@ impl Export {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
-        let format = match self.form {
-            Form::Csv => TableFormat::Csv,
-            Form::Abaqus => TableFormat::Abaqus,
-            Form::Calculix => TableFormat::Calculix,
-            Form::Ansys => TableFormat::Ansys,
-        };
-        let against = self.conductance.map(|against| match against {
-            Against::Pressure => ConductanceAgainst::Pressure,
-            Against::Clearance => ConductanceAgainst::Clearance,
-        });
-        if let Some(against) = against {
-            format.check_conductance(against)?;
-        }
-        if self.friction.is_some() {
-            format.check_friction()?;
-        }
+        self.format.check(self.conductance, self.friction).map_err(Error::msg)?;
         let scene = LoadedScene::load_for(&self.scene, std::slice::from_ref(&self.model))?;
-        let (id, model) = scene.model(&self.model)?;
-        let contact = &scene.file.scene;
+        let named = scene.model(&self.model)?;
         if let Some(distances) = separation {
-            let height_std = contact.surface.asperity_height_std;
+            let height_std = scene.file.scene.surface.asperity_height_std;
             let ends = [span.first, span.last];
             warn_unit("separation", &ends, distances.unit(self.unit), height_std);
         }
-        let place = |value| match (separation, load) {
+        let ends = [span.first, span.last].map(|value| match (separation, load) {
             (Some(s), _) => scene.file.separation(value, s.unit(self.unit)).into(),
             (_, Some(_)) => At::Load(value),
             _ => At::Pressure(value),
+        });
+        scene.report_answers(&[&named], &ends);
+        let export = Export {
+            subject: scene.subject(&named, Tolerance::default()),
+            ends,
+            nodes: span.count.unwrap_or(2),
+            max_error: self.max_error,
+            format: self.format,
+            units: self.units,
+            conductance: self.conductance,
+            friction: self.friction,
         };
-        let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
-        let named = (id.clone(), model.clone());
-        scene.report_answers(&[&named], &[range.0, range.1]);
-        let (interpolation, units) = (format.interpolation(), self.units);
-        let (working, tolerance) = (progress("nodes"), Tolerance::default());
-        let table = match self.max_error {
-            Some(error) => {
-                ContactTable::within(&model, contact, tolerance, range, error, interpolation)
-            }
-            None => ContactTable::even(&model, contact, tolerance, range, interpolation),
+        let watch = Terminal::default();
+        let fill = |sheet: &mut Sheet| match export.answer(sheet, &watch) {
+            // About the format, not about the scene.
+            Err(AnswerError::Reason(reason)) => Err(Error::msg(reason)),
+            answer => Ok(answer?),
         };
-        drop(working);
-        let table = table.with_context(|| format!("{}: {id}", scene.name))?;
-        let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        let from = scene.file.separation_from;
-        let mut text = table.text((format, units), contact, from, &title)?;
-        if let Some(against) = against {
-            let place = (&model as &dyn ContactModel, contact, from);
-            let added = table.conductance_text((format, units), against, place, tolerance);
-            text += &added.with_context(|| format!("{}: {id}", scene.name))?;
-        }
-        if let Some(friction) = self.friction {
-            let added =
-                table.friction_text((format, units), friction, (&model, contact), tolerance);
-            text += &added.with_context(|| format!("{}: {id}", scene.name))?;
-        }
-        if table.pressure_error > 0.1 {
-            let percent = (100.0 * table.pressure_error).round();
-            print_message(
-                "warning",
-                &format!(
-                    "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
-                ),
-            );
-        }
-        output::write_text(self.output.as_deref(), &text)
+        let (_, found) = scene.answer(fill)?;
+        drop(watch);
+        output::write_text(self.output.as_deref(), &found.text)
     }
 }

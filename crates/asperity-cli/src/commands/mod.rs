@@ -5,27 +5,21 @@ mod bem;
 mod check;
 mod conductance;
 mod conductance_picture;
-mod conductance_rows;
 mod conductivity;
 mod curve;
 mod export;
 mod fit;
 mod fit_lists;
 mod generate;
-mod history;
 mod init;
+mod joint;
+mod joint_plots;
 mod list;
 mod manual;
 mod pull_off;
 mod recommend;
 mod scales;
-mod slip;
-mod slip_forces;
-mod slip_preloads;
 mod surface;
-mod truth;
-mod unload;
-mod unload_bem;
 
 use anyhow::Result;
 use clap::Subcommand;
@@ -45,13 +39,20 @@ pub enum Command {
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Plan(curve::Plan),
-    Unload(unload::Unload),
-    Slip(slip::Slip),
+    Joint(joint::Joint),
+    #[command(hide = true)]
+    Unload(joint::Joint),
+    #[command(hide = true)]
+    #[command(mut_arg("friction", |arg| arg.required(true)))]
+    #[command(mut_group("cycle", |group| group.required(true)))]
+    Slip(joint::Joint),
+    #[command(hide = true)]
     PullOff(pull_off::PullOff),
     Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
-    Truth(truth::TruthCommand),
-    Export(export::Export),
+    #[command(hide = true)]
+    Truth(bem::BemCommand),
+    Export(export::ExportCommand),
     Manual(manual::Manual),
 }
 
@@ -71,12 +72,13 @@ impl Command {
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
             Self::Plan(command) => command.run(),
-            Self::Unload(command) => command.run(),
-            Self::Slip(command) => command.run(),
+            Self::Joint(command) => command.run("joint"),
+            Self::Unload(command) => command.run("unload"),
+            Self::Slip(command) => command.run("slip"),
             Self::PullOff(command) => command.run(),
             Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
-            Self::Truth(command) => command.run(),
+            Self::Truth(command) => command.run_truth(),
             Self::Export(command) => command.run(),
             Self::Manual(command) => command.run(),
         }

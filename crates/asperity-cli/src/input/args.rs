@@ -16,12 +16,10 @@ use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{
-    load, load_or_tension, number, pressure, pressure_or_tension, relative_error,
-};
+use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
 use crate::output::table::{self, Format, Table};
 use crate::output::{self, once};
-use crate::scene::{ALL_MODELS, LoadedScene, NamedModel};
+use crate::scene::ALL_MODELS;
 
 /// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
@@ -57,62 +55,6 @@ pub struct ModelArgs {
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
-}
-
-/// A joint at its closest approach or largest load.
-#[derive(Debug, Args)]
-pub struct Closed {
-    /// Scene file; `asperity init` writes an example
-    #[arg(value_name = "SCENE")]
-    scene: PathBuf,
-    /// Model by id, as listed by `asperity models` [default: ke; gw without a hardness]
-    #[arg(long, value_name = "M", value_parser = one_model_id)]
-    model: Option<String>,
-    #[command(flatten)]
-    place: Place,
-}
-
-/// The closest approach, or the largest load.
-#[derive(Debug, Args)]
-#[group(id = "place", required = true, multiple = false)]
-struct Place {
-    /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
-    #[arg(long, value_name = "D")]
-    closest: Option<Distances>,
-    /// Largest load, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = all(load))]
-    load: Option<Numbers>,
-    /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "P", value_parser = all(pressure))]
-    pressure: Option<Numbers>,
-}
-
-impl Closed {
-    /// The scene and the model.
-    pub fn open(&self) -> Result<(LoadedScene, NamedModel)> {
-        let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
-        let model =
-            self.model.as_deref().map_or_else(|| scene.default_model(), |id| scene.model(id))?;
-        Ok((scene, model))
-    }
-
-    /// The closest approaches or largest loads; prints the findings there.
-    pub fn places(&self, scene: &LoadedScene, model: &NamedModel) -> Vec<At> {
-        let file = &scene.file;
-        let Place { closest, load, pressure } = &self.place;
-        let separations = closest.iter().flat_map(|list| {
-            let unit = list.unit(SeparationUnit::Sigma);
-            warn_unit("closest", &list.values, unit, file.scene.surface.asperity_height_std);
-            list.values.iter().map(move |value| At::from(file.separation(*value, unit)))
-        });
-        let [loads, pressures] = [load, pressure].map(|list| list.iter().flat_map(|l| &l.0));
-        let places: Vec<At> = separations
-            .chain(loads.copied().map(At::Load))
-            .chain(pressures.copied().map(At::Pressure))
-            .collect();
-        scene.report_answers(&[model], &places);
-        places
-    }
 }
 
 /// Format and destination of a result.
@@ -199,29 +141,13 @@ impl DrawnArgs {
 
     /// Ends the `command` where plot and data have the same destination.
     pub fn check(&self, command: &str) {
-        let files = [self.plot.as_deref(), self.output.output.as_deref()];
-        if self.plot.is_some() && files.map(output::is_standard) == [true; 2] {
-            let text = "--plot - uses standard output; name a file for the data with --output";
-            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
-        }
-        if let [Some(plot), Some(output)] = files
-            && output::is_same(plot, output)
-        {
-            let text = "--plot and --output name the same file; choose two names";
-            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
-        }
+        let texts = [
+            "--plot and --output name the same file; choose two names",
+            "--plot - uses standard output; name a file for the data with --output",
+        ];
+        refuse_same_place(command, self.output.output.as_deref(), &[self.plot.as_deref()], texts);
     }
 
-    /// Writes the table, and its plot where one is requested.
-    pub fn write(&self, table: &Table, picture: impl FnOnce() -> Result<String>) -> Result<()> {
-        if self.plot.is_some() {
-            output::write_text(self.plot.as_deref(), &picture()?)?;
-        }
-        self.output.write(table)
-    }
-}
-
-impl DrawnArgs {
     /// Writes the sheet, and its plot where one is requested.
     pub fn write_sheet(
         &self,
@@ -233,6 +159,28 @@ impl DrawnArgs {
         }
         self.output.write_sheet(sheet)
     }
+}
+
+/// Ends the `command` with one of two texts where data and drawings go to the same file, or several
+/// of them to standard output.
+pub fn refuse_same_place(
+    command: &str,
+    data: Option<&Path>,
+    drawings: &[Option<&Path>],
+    [same, standard]: [&str; 2],
+) {
+    let drawn = drawings.iter().copied().flatten().map(Some);
+    let places: Vec<Option<&Path>> = std::iter::once(data).chain(drawn).collect();
+    let (streams, files): (Vec<_>, Vec<_>) =
+        places.into_iter().partition(|place| output::is_standard(*place));
+    let files: Vec<&Path> = files.into_iter().flatten().collect();
+    let twice = |k: usize| files[..k].iter().any(|file| output::is_same(file, files[k]));
+    let text = match (0..files.len()).any(twice) {
+        true => same,
+        false if streams.len() > 1 => standard,
+        false => return,
+    };
+    crate::input::usage_error(command, ErrorKind::ArgumentConflict, text)
 }
 
 fn quantities_help() -> String {

@@ -3,12 +3,12 @@
 use std::str::FromStr;
 
 use asperity::SeparationUnit;
-use asperity_inputs::mistaken_unit;
+use asperity_answer::unit_warning;
 
 use crate::input::ambiguous::one_value_only;
 use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};
 use crate::input::numbers::{number, of_unit};
-use crate::output::print_message;
+use crate::output::show;
 
 /// The values of one `--separation`: plain numbers in the unit of the command, or metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,13 +107,7 @@ fn metre(text: &str) -> Result<f64, String> {
 
 /// Warns of values that look like another unit, by the largest of them.
 pub fn warn_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
-    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
-    if let Some(message) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
-        print_message(
-            "warning",
-            &format!("{message}; write lengths with their unit, for example 2um"),
-        );
-    }
+    show(unit_warning(name, values, unit, height_std).as_slice());
 }
 
 #[cfg(test)]

@@ -4,35 +4,45 @@ use std::path::Path;
 
 use anyhow::Result;
 use asperity::bem::Bem;
+use asperity_answer::Sheet;
 use asperity_plot::Map;
 
 use crate::output;
 use crate::output::number::rounded;
-use crate::pressed::Row;
 
-/// The map of a contact; `hardness` where there is one.
-pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, name: &str) -> Map {
+/// The map of the one contact of a sheet; `hardness` where there is one.
+pub fn picture(
+    bem: &Bem,
+    pressures: &[f64],
+    sheet: &Sheet,
+    hardness: Option<f64>,
+    name: &str,
+) -> Map {
+    let value = |column: &str| {
+        let cell = sheet.column(column).and_then(|k| sheet.rows.first()?[k].number());
+        cell.unwrap_or(f64::NAN)
+    };
     let [rows, columns] = bem.map().shape();
     let [dy, dx] = bem.map().pixel();
     let size = [columns as f64 * dx, rows as f64 * dy];
     let lengths = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
     let [(length, unit), (depth, of_depth)] =
-        [size[0], row.gap.abs()].map(|value| scaled(value, &lengths));
+        [size[0], value("mean_gap_m").abs()].map(|value| scaled(value, &lengths));
     let top = hardness.unwrap_or_else(|| pressures.iter().copied().fold(0.0, f64::max));
     let (pressure, of_pressure) =
         scaled(top, &[(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]);
     let mut caption = vec![format!(
         "{:.3} % of the area is in contact, in {} patches, under a mean pressure of {} {of_pressure}; mean gap {} {of_depth}.",
-        100.0 * row.area,
-        row.patches,
-        rounded(row.pressure / pressure),
-        rounded(row.gap / depth),
+        100.0 * value("area_fraction"),
+        value("patches"),
+        rounded(value("pressure_Pa") / pressure),
+        rounded(value("mean_gap_m") / depth),
     )];
     if hardness.is_some() {
         let hardness = rounded(top / pressure);
         caption.push(format!(
             "Black is plastic: {:.3} % of the area carries the hardness, {hardness} {of_pressure}.",
-            100.0 * row.plastic,
+            100.0 * value("plastic_fraction"),
         ));
     }
     Map {

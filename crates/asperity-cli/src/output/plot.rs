@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
+use asperity_answer::Sheet;
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 
 use crate::output::once;
@@ -118,6 +119,18 @@ pub fn panels(
         panels.push(panel);
     }
     Ok(panels)
+}
+
+/// The axis with the scale that fits its column; the rows are put in order, as lines run from left
+/// to right.
+pub fn fitted(sheet: &mut Sheet, mut axis: Axis) -> Axis {
+    if let Some(k) = sheet.column(&axis.column) {
+        let at = |row: &Vec<asperity_answer::Cell>| row[k].number().unwrap_or(f64::NAN);
+        sheet.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
+        let values = sheet.rows.iter().filter_map(|row| row[k].number());
+        axis.scale = Scale::fitting(&values.collect::<Vec<_>>());
+    }
+    axis
 }
 
 /// The place of a column.

@@ -1,6 +1,5 @@
-//! Tests of what is not computed here: the README's examples, definitions, and tables for CalculiX.
+//! Tests of what is not computed here: the README's examples and definitions.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test: a panic is the failure")]
 
-mod calculix;
 mod definitions;
 mod examples;

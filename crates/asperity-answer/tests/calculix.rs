@@ -1,19 +1,22 @@
 //! CalculiX reads the exported tables: a block pressed on a block carries the force, and conducts
 //! the heat, that the model gives. Skipped with a note where ccx is not installed (Debian's package
 //! is calculix-ccx).
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test: a panic is the failure")]
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use asperity::{
-    At, Body, ConductanceAgainst, ContactModel, ContactTable, Datum, Interface, Model, Quantity,
-    Request, Scene, Surface, TableFormat, Tolerance, UnitSystem,
+    At, Body, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
 };
+use asperity_answer::{
+    ConductanceAgainst, Export, Exported, Sheet, Silent, Subject, TableFormat, UnitSystem,
+};
+use asperity_inputs::SceneFile;
 
 /// Printed digits of ccx, seven, with which overclosures are differences.
 const PRINTED: f64 = 5e-6;
-const UNITS: (TableFormat, UnitSystem) = (TableFormat::Calculix, UnitSystem::MmTonneS);
 /// Closing of the blocks in each step [mm].
 const STEPS: [f64; 5] = [4e-4, 8e-4, 1.4e-3, 2e-3, 2.4e-3];
 
@@ -24,10 +27,25 @@ fn scene() -> Scene {
     Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4)
 }
 
-fn table(model: &Model, scene: &Scene, error: f64) -> ContactTable {
-    let (tolerance, lines) = (Tolerance::default(), UNITS.0.interpolation());
-    let ends = (At::Pressure(1e5), At::Pressure(2e7), 2);
-    ContactTable::within(model, scene, tolerance, ends, error, lines).unwrap()
+fn exported(
+    model: &Model,
+    scene: &Scene,
+    error: f64,
+    conductance: Option<ConductanceAgainst>,
+) -> Exported {
+    let file = SceneFile::from(scene.clone());
+    let tolerance = Tolerance::default();
+    let export = Export {
+        subject: Subject { file: &file, name: "", id: "ke", model, tolerance },
+        ends: [At::Pressure(1e5), At::Pressure(2e7)],
+        nodes: 2,
+        max_error: Some(error),
+        format: TableFormat::Calculix,
+        units: UnitSystem::MmTonneS,
+        conductance,
+        friction: None,
+    };
+    export.answer(&mut Sheet::default(), &Silent).unwrap()
 }
 
 /// The values of one quantity of a scene at a pressure or separation, over the nominal area.
@@ -129,12 +147,12 @@ fn ends(results: &str, head: &str) -> Vec<f64> {
 #[test]
 fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
     let (model, scene) = ("ke".parse().unwrap(), scene());
-    let table = table(&model, &scene, 1e-3);
-    let behaviour = table.text(UNITS, &scene, Datum::AsperityMean, "").unwrap();
-    let Some(results) = solved("pressed", &deck(&behaviour, "NODE TO SURFACE", "STATIC")) else {
+    let table = exported(&model, &scene, 1e-3, None);
+    let Some(results) = solved("pressed", &deck(&table.text, "NODE TO SURFACE", "STATIC")) else {
         return;
     };
-    let begins = table.cut_off().unwrap() * scene.surface.asperity_height_std;
+    let begins = table.text.split("at a separation of ").nth(1).unwrap();
+    let begins = 1e-3 * begins.split(' ').next().unwrap().parse::<f64>().unwrap();
     let [force, lower, upper] =
         ["total force", "set LOWERFACE", "set UPPERFACE"].map(|head| ends(&results, head));
     let mut worst = 0.0_f64;
@@ -152,10 +170,8 @@ fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
 #[test]
 fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
     let (model, scene): (Model, _) = ("ke".parse().unwrap(), scene());
-    let (against, tolerance) = (ConductanceAgainst::Pressure, Tolerance::default());
-    let asked = (&model as &dyn ContactModel, &scene, Datum::AsperityMean);
-    let conductance =
-        table(&model, &scene, 1e-2).conductance_text(UNITS, against, asked, tolerance).unwrap();
+    let text = exported(&model, &scene, 1e-2, Some(ConductanceAgainst::Pressure)).text;
+    let conductance = &text[text.find("** thermal conductance").unwrap()..];
     let bound = conductance.split("largest relative error ").nth(1).unwrap();
     let bound: f64 = bound.split(',').next().unwrap().parse().unwrap();
     // The pressure rises by 10 MPa per um of overclosure.

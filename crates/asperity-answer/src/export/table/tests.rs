@@ -1,8 +1,11 @@
 //! Contact tables against dense scans of their models.
 
+use asperity::{
+    Evaluation, HeightDistribution, Interface, Model, Scene, Surface, TabulatedHeights, Tolerance,
+};
+use asperity_inputs::SceneFile;
+
 use super::*;
-use crate::Evaluation;
-use crate::{HeightDistribution, Interface, KogutEtsion, Model, Surface, TabulatedHeights};
 
 fn scene() -> Scene {
     let mut interface = Interface::new(116e9, 0.31, 1.12e9);
@@ -10,9 +13,30 @@ fn scene() -> Scene {
     Scene::new(interface, Surface::new(3.59e-4, 1.11e8, 1e-6), 3e-5)
 }
 
+fn table(
+    model: &Model,
+    scene: &Scene,
+    tolerance: Tolerance,
+    (ends, nodes, max_error): ([At; 2], usize, Option<f64>),
+    interpolation: Interpolation,
+) -> Outcome<ContactTable> {
+    let file = SceneFile::from(scene.clone());
+    let subject = Subject { file: &file, name: "", id: model.id(), model, tolerance };
+    Builder::new(&subject, interpolation)?.between(ends, nodes, max_error)
+}
+
+fn ke(
+    ends: [At; 2],
+    nodes: usize,
+    error: Option<f64>,
+    interpolation: Interpolation,
+) -> Outcome<ContactTable> {
+    let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
+    table(&model, &scene(), tolerance, (ends, nodes, error), interpolation)
+}
+
 fn even(count: usize, interpolation: Interpolation) -> ContactTable {
-    let (model, tolerance) = (KogutEtsion, Tolerance::default());
-    ContactTable::even(&model, &scene(), tolerance, (0.0, 4.0, count), interpolation).unwrap()
+    ke([0.0, 4.0].map(At::sigmas), count, None, interpolation).unwrap()
 }
 
 #[test]
@@ -27,11 +51,9 @@ fn errors_fall_as_the_interpolation_promises() {
 
 #[test]
 fn an_asked_error_is_met_with_few_nodes() {
-    let (model, tolerance) = (KogutEtsion, Tolerance::default());
     for (interpolation, most) in [(Interpolation::Linear, 700), (Interpolation::Hermite, 90)] {
-        let range = (-1.0, 4.0, 2);
-        let within =
-            |error| ContactTable::within(&model, &scene(), tolerance, range, error, interpolation);
+        let ends = [-1.0, 4.0].map(At::sigmas);
+        let within = |error| ke(ends, 2, Some(error), interpolation);
         let table = within(1e-4).unwrap();
         assert!(table.pressure_error <= 1e-4 && table.nodes.len() <= most, "{}", table.nodes.len());
         assert!(
@@ -43,11 +65,7 @@ fn an_asked_error_is_met_with_few_nodes() {
 
 #[test]
 fn loads_and_pressures_are_ends_like_any_other() {
-    let (model, tolerance, scene) = (KogutEtsion, Tolerance::default(), scene());
-    let of = |a, b| {
-        let cubic = Interpolation::Hermite;
-        ContactTable::even(&model, &scene, tolerance, (a, b, 9), cubic).unwrap().nodes
-    };
+    let of = |a, b| ke([a, b], 9, None, Interpolation::Hermite).unwrap().nodes;
     let nodes = of(At::Pressure(1e4), At::Pressure(1e6));
     assert!((nodes[0].pressure / 1e6 - 1.0).abs() < 1e-9);
     assert!((nodes[8].pressure / 1e4 - 1.0).abs() < 1e-9);
@@ -70,9 +88,10 @@ fn what_a_solver_cannot_use_is_refused() {
     let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
     let mut odd = scene();
     odd.surface = surface;
-    let table = |scene: &Scene, id: &str, range| {
-        let (model, cubic) = (id.parse::<Model>().unwrap(), Interpolation::Hermite);
-        ContactTable::even(&model, scene, Tolerance::default(), range, cubic)
+    let table = |scene: &Scene, id: &str, (first, last, nodes): (f64, f64, usize)| {
+        let range = ([first, last].map(At::sigmas), nodes, None);
+        let model = id.parse::<Model>().unwrap();
+        table(&model, scene, Tolerance::default(), range, Interpolation::Hermite)
     };
     let message = table(&odd, "at", (0.0, 4.0, 9)).unwrap_err().to_string();
     assert!(message.starts_with("AT: at a separation of") && message.contains("required"));
@@ -82,7 +101,12 @@ fn what_a_solver_cannot_use_is_refused() {
 }
 
 /// The largest relative errors of pressure and slope at 201 points between any two nodes.
-fn scan(table: &ContactTable, model: &Model, scene: &Scene) -> [f64; 2] {
+fn scan(
+    table: &ContactTable,
+    interpolation: Interpolation,
+    model: &Model,
+    scene: &Scene,
+) -> [f64; 2] {
     let request = Request::new([Quantity::Force, Quantity::Tangent]);
     let contact = model.compile(scene, &request).unwrap();
     let mut worst = [0.0_f64; 2];
@@ -94,7 +118,7 @@ fn scan(table: &ContactTable, model: &Model, scene: &Scene) -> [f64; 2] {
             // Bernstein's form of the cubic.
             let s = 1.0 - t;
             let [b, c] = [p - k / 3.0, q + l / 3.0];
-            let (value, fall) = match table.interpolation {
+            let (value, fall) = match interpolation {
                 Interpolation::Linear => (s * p + t * q, p - q),
                 Interpolation::Hermite => (
                     s * s * s * p + 3.0 * s * t * (s * b + t * c) + t * t * t * q,
@@ -138,10 +162,9 @@ fn the_error_stated_holds_between_all_points_and_is_close() {
     for (id, scene, (first, last), error, interpolation) in cases {
         let model = id.parse::<Model>().unwrap();
         let tolerance = Tolerance::new(1e-8).unwrap();
-        let range = (first, last, 2);
-        let table = ContactTable::within(&model, &scene, tolerance, range, error, interpolation);
-        let table = table.unwrap();
-        let [pressure, slope] = scan(&table, &model, &scene);
+        let range = ([first, last].map(At::sigmas), 2, Some(error));
+        let table = table(&model, &scene, tolerance, range, interpolation).unwrap();
+        let [pressure, slope] = scan(&table, interpolation, &model, &scene);
         let (stated, of_slope) = (table.pressure_error, table.stiffness_error);
         assert!(stated <= error && pressure <= stated, "{id} {error}: {pressure} {stated}");
         assert!(slope <= of_slope, "{id} {error}: {slope} {of_slope}");

@@ -3,28 +3,27 @@
 //! Formats are those of the codes' public manuals and sources. CalculiX was run on its files
 //! (`tests/calculix.rs`), no other code was.
 
-use crate::tables::contact_table::ContactTable;
-use crate::tables::error::TableError;
-use crate::tables::format::TableFormat;
-use crate::tables::units::UnitSystem;
-use crate::{Datum, Scene, Separation, SeparationUnit, shortest_digits};
+use asperity::{ContactError, Datum, Separation, SeparationUnit, shortest_digits};
+
+use super::units::Units;
+use super::{ContactTable, Export, TableFormat};
+use crate::subject::Outcome;
 
 impl ContactTable {
-    /// The table of a scene in the format of a code, with clearances from a plane; `title` goes to
-    /// its comments.
-    ///
-    /// # Errors
-    /// [`ContactError::NoMeanPlane`](crate::ContactError::NoMeanPlane), and
-    /// [`TableError::TooMany`] where the code takes fewer nodes.
-    pub fn text(
-        &self,
-        (format, units): (TableFormat, UnitSystem),
-        scene: &Scene,
-        from: Datum,
-        title: &str,
-    ) -> Result<String, TableError> {
-        let head = Head { title, table: self, scene, from, units };
-        match format {
+    /// The table in its format, with clearances from the plane of the scene; `title` goes to its
+    /// comments.
+    pub(crate) fn text(&self, export: &Export<'_>, title: &str) -> Outcome<String> {
+        let head = Head {
+            title,
+            from: export.subject.file.separation_from,
+            table: self,
+            units: export.units.units(),
+            export,
+            nodes: self.nodes.len(),
+            pressure: format!("{:.3e}", self.pressure_error),
+            slope: format!("{:.3e}", self.stiffness_error),
+        };
+        match export.format {
             TableFormat::Csv => csv(&head),
             TableFormat::Abaqus => abaqus(&head),
             TableFormat::Calculix => calculix(&head),
@@ -33,47 +32,43 @@ impl ContactTable {
     }
 }
 
-/// A table, and the facts for its comments.
-pub(crate) struct Head<'h> {
-    pub(crate) title: &'h str,
-    pub(crate) table: &'h ContactTable,
-    pub(crate) scene: &'h Scene,
-    /// The plane that clearances are measured from.
-    pub(crate) from: Datum,
-    pub(crate) units: UnitSystem,
+impl Export<'_> {
+    /// A separation over σ_z as a length, from the scene's own plane, in the units of the table.
+    pub(crate) fn length(&self, sigmas: f64) -> Result<f64, ContactError> {
+        let metres = self.subject.place(Separation::sigmas(sigmas), SeparationUnit::Metres)?;
+        Ok(metres * self.units.units().per_metre)
+    }
 }
 
-type Result<T, E = TableError> = std::result::Result<T, E>;
+/// A table, and the facts for its comments.
+struct Head<'h> {
+    title: &'h str,
+    /// The plane that clearances are measured from.
+    from: Datum,
+    table: &'h ContactTable,
+    units: &'static Units,
+    export: &'h Export<'h>,
+    nodes: usize,
+    /// Relative errors of the pressure and of its slope between the nodes.
+    pressure: String,
+    slope: String,
+}
 
 impl Head<'_> {
-    /// A separation of the table as a length, from the scene's own plane.
-    pub(crate) fn length(&self, sigmas: f64) -> Result<f64> {
-        let separation = Separation::sigmas(sigmas);
-        let metres = separation.measured_in(SeparationUnit::Metres, self.from, self.scene)?.value;
-        Ok(self.units.length(metres))
-    }
-
-    /// Relative errors of the pressure and of its slope between the nodes.
-    fn errors(&self) -> [String; 2] {
-        [self.table.pressure_error, self.table.stiffness_error].map(|x| format!("{x:.3e}"))
-    }
-
     /// Clearances and pressures for straight lines, the lightest first: from where the
     /// tangent of the first node reaches 0.
-    fn lines(&self) -> Result<Vec<(f64, f64)>> {
+    fn lines(&self) -> Outcome<Vec<(f64, f64)>> {
         let end = self.table.cut_off().map(|separation| (separation, 0.0));
         let nodes = self.table.nodes.iter().rev().map(|node| (node.separation, node.pressure));
-        let pair = |(s, pressure)| Ok((self.length(s)?, self.units.pressure(pressure)));
+        let pair = |(s, pressure)| Ok((self.export.length(s)?, pressure / self.units.pascals));
         end.into_iter().chain(nodes).map(pair).collect()
     }
 }
 
 /// Clearance, pressure and tangent.
-fn csv(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, units, .. } = head;
-    let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
-    let (length, stress, converted) =
-        (units.of_length(), units.of_pressure(), units.conversion("#"));
+fn csv(head: &Head<'_>) -> Outcome<String> {
+    let Head { title, from, table, units, export, nodes, pressure, slope } = head;
+    let (length, stress, converted) = (units.length, units.pressure, units.conversion(0, "#"));
     let mut text = format!(
         "# {title}: contact pressure against clearance
 {converted}# clearance is the separation from {from}
@@ -84,9 +79,9 @@ clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
 "
     );
     for node in &table.nodes {
-        let (pressure, tangent) = (units.pressure(node.pressure), units.slope(node.stiffness));
+        let (pressure, tangent) = (node.pressure / units.pascals, units.slope(node.stiffness));
         let [clearance, pressure, tangent] =
-            [head.length(node.separation)?, pressure, tangent].map(shortest_digits);
+            [export.length(node.separation)?, pressure, tangent].map(shortest_digits);
         text += &format!("{clearance},{pressure},{tangent}\n");
     }
     Ok(text)
@@ -94,11 +89,9 @@ clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
 
 /// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure, numbers of at most 20 characters, the
 /// limit of Abaqus (recalled).
-fn abaqus(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, units, .. } = head;
-    let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
-    let (length, stress, converted) =
-        (units.of_length(), units.of_pressure(), units.conversion("**"));
+fn abaqus(head: &Head<'_>) -> Outcome<String> {
+    let Head { title, from, units, nodes, pressure, slope, .. } = head;
+    let (length, stress, converted) = (units.length, units.pressure, units.conversion(0, "**"));
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure = -(separation from {from})
@@ -117,19 +110,24 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
     Ok(text)
 }
 
+/// Refuses more nodes than a code takes.
+pub(crate) fn check_nodes(nodes: usize, most: usize, code: &str) -> Outcome {
+    match nodes <= most {
+        true => Ok(()),
+        false => Err(format!("{nodes} nodes: {code} allows {most}; increase the error, narrow the range or give fewer nodes").into()),
+    }
+}
+
 /// Points of a curve that ccx has room for (`materialdata_sp.f`).
 const CURVE: usize = 200;
 
 /// The same for CalculiX, which reads no more than 20 characters of a number.
-fn calculix(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, units, .. } = head;
-    let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
+fn calculix(head: &Head<'_>) -> Outcome<String> {
+    let Head { title, from, units, nodes, pressure, slope, .. } = head;
+    let lines = head.lines()?;
     let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
-    if lines.len() > CURVE {
-        return Err(TableError::TooMany { nodes, most: CURVE - 1, format: "CalculiX" });
-    }
-    let (length, stress, converted) =
-        (units.of_length(), units.of_pressure(), units.conversion("**"));
+    check_nodes(*nodes, CURVE - 1, "CalculiX")?;
+    let (length, stress, converted) = (units.length, units.pressure, units.conversion(0, "**"));
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} {length}
@@ -151,15 +149,13 @@ fn calculix(head: &Head<'_>) -> Result<String> {
 const POINTS: usize = 20;
 
 /// Real constants of COMBIN39: deflections and forces, from compression to tension.
-fn ansys(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, scene, units } = head;
-    let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
+fn ansys(head: &Head<'_>) -> Outcome<String> {
+    let Head { title, from, units, export, nodes, pressure, slope, .. } = head;
+    let lines = head.lines()?;
     let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
-    if lines.len() + 1 > POINTS {
-        return Err(TableError::TooMany { nodes, most: POINTS - 2, format: "COMBIN39" });
-    }
-    let area = units.area(scene.nominal_area);
-    let (length, converted) = (units.of_length(), units.conversion("!"));
+    check_nodes(*nodes, POINTS - 2, "COMBIN39")?;
+    let area = export.subject.file.scene.nominal_area * units.per_metre.powi(2);
+    let (length, converted) = (units.length, units.conversion(0, "!"));
     let mut text = format!(
         "! {title}: force against deflection, in N and {length}, of a spring COMBIN39
 {converted}! that stands for the nominal area, {area:e} {length}2: scale the forces to the area of each spring

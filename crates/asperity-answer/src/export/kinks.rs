@@ -1,17 +1,17 @@
 //! Separations at which the force of a model may have a kink.
 
-use crate::{ContactError, ContactModel, Scene, Tolerance};
+use asperity::{ContactError, ContactModel};
+
+use crate::subject::Subject;
 
 /// Kinks nearer to each other than this \[σ_z\] are one.
 const SAME_KINK: f64 = 1e-9;
 
 /// Separations \[σ_z\] at which the force of a model may have a kink, ascending: a break of the
 /// density that meets one of the law.
-pub(crate) fn kinks(
-    model: &dyn ContactModel,
-    scene: &Scene,
-    tolerance: Tolerance,
-) -> Result<Vec<f64>, ContactError> {
+pub(crate) fn kinks(subject: &Subject<'_>) -> Result<Vec<f64>, ContactError> {
+    let Subject { file, model, tolerance, .. } = *subject;
+    let scene = &file.scene;
     let sigma = scene.surface.asperity_height_std;
     let (low, high) = scene.heights.support(sigma);
     let breaks = [low, high].into_iter().chain(scene.heights.breaks().iter().copied());

@@ -1,0 +1,212 @@
+//! Boundary elements on the scan of a scene.
+
+use std::ops::ControlFlow;
+
+use asperity::bem::{Bem, BemError, Continuation, LoadCase, Progress, Solution};
+use asperity::{ContactError, ContactModel, Findings, Quantity, Request};
+use asperity_inputs::SceneFile;
+
+use crate::models::once;
+use crate::{AnswerError, Cell, Sheet, Watch};
+
+/// Columns of every solution.
+const COLUMNS: [&str; 9] = [
+    "load_N",
+    "pressure_Pa",
+    "area_fraction",
+    "area_fraction_pixels",
+    "plastic_fraction",
+    "mean_gap_m",
+    "patches",
+    "iterations",
+    "residual",
+];
+
+/// Why the stiffnesses of an elastic contact differ.
+const FREE_STIFFNESSES: &str = "with a free boundary the tangent exceeds the unloading stiffness of the same elastic contact, the more the larger the contact: the tangent is the slope against the mean gap under the scan, the unloading stiffness that against the approach of distant points";
+
+/// Why a grid cannot be halved.
+const REFINE: &str =
+    "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
+/// The same for a scan whose crop would not be periodic.
+const REFINE_PERIODIC: &str = "--refine needs an even number of rows and columns; resample the period to such a grid (a crop is not periodic), or leave --refine out";
+
+/// What is solved on the scan of a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Press<'a> {
+    /// The scene.
+    pub file: &'a SceneFile,
+    /// The name of the scene in messages.
+    pub name: &'a str,
+    /// The model of its scan.
+    pub bem: &'a Bem,
+    /// Loads or gaps.
+    pub given: &'a [LoadCase],
+    /// Quantities besides those of every solution.
+    pub quantities: &'a [Quantity],
+    /// Whether the same is solved on half the grid.
+    pub refine: bool,
+    /// Whether the pressures are kept.
+    pub keep: bool,
+}
+
+/// What solutions remark.
+#[derive(Default)]
+struct Remarks {
+    maps: Vec<Vec<f64>>,
+    errors: Vec<String>,
+    found: Findings,
+}
+
+/// The cells of a solution; `None` without one.
+type Solved = Option<Vec<Cell>>;
+
+impl Press<'_> {
+    /// Fills a sheet with a row for each load or gap, and returns the pressures \[Pa\] of the
+    /// solved contacts, if they are kept. Where the work is stopped, the rows are those solved by
+    /// then.
+    ///
+    /// # Errors
+    /// Quantities that boundary elements or the scene lack, a grid that cannot be halved, and
+    /// where no load is solved.
+    pub fn solve(
+        &self,
+        sheet: &mut Sheet,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Vec<f64>>, AnswerError> {
+        let mut quantities = once(self.quantities);
+        let own = |quantity: &Quantity| COLUMNS.contains(&&*quantity.column());
+        quantities.retain(|quantity| !own(quantity));
+        let mut remarks = Remarks::default();
+        sheet.under(&[&COLUMNS]);
+        // Refuses what boundary elements or the scene lack before anything is solved.
+        let request = Request::new(quantities.iter().copied());
+        self.bem.compile(&self.file.scene, &request)?;
+        // Before the hours of the whole grid.
+        let half = self.refine.then(|| self.bem.half_grid()).transpose();
+        let half = half.map_err(|error: BemError| match self.bem.continuation() {
+            Continuation::Periodic => format!("{REFINE_PERIODIC}: {error}"),
+            _ => format!("{REFINE}: {error}"),
+        })?;
+        let whole = self.rows(self.bem, &quantities, watch, &mut remarks)?;
+        let maps = std::mem::take(&mut remarks.maps);
+        let half = match half.filter(|_| !watch.is_stopped()) {
+            Some(half) => Some(self.rows(&half, &quantities, watch, &mut remarks)?),
+            None => None,
+        };
+        remarks.maps = maps;
+        remarks.errors.iter().for_each(|text| sheet.warn("unsolved", text));
+        sheet.report(self.file, std::mem::take(&mut remarks.found));
+        sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
+        let width = sheet.heads.len();
+        if half.is_some() {
+            let of_half = |name: &String| format!("{name}_half_grid");
+            let names: Vec<String> = sheet.heads[2..].iter().map(of_half).collect();
+            sheet.heads.extend(names);
+        }
+        sheet.heads.push("boundary".into());
+        let solved = whole.iter().any(Option::is_some);
+        for (k, row) in whole.into_iter().enumerate() {
+            // Loads without a result are blank; those that were not reached are left out.
+            if row.is_none() && (watch.is_stopped() || !solved) {
+                continue;
+            }
+            let mut cells = row.unwrap_or_default();
+            cells.resize(width, Cell::BLANK);
+            if let Some(half) = &half {
+                cells.extend(half[k].iter().flat_map(|cells| cells[2..].to_vec()));
+            }
+            cells.resize(sheet.heads.len() - 1, Cell::BLANK);
+            cells.push(self.bem.continuation().name().into());
+            sheet.rows.push(cells);
+        }
+        if sheet.rows.is_empty() && !watch.is_stopped() {
+            return Err(format!("{}: no load was solved", self.name).into());
+        }
+        // A contact that has yielded may unload stiffer.
+        let is_elastic = |row: &Vec<Cell>| row[4].number().is_some_and(|plastic| plastic <= 0.0);
+        let free = self.bem.continuation() == Continuation::Free;
+        if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
+            sheet.note("free-stiffnesses", FREE_STIFFNESSES);
+        }
+        Ok(remarks.maps)
+    }
+
+    /// The cells of each load or gap on a grid.
+    fn rows(
+        &self,
+        bem: &Bem,
+        quantities: &[Quantity],
+        watch: &dyn Watch,
+        remarks: &mut Remarks,
+    ) -> Result<Vec<Solved>, ContactError> {
+        let ([rows, columns], scene) = (bem.map().shape(), &self.file.scene);
+        let elements = bem.elements(&scene.interface)?;
+        let mut answers: Vec<Solved> = vec![None; self.given.len()];
+        let mut maps = vec![vec![]; self.given.len()];
+        let (mut found, mut errors, mut lacks) = (vec![], vec![], vec![]);
+        let progress = |progress: &Progress| {
+            watch.progress(&format!(
+                "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
+                progress.done + 1,
+                self.given.len(),
+                progress.iterations,
+                progress.residual
+            ));
+            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        elements.solve_each(self.given, progress, |index, solution| match solution {
+            Ok(solution) => {
+                found.extend(solution.notes.iter().cloned());
+                let mut cells = cells(&solution, scene.nominal_area);
+                let summary = elements.summary(&solution, quantities);
+                for quantity in quantities {
+                    let value = summary.evaluate(*quantity, scene).unwrap_or_else(|error| {
+                        lacks.push(format!("no {quantity}: {error}"));
+                        None
+                    });
+                    cells.push(value.map(|value| value.value()).into());
+                }
+                answers[index] = Some(cells);
+                if self.keep {
+                    maps[index] = solution.pressures;
+                }
+            }
+            Err(BemError::Cancelled) => {}
+            Err(error) => errors.push(error.to_string()),
+        });
+        remarks.maps = maps.into_iter().filter(|map| !map.is_empty()).collect();
+        errors.append(&mut lacks);
+        remarks.errors.extend(once(&errors));
+        let grid = format!("{rows} x {columns} pixels");
+        remarks.found.extend(found.into_iter().map(|found| found.from_origin(grid.clone())));
+        Ok(answers)
+    }
+}
+
+/// The cells of a solution under [`COLUMNS`].
+fn cells(solution: &Solution, nominal_area: f64) -> Vec<Cell> {
+    // Exactly as given.
+    let pressure = match solution.given {
+        LoadCase::MeanPressure(pressure) => pressure,
+        _ => solution.mean_pressure,
+    };
+    let numbers = [
+        pressure * nominal_area,
+        pressure,
+        solution.area,
+        solution.pixel_area,
+        solution.plastic_area,
+        solution.mean_gap,
+        solution.patches.len() as f64,
+        solution.iterations as f64,
+        solution.residual,
+    ];
+    numbers.map(Cell::from).to_vec()
+}
+
+/// Whether the slope of loading and the stiffness of a joint are asked for.
+fn has_both_stiffnesses(quantities: &[Quantity]) -> bool {
+    let slope = |quantity: &Quantity| matches!(quantity, Quantity::Tangent | Quantity::Stiffness);
+    quantities.iter().any(slope) && quantities.contains(&Quantity::UnloadingStiffness)
+}

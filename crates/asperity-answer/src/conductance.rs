@@ -1,0 +1,181 @@
+//! Thermal contact conductance: models, and published correlations beside them.
+
+use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
+use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
+use asperity_inputs::SceneFile;
+
+use crate::number::rounded;
+use crate::subject::Outcome;
+use crate::{AnswerError, Cell, Sheet};
+
+const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
+
+/// A gas in the gap.
+#[derive(Debug, Clone, Copy)]
+pub struct Gas {
+    /// Its thermal conductivity \[W/(m K)\].
+    pub conductivity: f64,
+    /// Its temperature-jump distance \[m\].
+    pub jump: f64,
+}
+
+/// What conducts.
+#[derive(Debug, Clone)]
+pub struct Conductance<'a> {
+    /// The scene, with a thermal conductivity.
+    pub file: &'a SceneFile,
+    /// Models by the name of their rows, or why there is none.
+    pub models: Vec<(String, Result<Model, String>)>,
+    /// Correlations.
+    pub correlations: Vec<Correlation>,
+    /// Their roughness, if it is not that of the scene.
+    pub roughness: Option<GapRoughness>,
+    /// A gas in the gap of the models.
+    pub gas: Option<Gas>,
+}
+
+/// A load, and the same as a pressure.
+struct Loaded {
+    at: At,
+    load: f64,
+    pressure: f64,
+}
+
+impl Conductance<'_> {
+    /// Fills a sheet with the conductance per area of each model and correlation at loads or
+    /// pressures; those that cannot tell are left out with a warning.
+    ///
+    /// # Errors
+    /// The reason of a single model or correlation, and where none has a conductance.
+    pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
+        let mut heads =
+            ["model", "load_N", "pressure_Pa", "relative_pressure"].map(String::from).to_vec();
+        heads.extend([CONDUCTANCE.column(), "holds".into()]);
+        if self.gas.is_some() {
+            heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
+        }
+        sheet.heads = heads;
+        let contact = &self.file.scene;
+        let loaded = |at: &At| {
+            let (load, pressure) = at.load(contact).zip(at.pressure(contact))?;
+            Some(Loaded { at: *at, load, pressure })
+        };
+        let loads: Vec<Loaded> = places.iter().filter_map(loaded).collect();
+        let mut answered = vec![];
+        for (id, model) in &self.models {
+            let rows = model.as_ref().map_err(|reason| reason.clone().into());
+            match rows.and_then(|model| self.add_model(sheet, &loads, id, model)) {
+                Ok(()) => answered.extend(model),
+                Err(reason) => self.leave_out(sheet, id, &reason.to_string())?,
+            }
+        }
+        let found = answered.into_iter().flat_map(|model| self.file.findings_at(model, places));
+        sheet.report(self.file, found.collect());
+        let mut used = vec![];
+        for &correlation in &self.correlations {
+            match self.add_correlation(sheet, &loads, correlation) {
+                Ok(()) => used.push(correlation.id()),
+                Err(reason) => self.leave_out(sheet, correlation.id(), &reason.to_string())?,
+            }
+        }
+        if sheet.rows.is_empty() {
+            return Err("no model or correlation of the list has a conductance".into());
+        }
+        if !used.is_empty() {
+            self.note_roughness(sheet, &used.join(", "));
+        }
+        Ok(())
+    }
+
+    fn add_model(&self, sheet: &mut Sheet, loads: &[Loaded], id: &str, model: &Model) -> Outcome {
+        let contact = &self.file.scene;
+        let request = Request::new([CONDUCTANCE]).at(loads.iter().map(|load| load.at));
+        let compiled = model.compile(contact, &request)?;
+        let row = |load: &Loaded| {
+            let contacts = compiled.evaluate(CONDUCTANCE, load.at)?.value();
+            let mut row = cells(id, load, [None, Some(contacts)], "");
+            if let Some(Gas { conductivity, jump }) = self.gas {
+                let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
+                let gap = compiled.separation(load.at)?.measured_in(unit, plane, contact)?;
+                let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
+                row.extend([gas, contacts + gas].map(Cell::from));
+            }
+            Ok(row)
+        };
+        let rows = loads.iter().map(row).collect::<Result<Vec<_>, asperity::ContactError>>()?;
+        sheet.rows.extend(rows);
+        Ok(())
+    }
+
+    /// Adds the rows of a correlation; warns of the first place outside its range, and of contacts
+    /// of another kind.
+    fn add_correlation(
+        &self,
+        sheet: &mut Sheet,
+        loads: &[Loaded],
+        correlation: Correlation,
+    ) -> Outcome {
+        let ([from, to], id) = (correlation.range(), correlation.id());
+        let (mut rows, mut outside) = (vec![], None);
+        for load in loads {
+            let found = correlation.at(&self.file.scene, &self.roughness(), load.pressure)?;
+            let relative = found.relative_pressure;
+            if outside.is_none() && !(from..=to).contains(&relative) {
+                outside = Some(format!(
+                    "{} is {} at {}, outside the range of the correlation, {from:e} to {to}",
+                    correlation.relative_pressure(),
+                    rounded(relative),
+                    load.at
+                ));
+            }
+            let holds = if found.holds { "yes" } else { "no" };
+            let mut row = cells(id, load, [relative, found.conductance].map(Some), holds);
+            row.resize(sheet.heads.len(), Cell::BLANK);
+            rows.push(row);
+        }
+        sheet.rows.extend(rows);
+        for reason in outside.into_iter().chain(correlation.reason_against(&self.file.scene)) {
+            sheet.warn("correlation", format!("{id}: {reason}"));
+        }
+        Ok(())
+    }
+
+    fn roughness(&self) -> GapRoughness {
+        self.roughness.unwrap_or_else(|| self.file.gap_roughness())
+    }
+
+    /// Names a model or correlation without a conductance in this scene; an error if no other is in
+    /// the list.
+    fn leave_out(&self, sheet: &mut Sheet, id: &str, reason: &str) -> Outcome {
+        if self.models.len() + self.correlations.len() == 1 {
+            return Err(format!("{id}: {reason}").into());
+        }
+        sheet.warn("left-out", format!("left out: {id}: {reason}"));
+        Ok(())
+    }
+
+    /// Notes the roughness of the correlations used, and what they lack.
+    fn note_roughness(&self, sheet: &mut Sheet, used: &str) {
+        if self.gas.is_some() {
+            let lack = "correlations have no separation, so that gas and total are blank";
+            sheet.note("no-gap", format!("{used}: {lack}"));
+        }
+        let GapRoughness { height_std, mean_slope, .. } = self.roughness();
+        let [sigma, slope] = [height_std, mean_slope].map(rounded);
+        let of = match (self.roughness, &self.file.measured) {
+            (Some(_), _) => "as given",
+            (_, Some(_)) => "of the scan",
+            _ => "of a Gaussian surface with these asperities; a measured surface may differ",
+        };
+        let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
+        sheet.note("gap-roughness", text);
+    }
+}
+
+fn cells(id: &str, at: &Loaded, [relative, found]: [Option<f64>; 2], holds: &str) -> Vec<Cell> {
+    let numbers = [Some(at.load), Some(at.pressure), relative, found];
+    let mut row = vec![Cell::from(id)];
+    row.extend(numbers.map(Cell::from));
+    row.push(holds.into());
+    row
+}

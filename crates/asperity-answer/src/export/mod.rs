@@ -1,0 +1,195 @@
+//! Contact tables for finite-element programs: pressure against clearance, with conductance and
+//! friction beside it.
+
+mod cubic;
+mod error_bound;
+mod interaction;
+mod kinks;
+mod table;
+mod text;
+mod units;
+
+use std::str::FromStr;
+
+use asperity::{At, Described, Separation, SeparationUnit};
+
+use crate::subject::Subject;
+use crate::{AnswerError, Sheet, Watch};
+pub(crate) use table::{ContactNode, ContactTable};
+pub use units::UnitSystem;
+
+/// The format of a contact table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// Clearance, pressure and tangent with their units in the head, for cubics.
+    Csv,
+    /// `*SURFACE BEHAVIOR` of Abaqus: pairs of pressure and overclosure, for straight lines.
+    Abaqus,
+    /// The same for CalculiX, with overclosures from the onset of pressure.
+    Calculix,
+    /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
+    Ansys,
+}
+
+/// The variable of a table of conductance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ConductanceAgainst {
+    /// The contact pressure.
+    Pressure,
+    /// The clearance, where the code knows such a table.
+    Clearance,
+}
+
+/// How a finite-element code reads the space between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Interpolation {
+    /// Straight lines: the pressure is continuous, its slope is not.
+    Linear,
+    /// Cubics through pressures and stiffnesses (Hermite): both are continuous, as Newton's method
+    /// needs.
+    Hermite,
+}
+
+impl TableFormat {
+    /// All formats.
+    pub const ALL: [Self; 4] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Ansys];
+
+    /// The name of the format, in lower case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Abaqus => "abaqus",
+            Self::Calculix => "calculix",
+            Self::Ansys => "ansys",
+        }
+    }
+
+    /// Refuses what the format has no table for, before any is made.
+    ///
+    /// # Errors
+    /// Conductance and friction in formats other than Abaqus and CalculiX, and conductance against
+    /// clearance in CalculiX.
+    pub fn check(
+        self,
+        conductance: Option<ConductanceAgainst>,
+        friction: Option<f64>,
+    ) -> Result<(), String> {
+        let of_solid = matches!(self, Self::Abaqus | Self::Calculix);
+        let by_clearance = conductance == Some(ConductanceAgainst::Clearance);
+        let (what, known) = match (conductance, friction) {
+            (Some(_), _) if !of_solid => ("conductance", "abaqus or calculix"),
+            _ if by_clearance && self == Self::Calculix => {
+                ("conductance against clearance", "abaqus")
+            }
+            (_, Some(_)) if !of_solid => ("friction", "abaqus or calculix"),
+            _ => return Ok(()),
+        };
+        Err(format!("{} has no {what}; use {known}", self.name()))
+    }
+
+    fn interpolation(self) -> Interpolation {
+        if self == Self::Csv { Interpolation::Hermite } else { Interpolation::Linear }
+    }
+}
+
+impl FromStr for TableFormat {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|format| format.name() == name);
+        found.ok_or_else(|| "\"csv\", \"abaqus\", \"calculix\" or \"ansys\" was required".into())
+    }
+}
+
+impl ConductanceAgainst {
+    /// All variables.
+    pub const ALL: [Self; 2] = [Self::Pressure, Self::Clearance];
+
+    /// The name of the variable.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        if self == Self::Pressure { "pressure" } else { "clearance" }
+    }
+}
+
+impl FromStr for ConductanceAgainst {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|against| against.name() == name);
+        found.ok_or_else(|| "\"pressure\" or \"clearance\" was required".into())
+    }
+}
+
+/// What a table is to have.
+#[derive(Debug, Clone, Copy)]
+pub struct Export<'a> {
+    /// The model on its scene.
+    pub subject: Subject<'a>,
+    /// One end of the range, and the other, of the same kind.
+    pub ends: [At; 2],
+    /// Number of nodes at equal distances of separation, at least 2.
+    pub nodes: usize,
+    /// Nodes are added until no interpolated pressure is off by more than this relative error.
+    pub max_error: Option<f64>,
+    /// The format of the table.
+    pub format: TableFormat,
+    /// Its units.
+    pub units: UnitSystem,
+    /// Adds the thermal conductance.
+    pub conductance: Option<ConductanceAgainst>,
+    /// Adds friction with this coefficient, and the stiffness in stick.
+    pub friction: Option<f64>,
+}
+
+/// A table as a file.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Exported {
+    /// The table in its format and units.
+    pub text: String,
+    /// Bound of the relative error of the pressure between the nodes.
+    pub pressure_error: f64,
+    /// Bound of the relative error of the tangent between the nodes.
+    pub tangent_error: f64,
+}
+
+impl Export<'_> {
+    /// The table, made with the tolerance of the subject; fills a sheet with clearance, pressure and
+    /// tangent at the nodes, in SI units.
+    ///
+    /// # Errors
+    /// Those of the model on the scene, ends in the wrong order, pressures that do not fall, an error
+    /// that no table meets, and what the format has no room for.
+    pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
+        sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
+        self.format.check(self.conductance, self.friction)?;
+        watch.progress("nodes");
+        let of_model = |error: AnswerError| error.of_model(self.subject.id);
+        let table = ContactTable::new(self).map_err(of_model)?;
+        let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
+        let mut text = table.text(self, &format!("asperity {version}, model {id}"))?;
+        if let Some(against) = self.conductance {
+            text += &table.conductance_text(self, against).map_err(of_model)?;
+        }
+        if let Some(friction) = self.friction {
+            text += &table.friction_text(self, friction).map_err(of_model)?;
+        }
+        for node in &table.nodes {
+            let clearance = Separation::sigmas(node.separation);
+            let clearance = self.subject.place(clearance, SeparationUnit::Metres)?;
+            sheet.rows.push([clearance, node.pressure, node.stiffness].map(Into::into).to_vec());
+        }
+        let [pressure_error, tangent_error] = [table.pressure_error, table.stiffness_error];
+        if pressure_error > 0.1 {
+            let percent = (100.0 * pressure_error).round();
+            let text = format!(
+                "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
+            );
+            sheet.warn("interpolation-error", text);
+        }
+        Ok(Exported { text, pressure_error, tangent_error })
+    }
+}

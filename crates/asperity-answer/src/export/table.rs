@@ -1,0 +1,219 @@
+//! Contact tables from models: nodes at equal distances, or as many as an error needs.
+
+use std::cmp::Ordering;
+
+use asperity::bem::Bem;
+use asperity::{
+    At, Contact, ContactError, ContactModel, Datum, Described, Quantity, Request, SeparationUnit,
+    linspace,
+};
+
+use super::error_bound::bounds;
+use super::kinks::{kinks, pieces};
+use super::{Export, Interpolation, cubic};
+use crate::subject::{Outcome, Subject};
+
+/// More nodes than this are not added to meet an error.
+const MOST_NODES: usize = 100_000;
+
+/// One node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ContactNode {
+    /// d/σ_z, from the mean of the asperity heights.
+    pub(crate) separation: f64,
+    /// Force over nominal area \[Pa\].
+    pub(crate) pressure: f64,
+    /// -dp/dd \[Pa/m\], jumps of the law included.
+    pub(crate) stiffness: f64,
+}
+
+/// Pressure and stiffness at nodes, and bounds of the error between them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ContactTable {
+    /// Two or more ascending separations; pressure falls, pressures and stiffnesses are positive.
+    pub(crate) nodes: Vec<ContactNode>,
+    /// Bound of the relative error of the pressure between the nodes.
+    pub(crate) pressure_error: f64,
+    /// Bound of the relative error of the stiffness between the nodes.
+    pub(crate) stiffness_error: f64,
+    /// σ_z \[m\].
+    pub(crate) asperity_height_std: f64,
+}
+
+impl ContactTable {
+    /// The table that is asked for.
+    pub(crate) fn new(export: &Export<'_>) -> Outcome<Self> {
+        let builder = Builder::new(&export.subject, export.format.interpolation())?;
+        builder.between(export.ends, export.nodes, export.max_error)
+    }
+
+    /// The separation over σ_z at which the tangent of the last node reaches pressure 0: a table
+    /// that ends there has no kink at the last node. The model's own pressure beyond the last node
+    /// is below that node's.
+    pub(crate) fn cut_off(&self) -> Option<f64> {
+        let last = self.nodes.last()?;
+        Some(last.separation + last.pressure / last.stiffness / self.asperity_height_std)
+    }
+}
+
+/// A model on a scene, evaluated node by node.
+struct Builder {
+    contact: Box<dyn Contact>,
+    nominal_area: f64,
+    interpolation: Interpolation,
+    /// Separations \[σ_z\] at which the force may have a kink.
+    kinks: Vec<f64>,
+    tolerance: f64,
+}
+
+impl Builder {
+    fn new(subject: &Subject<'_>, interpolation: Interpolation) -> Result<Self, ContactError> {
+        let Subject { file, model, tolerance, .. } = *subject;
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        if model.id() == Bem::ID {
+            return Err(ContactError::Refused {
+                model: model.name().into(),
+                reason: "a table with a bound of its error takes thousands of solutions; use the curve of pressure, tangent and separation at some loads".into(),
+            });
+        }
+        Ok(Self {
+            contact: model.compile(&file.scene, &request)?,
+            nominal_area: file.scene.nominal_area,
+            interpolation,
+            kinks: kinks(subject)?,
+            tolerance: tolerance.relative(),
+        })
+    }
+
+    /// From one end to the other, with `count` nodes at equal distances, and with nodes added
+    /// between those until no interpolated pressure is off by more than a relative error.
+    fn between(&self, ends: [At; 2], count: usize, error: Option<f64>) -> Outcome<ContactTable> {
+        let even = self.even(ends, count)?;
+        let Some(error) = error else { return self.table(even) };
+        asperity::positive("error", error)?;
+        let mut nodes = vec![even[0]];
+        // Intervals still to be looked at, the next one on top.
+        let mut ahead: Vec<ContactNode> = even[1..].iter().rev().copied().collect();
+        while let (Some(&from), Some(&to)) = (nodes.last(), ahead.last()) {
+            if self.monotone(&from, &to) && self.errors(&from, &to, error)?[0] <= error {
+                nodes.push(to);
+                ahead.pop();
+                continue;
+            }
+            let middle = 0.5 * (from.separation + to.separation);
+            if nodes.len() + ahead.len() >= MOST_NODES || middle <= from.separation {
+                return Err(format!(
+                    "error is {error:e}, which 100000 nodes and the tolerance of the integrals cannot meet; give a larger error or a narrower range"
+                )
+                .into());
+            }
+            ahead.push(self.node(middle)?);
+        }
+        self.table(nodes)
+    }
+
+    fn height_std(&self) -> f64 {
+        self.contact.scene().surface.asperity_height_std
+    }
+
+    fn node(&self, separation: f64) -> Outcome<ContactNode> {
+        let (force, tangent) = self.contact.force_and_tangent(separation)?;
+        let [pressure, stiffness] = [force, tangent].map(|e| e.value() / self.nominal_area);
+        if pressure > 0.0 && stiffness > 0.0 {
+            return Ok(ContactNode { separation, pressure, stiffness });
+        }
+        // A solver cannot use a pressure that does not fall as the surfaces part.
+        let model = self.contact.model();
+        Err(format!(
+            "{model}: at a separation of {separation} asperity_height_std the pressure is {pressure:e} Pa and its stiffness {stiffness:e} Pa/m: both above 0 were required, at every separation of the range"
+        )
+        .into())
+    }
+
+    /// d/σ_z from the mean of the asperity heights.
+    fn sigmas(&self, at: At) -> Result<f64, ContactError> {
+        let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let separation = self.contact.separation(at)?;
+        Ok(separation.measured_in(unit, from, self.contact.scene())?.value)
+    }
+
+    fn even(&self, [first, last]: [At; 2], count: usize) -> Outcome<Vec<ContactNode>> {
+        let by_load = !matches!(first, At::Separation(_));
+        let (first, last) = (self.sigmas(first)?, self.sigmas(last)?);
+        // The smaller load is at the larger separation.
+        let (first, last) = if by_load { (last, first) } else { (first, last) };
+        if first.partial_cmp(&last) != Some(Ordering::Less) {
+            return Err(format!(
+                "range is {first} to {last}: a first separation below the last was required"
+            )
+            .into());
+        }
+        linspace(first, last, count.max(2)).into_iter().map(|s| self.node(s)).collect()
+    }
+
+    fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
+        let (mut pressure_error, mut stiffness_error) = (0.0, 0.0);
+        for pair in nodes.windows(2) {
+            let (from, to) = (&pair[0], &pair[1]);
+            if !self.monotone(from, to) {
+                let (nodes, from, to) = (nodes.len(), from.separation, to.separation);
+                return Err(format!(
+                    "{nodes} nodes are too few: the cubic between separations {from} and {to} is not monotone; more nodes were required"
+                )
+                .into());
+            }
+            let [pressure, stiffness] = self.errors(from, to, f64::INFINITY)?;
+            pressure_error = f64::max(pressure_error, pressure);
+            stiffness_error = f64::max(stiffness_error, stiffness);
+        }
+        Ok(ContactTable {
+            nodes,
+            pressure_error,
+            stiffness_error,
+            asperity_height_std: self.height_std(),
+        })
+    }
+
+    /// Slopes at both ends over the secant's: positive, because the pressure falls.
+    fn slopes(&self, from: &ContactNode, to: &ContactNode) -> (f64, f64) {
+        let width = (to.separation - from.separation) * self.height_std();
+        let secant = (from.pressure - to.pressure) / width;
+        (from.stiffness / secant, to.stiffness / secant)
+    }
+
+    /// Whether the interpolated curve falls everywhere.
+    fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
+        if to.pressure >= from.pressure {
+            return false;
+        }
+        let (a, b) = self.slopes(from, to);
+        self.interpolation == Interpolation::Linear || cubic::is_monotone(a, b)
+    }
+
+    /// Bounds of the relative errors of pressure and stiffness between two nodes; of a pressure off
+    /// by more than `enough`, no more than that.
+    fn errors(&self, from: &ContactNode, to: &ContactNode, enough: f64) -> Outcome<[f64; 2]> {
+        let fall = from.pressure - to.pressure;
+        let (a, b) = match self.interpolation {
+            Interpolation::Linear => (1.0, 1.0),
+            Interpolation::Hermite => self.slopes(from, to),
+        };
+        let width = to.separation - from.separation;
+        let secant = fall / (width * self.height_std());
+        let errors = |separation: f64| {
+            let t = (separation - from.separation) / width;
+            let exact = self.node(separation)?;
+            let pressure = from.pressure - fall * cubic::value(a, b, t);
+            let stiffness = secant * cubic::slope(a, b, t);
+            let errors = [pressure / exact.pressure - 1.0, stiffness / exact.stiffness - 1.0];
+            Outcome::Ok(errors)
+        };
+        let ends = pieces(&self.kinks, from.separation, to.separation);
+        // Nodes and what lies between are known to the tolerance.
+        let found = bounds(errors, &ends, (4.0 * self.tolerance, enough))?;
+        Ok(found.map(|error| error + 2.0 * self.tolerance))
+    }
+}
+
+#[cfg(test)]
+mod tests;

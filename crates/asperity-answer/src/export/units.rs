@@ -1,0 +1,89 @@
+//! The units that a table is written in.
+
+use std::str::FromStr;
+
+/// A system of units that finite-element models are made in. Forces are in N in all of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum UnitSystem {
+    /// m, Pa, W.
+    #[default]
+    Si,
+    /// mm, N, MPa; with masses in tonnes and seconds, so that powers are in mW (N mm/s).
+    MmTonneS,
+}
+
+/// What a system is made of. Both ways numbers are changed by powers of ten above 1, which are
+/// exact.
+pub(crate) struct Units {
+    /// Lengths in a metre.
+    pub(crate) per_metre: f64,
+    /// The pressure \[Pa\].
+    pub(crate) pascals: f64,
+    /// The conductance \[W/(m² K)\].
+    pub(crate) watts: f64,
+    pub(crate) length: &'static str,
+    pub(crate) pressure: &'static str,
+    pub(crate) conductance: &'static str,
+    /// Comments on conversion of lengths and of conductances; none for SI.
+    converted: [Option<&'static str>; 2],
+}
+
+const SI: Units = Units {
+    per_metre: 1.0,
+    pascals: 1.0,
+    watts: 1.0,
+    length: "m",
+    pressure: "Pa",
+    conductance: "W/(m2 K)",
+    converted: [None; 2],
+};
+
+const MM_TONNE_S: Units = Units {
+    per_metre: 1e3,
+    pascals: 1e6,
+    watts: 1e3,
+    length: "mm",
+    pressure: "MPa",
+    conductance: "mW/(mm2 K)",
+    converted: [
+        Some("units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa"),
+        Some(
+            "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
+        ),
+    ],
+};
+
+impl UnitSystem {
+    pub(crate) fn units(self) -> &'static Units {
+        match self {
+            Self::Si => &SI,
+            Self::MmTonneS => &MM_TONNE_S,
+        }
+    }
+}
+
+impl Units {
+    /// A pressure over a length, given in Pa/m.
+    pub(crate) fn slope(&self, pascals_per_metre: f64) -> f64 {
+        pascals_per_metre / (self.pascals * self.per_metre)
+    }
+
+    /// The lines on conversion of lengths (0) and of conductances (1) behind this sign of a comment.
+    pub(crate) fn conversion(&self, of: usize, comment: &str) -> String {
+        self.converted[of].map_or_else(String::new, |line| format!("{comment} {line}\n"))
+    }
+}
+
+impl FromStr for UnitSystem {
+    type Err = String;
+
+    /// Reads `SI`, `mm-N-MPa` and, the same, `mm-tonne-s`, in any case.
+    fn from_str(name: &str) -> Result<Self, String> {
+        match name.trim().to_lowercase().as_str() {
+            "si" => Ok(Self::Si),
+            "mm-n-mpa" | "mm-tonne-s" => Ok(Self::MmTonneS),
+            _ => Err(format!("{name:?} is none of SI, mm-N-MPa, mm-tonne-s")),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! The largest tension of surfaces with adhesion.
+
+use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
+use asperity_inputs::SceneFile;
+
+use crate::number::rounded;
+use crate::{AnswerError, Cell, NamedModel, Sheet};
+
+/// Tension \[% of that of asperities of equal height\] below which there is practically none.
+const SMALLEST: f64 = 1e-6;
+
+/// The largest tension of models with adhesion, and its separation; blank if there is no tensile
+/// force.
+///
+/// # Errors
+/// Those of the models on the scene.
+pub fn pull_off(
+    file: &SceneFile,
+    models: &[NamedModel],
+    tolerance: Tolerance,
+    sheet: &mut Sheet,
+) -> Result<(), AnswerError> {
+    let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
+    let (scene, from) = (&file.scene, file.separation_from);
+    sheet.under(&[&heads]);
+    for (id, model) in models {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let contact = model.compile(scene, &request);
+        let found = contact.and_then(|contact| asperity::pull_off(&*contact));
+        let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
+        let mut row = vec![Cell::from(&**id)];
+        if let Some(found) = found {
+            sheet.report(file, file.findings_at(model, &[found.separation.into()]));
+            let force = found.force.value();
+            note_reduction(sheet, id, force, scene);
+            row.extend([force, force / scene.nominal_area].map(Cell::from));
+            for unit in [SeparationUnit::Sigma, SeparationUnit::Metres] {
+                row.push(found.separation.measured_in(unit, from, scene)?.value.into());
+            }
+        } else {
+            sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));
+        }
+        row.resize(heads.len(), Cell::BLANK);
+        sheet.rows.push(row);
+    }
+    Ok(())
+}
+
+/// Notes the tension relative to that of asperities of equal height.
+fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
+    // Pull-off force of one asperity in units of pi R w_a.
+    let single = match id {
+        "jkr-separation" => 1.5,
+        "dmt" => 2.0,
+        _ => return,
+    };
+    let Some(work) = scene.interface.work_of_adhesion else { return };
+    let single = single * std::f64::consts::PI * scene.surface.asperity_radius * work;
+    let percent = -100.0 * force / (scene.asperities() * single);
+    if percent < SMALLEST {
+        let text = format!("{id}: practically no pull-off force{}", hidden(scene));
+        return sheet.note("no-pull-off", text);
+    }
+    let (percent, of) = (rounded(percent), "of that of asperities of equal height");
+    sheet.note(
+        "reduced-tension",
+        format!("{id}: roughness reduces the tension to {percent} % {of}"),
+    );
+}
+
+/// Why there is no pull-off force.
+fn hidden(scene: &Scene) -> String {
+    scene.adhesion_parameter().map_or(String::new(), |theta| {
+        format!(": adhesion_parameter is {}, and above 10 roughness hides adhesion", short(theta))
+    })
+}

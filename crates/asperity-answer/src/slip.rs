@@ -1,0 +1,261 @@
+//! Partial slip of a joint: a first shift and a steady cycle, or cycles at several preloads.
+
+use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
+use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
+
+use crate::number::{rounded, within};
+use crate::subject::{Outcome, Subject};
+use crate::{AnswerError, Cell, Sheet};
+
+/// Share of μ F that defines the start of gross slip.
+const SLIDING: f64 = 0.99;
+/// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
+const FAR: f64 = 1000.0;
+/// The end of the reason against a tangential force that is too large.
+const SLIDES: &str = "the joint slides";
+
+/// A joint that slips.
+#[derive(Debug, Clone, Copy)]
+pub struct Slip<'a> {
+    /// The model on its scene.
+    pub subject: Subject<'a>,
+    /// Unloading law of the asperities.
+    pub law: UnloadingLaw,
+    /// Coefficient of friction, above 0.
+    pub friction: f64,
+}
+
+/// The amplitude of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Amplitude {
+    /// A shift \[m\].
+    Shift(f64),
+    /// A tangential force \[N\].
+    Force(f64),
+}
+
+impl Slip<'_> {
+    /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with a
+    /// row for each of several cycles, all by shift or all by force.
+    ///
+    /// # Errors
+    /// Those of [`PartialSlip`] if no cycle has a result.
+    pub fn answer(
+        &self,
+        preloads: &[At],
+        amplitudes: &[Amplitude],
+        points: usize,
+        sheet: &mut Sheet,
+    ) -> Result<(), AnswerError> {
+        self.subject.fill(sheet, |sheet| match (preloads, amplitudes) {
+            ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet),
+            _ => self.cycles(preloads, amplitudes, sheet),
+        })
+    }
+
+    fn at(&self, preload: At) -> Result<(Unloading, PartialSlip), ContactError> {
+        let Subject { file, model, tolerance, .. } = self.subject;
+        let joint = Unloading::new(model, &file.scene, preload, self.law, tolerance)?;
+        let slip = PartialSlip::new(&joint, self.friction)?;
+        Ok((joint, slip))
+    }
+
+    fn digits(&self, x: f64) -> f64 {
+        within(x, self.subject.tolerance)
+    }
+
+    /// The first shift and a steady cycle at one preload.
+    fn cycle(
+        &self,
+        preload: At,
+        amplitude: Amplitude,
+        points: usize,
+        sheet: &mut Sheet,
+    ) -> Outcome {
+        let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
+        sheet.under(&[&heads]);
+        let id = self.subject.id;
+        let (joint, slip) = self.at(preload)?;
+        let amplitude = shift_of(&slip, amplitude)?;
+        // First, so that the error for a tiny amplitude names the amplitude.
+        let loss = rounded(slip.loss(amplitude)?.value());
+        let factor = rounded(slip.loss_factor(amplitude)?);
+        for shift in linspace(-amplitude, amplitude, points) {
+            let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
+            let (back, forth) = (path(false)?, path(true)?);
+            let [force, loss, factor] = match shift < 0.0 {
+                true => [None; 3],
+                false => {
+                    let factor = if shift > 0.0 { slip.loss_factor(shift)? } else { 0.0 };
+                    [slip.force(shift)?.value(), slip.loss(shift)?.value(), factor].map(Some)
+                }
+            };
+            let numbers = [Some(shift), force, back, forth, loss, factor];
+            let mut row = vec![Cell::from(id)];
+            row.extend(numbers.map(|x| Cell::from(x.map(|x| self.digits(x)))));
+            sheet.rows.push(row);
+        }
+        let text =
+            format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
+        sheet.note("loss", text);
+        let sliding = slip.shift_at(SLIDING)?;
+        self.check_amplitude(sheet, amplitude, sliding);
+        let limit = rounded(self.friction * joint.force(0.0)?.value());
+        let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
+        let text = format!(
+            "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
+        );
+        sheet.note("gross-slip", text);
+        Ok(())
+    }
+
+    /// A row for each cycle; blank where there is none.
+    fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude], sheet: &mut Sheet) -> Outcome {
+        let shift = match amplitudes {
+            [Amplitude::Shift(shift), ..] => Some(*shift),
+            _ => None,
+        };
+        let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
+        let given = if shift.is_some() { FORCES } else { SHIFTS };
+        sheet.under(&[&heads, &given]);
+        let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
+        for &at in preloads {
+            let joint = self.at(at);
+            let preload = |(joint, _): &(Unloading, PartialSlip)| self.preload(at, joint);
+            let preload = joint.as_ref().map_err(Clone::clone).and_then(preload);
+            let mut refused: Vec<String> = vec![];
+            for &amplitude in amplitudes {
+                let found = match (&joint, &preload) {
+                    (Ok((_, slip)), Ok(_)) => self.under(slip, amplitude),
+                    (Err(error), _) | (_, Err(error)) => Err(error.clone().into()),
+                };
+                answered |= found.is_ok();
+                let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
+                    refused.push(error.to_string());
+                    match amplitude {
+                        Amplitude::Shift(_) => [None; 5],
+                        Amplitude::Force(force) => [Some(force), None, None, None, None],
+                    }
+                });
+                farthest = farthest.max(cycle[4].unwrap_or(0.0));
+                let place = preload.clone().map(|known| known.map(Some));
+                let place = place.unwrap_or_else(|_| self.given(at));
+                let mut row = vec![Cell::from(self.subject.id)];
+                row.extend(place.into_iter().chain(cycle).map(Cell::from));
+                sheet.rows.push(row);
+            }
+            match shift {
+                Some(_) => reasons.extend(refused),
+                None => reasons.extend(by_size(refused, amplitudes.len())),
+            }
+        }
+        if !answered && !reasons.is_empty() {
+            reasons.truncate(if shift.is_some() { 1 } else { reasons.len() });
+            return Err(reasons.join("; ").into());
+        }
+        let id = self.subject.id;
+        let blank = if shift.is_some() { "the row of a preload is blank: " } else { "" };
+        for reason in reasons {
+            self.subject.warn_blank(sheet, format!("{id}: {blank}{reason}"));
+        }
+        if let Some(shift) = shift {
+            self.check_amplitude(sheet, shift, farthest);
+        }
+        Ok(())
+    }
+
+    /// The numbers of a cycle, in the order of [`FORCES`] or [`SHIFTS`].
+    fn under(&self, slip: &PartialSlip, amplitude: Amplitude) -> Outcome<[f64; 5]> {
+        let shift = shift_of(slip, amplitude)?;
+        let force = match amplitude {
+            Amplitude::Shift(_) => slip.force(shift)?.value(),
+            Amplitude::Force(force) => force,
+        };
+        let (loss, factor) = (slip.loss(shift)?.value(), slip.loss_factor(shift)?);
+        let numbers = [force / shift, loss, factor].map(|x| self.digits(x));
+        let [stiffness, loss, factor] = numbers;
+        Ok(match amplitude {
+            Amplitude::Shift(_) => {
+                let [force, sliding] = [force, slip.shift_at(SLIDING)?].map(|x| self.digits(x));
+                [force, stiffness, loss, factor, sliding]
+            }
+            Amplitude::Force(_) => [force, self.digits(shift), stiffness, loss, factor],
+        })
+    }
+
+    /// Load \[N\], pressure \[Pa\] and separation over σ_z of a preload, of those that are given.
+    fn given(&self, preload: At) -> [Option<f64>; 3] {
+        let scene = &self.subject.file.scene;
+        match preload {
+            At::Separation(at) => [None, None, self.subject.place(at, SeparationUnit::Sigma).ok()],
+            at => [at.load(scene), at.pressure(scene), None],
+        }
+    }
+
+    /// All three of a preload: what is given has its own digits.
+    fn preload(&self, preload: At, joint: &Unloading) -> Result<[f64; 3], ContactError> {
+        let [load, pressure, separation] = self.given(preload);
+        let load = load.map_or_else(|| joint.force(0.0).map(|force| force.value()), Ok)?;
+        let closest = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
+        let pressure = pressure.unwrap_or(load / self.subject.file.scene.nominal_area);
+        Ok([load, pressure, separation.unwrap_or(closest)])
+    }
+
+    /// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.
+    fn check_amplitude(&self, sheet: &mut Sheet, amplitude: f64, sliding: f64) {
+        let height_std = self.subject.file.scene.surface.asperity_height_std;
+        let limits = [(sliding, "the shift of gross slip"), (height_std, "asperity_height_std")];
+        let beyond = limits.iter().filter(|(length, _)| amplitude > FAR * length);
+        let times =
+            |(length, name): &(f64, &str)| format!("{:.0e} times {name}", amplitude / length);
+        let beyond = beyond.map(times).collect::<Vec<_>>().join(" and ");
+        if !beyond.is_empty() {
+            let amplitude = shortest_digits(amplitude);
+            let advice = "write lengths with their unit, for example 100nm";
+            sheet.warn("amplitude", format!("amplitude is {amplitude} m, {beyond}; {advice}"));
+        }
+    }
+}
+
+/// Columns of cycles of one shift.
+const FORCES: [&str; 5] =
+    ["force_N", "secant_stiffness_N_per_m", "loss_J", "loss_factor", "sliding_m"];
+/// Columns of cycles of tangential forces.
+const SHIFTS: [&str; 5] =
+    ["tangential_force_N", "amplitude_m", "secant_stiffness_N_per_m", "loss_J", "loss_factor"];
+
+/// The amplitude of shift of a cycle.
+fn shift_of(slip: &PartialSlip, amplitude: Amplitude) -> Outcome<f64> {
+    let force = match amplitude {
+        Amplitude::Shift(shift) => return Ok(shift),
+        Amplitude::Force(force) => force,
+    };
+    slip.amplitude_at(force).or_else(|error| {
+        let ContactError::OutOfRange { field: "tangential_force", .. } = error else {
+            return Err(error.into());
+        };
+        let limit = slip.limit()?;
+        let digits = [force, limit].map(rounded);
+        // Forces that differ in later digits only.
+        let equal = digits[0] == digits[1];
+        let ten = |x: f64| shortest_digits(format!("{x:.9e}").parse().unwrap_or(x));
+        let [shown, of] = if equal { [force, limit].map(ten) } else { digits };
+        let is = if force < limit { "is within the tolerance of" } else { "is not below" };
+        Err(format!("a tangential force of {shown} N {is} mu F = {of} N: {SLIDES}").into())
+    })
+}
+
+/// The reasons of forces without a cycle: those that are too large are no reason for those that
+/// are too small.
+fn by_size(refused: Vec<String>, all: usize) -> impl Iterator<Item = String> {
+    let (large, small): (Vec<_>, Vec<_>) =
+        refused.into_iter().partition(|reason| reason.ends_with(SLIDES));
+    [large, small].into_iter().filter_map(move |refused| {
+        let first = refused.first()?;
+        Some(match refused.len() {
+            1 if all == 1 => first.clone(),
+            1 => format!("1 of {all} forces has no cycle: {first}"),
+            count => format!("{count} of {all} forces have no cycle, first: {first}"),
+        })
+    })
+}

@@ -1,0 +1,94 @@
+//! What a sheet is about: a model on a scene, with the names that messages have for both.
+
+use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
+use asperity::{
+    At, ContactError, Finding, Findings, Model, Separation, SeparationUnit, Severity, Tolerance,
+};
+use asperity_inputs::{SceneFile, mistaken_unit};
+
+use crate::{AnswerError, Sheet};
+
+/// A model on a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject<'a> {
+    /// The scene.
+    pub file: &'a SceneFile,
+    /// The name of the scene in messages.
+    pub name: &'a str,
+    /// The name of the model in rows and messages.
+    pub id: &'a str,
+    /// The model.
+    pub model: &'a Model,
+    /// Relative tolerance of every value.
+    pub tolerance: Tolerance,
+}
+
+/// A result, or the reason why there is none.
+pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
+
+impl Sheet {
+    /// Adds the warnings and errors that the scene does not accept, one for each cause.
+    pub(crate) fn report(&mut self, file: &SceneFile, found: Findings) {
+        self.extend(file.accepted(found).at_least(Severity::Warning));
+    }
+
+    /// Names the columns.
+    pub(crate) fn under(&mut self, heads: &[&[&str]]) {
+        self.heads = heads.concat().into_iter().map(String::from).collect();
+    }
+}
+
+impl Subject<'_> {
+    /// Fills a sheet; an error is about the model.
+    pub(crate) fn fill(
+        &self,
+        sheet: &mut Sheet,
+        fill: impl FnOnce(&mut Sheet) -> Outcome,
+    ) -> Outcome {
+        fill(sheet).map_err(|error| error.of_model(self.id))
+    }
+
+    /// Warns of blank cells of the model.
+    pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
+        let found = Finding::warning("blank", "", f64::NAN).fact(text);
+        sheet.findings.push(found.from_origin(self.name));
+    }
+
+    /// A separation from the plane of the scene, in this unit.
+    pub(crate) fn place(&self, at: Separation, unit: SeparationUnit) -> Result<f64, ContactError> {
+        Ok(at.measured_in(unit, self.file.separation_from, &self.file.scene)?.value)
+    }
+
+    /// Joints of these unloading laws.
+    pub(crate) fn joints(&self, laws: &[UnloadingLaw]) -> Result<Vec<Joint>, ContactError> {
+        let scene = &self.file.scene;
+        laws.iter().map(|law| Joint::new(self.model, scene, *law, self.tolerance)).collect()
+    }
+
+    /// Warns of a joint that creates energy when it is closed to a place and opened.
+    pub(crate) fn warn_energy_gain(
+        &self,
+        sheet: &mut Sheet,
+        joint: &Joint,
+        closest: At,
+        work: &Work,
+    ) -> Result<(), ContactError> {
+        let gain = joint.energy_gain(closest, work)?;
+        sheet.report(self.file, gain.iter().map(EnergyGain::finding).collect());
+        Ok(())
+    }
+}
+
+/// A warning of values that look like another unit, by the largest of them; `name` is their option.
+#[must_use]
+pub fn unit_warning(
+    name: &str,
+    values: &[f64],
+    unit: SeparationUnit,
+    height_std: f64,
+) -> Option<Finding> {
+    let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    let message = mistaken_unit(name, value, unit, height_std)?;
+    let text = format!("{message}; write lengths with their unit, for example 2um");
+    Some(Finding::warning("likely-unit", name.to_string(), value).fact(text))
+}

@@ -1,0 +1,122 @@
+//! Models beside boundary elements on the scan of a scene, as a sheet.
+
+use std::mem::discriminant;
+use std::ops::ControlFlow;
+
+use asperity::bem::{Bem, BemError};
+use asperity::{
+    ContactError, ContactState, Described, Finding, Model, Truth, compare_with_bem, summary,
+};
+use asperity_inputs::SceneFile;
+
+use crate::models::{by_reason, models_beside_bem, once};
+use crate::{AnswerError, Cell, Sheet, Watch};
+
+const COLUMNS: [&str; 10] = [
+    "load_N",
+    "pressure_Pa",
+    "model",
+    "area_fraction",
+    "area_deviation",
+    "mean_gap_m",
+    "mean_gap_deviation_over_sq",
+    "stiffness_N_per_m",
+    "stiffness_deviation",
+    "boundary",
+];
+
+/// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean pressures \[Pa\], with the
+/// deviations of the models; `refine` adds half the grid. Where the work is stopped, the rows are
+/// those solved by then. `name` is that of the scene in messages.
+///
+/// # Errors
+/// Those of the scene, a grid that cannot be halved, and where no load is solved.
+pub fn truth(
+    (file, name, bem): (&SceneFile, &str, &Bem),
+    models: &[String],
+    pressures: &[f64],
+    refine: bool,
+    sheet: &mut Sheet,
+    watch: &dyn Watch,
+) -> Result<(), AnswerError> {
+    sheet.under(&[&COLUMNS]);
+    let models = models_beside_bem(file, models, &[], sheet)?;
+    let solve = |bem: &Bem, models: &[Model]| {
+        compare_with_bem(&file.scene, bem, pressures, models, |progress| {
+            let all = 3 * pressures.len();
+            watch.progress(&format!("truth: contact {} of {all}", progress.done + 1));
+            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+    };
+    let found = solve(bem, &models)?;
+    let half = match refine && !watch.is_stopped() {
+        true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
+        false => vec![None; found.len()],
+    };
+    let errors = found.iter().filter_map(|one| one.as_ref().err());
+    let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
+    for error in once(&errors.map(ToString::to_string).collect::<Vec<_>>()) {
+        sheet.warn("unsolved", error);
+    }
+    let solved = found.into_iter().zip(half).filter_map(|(one, half)| Some((one.ok()?, half)));
+    let (found, half): (Vec<Truth>, Vec<Option<Truth>>) = solved.unzip();
+    if found.is_empty() {
+        return match watch.is_stopped() {
+            true => Ok(()),
+            false => Err(format!("{name}: no load was solved").into()),
+        };
+    }
+    let of_truth = |truth: &Truth| {
+        let refused = truth.refused.iter().map(|(_, why)| why.clone());
+        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+    };
+    sheet.report(file, found.iter().flat_map(of_truth).collect());
+    for text in by_reason(&missing(&found)) {
+        sheet.warn("no-value", text);
+    }
+    sheet.note("nearest", summary(&found));
+    for line in file.beside_table(&found) {
+        sheet.note("evidence", line);
+    }
+    for (truth, half) in found.iter().zip(&half) {
+        add_rows(sheet, truth, half.as_ref(), (file.scene.nominal_area, bem));
+    }
+    let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
+    if !models.is_empty() && states.all(|state| state == ContactState::default()) {
+        let text = format!("{name}: no model has a result");
+        sheet.findings.push(Finding::error("no-result", "", f64::NAN).fact(text));
+    }
+    Ok(())
+}
+
+/// One reason per model and kind: others differ only in the load.
+fn missing(found: &[Truth]) -> Vec<(String, ContactError)> {
+    let mut missing: Vec<(String, ContactError)> = vec![];
+    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
+        let same = |(id, known): &(String, ContactError)| {
+            id == model.id() && discriminant(known) == discriminant(why)
+        };
+        if !missing.iter().any(same) {
+            missing.push((model.id().into(), why.clone()));
+        }
+    }
+    missing
+}
+
+fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem): (f64, &Bem)) {
+    let models = truth.models.iter().map(|(model, state)| (model.id(), state));
+    let half = half.map(|half| ("bem-half-grid", &half.bem));
+    for (id, state) in [("bem", &truth.bem)].into_iter().chain(half).chain(models) {
+        let off = truth.deviation(state);
+        let mut row: Vec<Cell> =
+            vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
+        let numbers = [
+            [state.area_fraction, off.area_fraction],
+            [state.mean_gap, off.mean_gap],
+            [state.stiffness, off.stiffness],
+        ];
+        row.extend(numbers.into_iter().flatten().map(Cell::from));
+        row.push(bem.continuation().name().into());
+        sheet.rows.push(row);
+    }
+}

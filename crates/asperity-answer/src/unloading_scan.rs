@@ -1,0 +1,83 @@
+//! The opening of a scan along its own path, by boundary elements.
+
+use std::ops::ControlFlow;
+
+use asperity::bem::{BemError, LoadCase};
+use asperity::{At, Datum, Separation, SeparationUnit, linspace};
+
+use crate::models::once;
+use crate::number::rounded;
+use crate::subject::Subject;
+use crate::unloading::{Retreats, metres};
+use crate::{AnswerError, Cell, Sheet, Watch};
+
+/// Number of default retreats: each takes some solutions.
+const POINTS: usize = 21;
+
+/// The contact of the scan as it opens from its greatest load, by default to the end of contact.
+///
+/// # Errors
+/// Those of boundary elements on the scene, and where no retreat is solved.
+pub fn unloading_scan(
+    subject: &Subject<'_>,
+    closest: At,
+    retreats: Option<Retreats<'_>>,
+    sheet: &mut Sheet,
+    watch: &dyn Watch,
+) -> Result<(), AnswerError> {
+    let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
+    sheet.under(&[&heads, &["area_m2", "stiffness_N_per_m"]]);
+    subject.fill(sheet, |sheet| {
+        let (id, contact) = (subject.id, &subject.file.scene);
+        let retreats = retreats.map(|given| metres(sheet, subject, given));
+        let bem = subject.file.bem(None, false)?;
+        sheet.findings.extend(bem.note());
+        let greatest = match closest {
+            At::Separation(place) => {
+                let gap = place.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact)?;
+                LoadCase::MeanGap(gap.value)
+            }
+            _ => LoadCase::MeanPressure(closest.pressure(contact).ok_or("a load or a pressure")?),
+        };
+        watch.progress(&format!("{id}: the greatest load"));
+        let path = bem.elements(&contact.interface)?.unloading_from(greatest)?;
+        let end = path.last_contact();
+        let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, POINTS));
+        let found = path.at_retreats(&retreats, |progress| {
+            watch.progress(&format!("{id}: retreat {} of {}", progress.done + 1, retreats.len()));
+            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let mut reasons: Vec<String> = vec![];
+        for (retreat, found) in retreats.iter().zip(found) {
+            let found = match found {
+                Ok(found) => found,
+                Err(BemError::Cancelled) => continue,
+                Err(error) => {
+                    reasons.push(format!("at a retreat of {} m: {error}", rounded(*retreat)));
+                    continue;
+                }
+            };
+            let place = Separation::metres(found.mean_gap).from_surface_mean();
+            let stiffness = found.stiffness.transpose().unwrap_or_else(|error| {
+                reasons.push(format!("no stiffness: {error}"));
+                None
+            });
+            let (pressure, area) = (found.mean_pressure, contact.nominal_area);
+            let separation = subject.place(place, SeparationUnit::Sigma)?;
+            let numbers = [*retreat, separation, pressure * area, pressure, found.area * area];
+            let mut row = vec![Cell::from(id), Cell::from("own")];
+            row.extend(numbers.map(Cell::from));
+            row.push(stiffness.map(|stiffness| stiffness * area).into());
+            sheet.rows.push(row);
+        }
+        for reason in once(&reasons) {
+            subject.warn_blank(sheet, format!("{id}: {reason}"));
+        }
+        if sheet.rows.is_empty() {
+            return Err("no retreat was solved".into());
+        }
+        let (end, text) = (rounded(end), "where the last pixel parts");
+        sheet.note("end-of-contact", format!("{id}: contact ends at a retreat of {end} m, {text}"));
+        Ok(())
+    })
+}

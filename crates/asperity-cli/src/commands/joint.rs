@@ -1,0 +1,260 @@
+//! `asperity joint`: a closed joint that opens, follows a history of loads, or slips.
+
+use std::path::PathBuf;
+
+use anyhow::{Result, bail};
+use asperity::bem::Bem;
+use asperity::joints::UnloadingLaw;
+use asperity::{At, SeparationUnit, Tolerance, shortest_digits};
+use asperity_answer::{Amplitude, Sheet, Slip, history, rounded, unloading, unloading_scan};
+use clap::Args;
+use clap::error::ErrorKind;
+
+use super::joint_plots;
+use crate::input::args::{DrawnArgs, one_model_id, separation_unit, tolerance};
+use crate::input::distances::{Distances, turning_separations, warn_unit};
+use crate::input::lists::{Numbers, all, turning_loads};
+use crate::input::numbers::{count_up_to, friction, length, load, pressure};
+use crate::input::usage_error;
+use crate::interrupt::terminal;
+use crate::output::{once, print_message};
+use crate::scene::{LoadedScene, NamedModel};
+
+/// Larger coefficients of friction are unlikely.
+const LARGEST_FRICTION: f64 = 2.0;
+/// Shifts of a loop by default.
+const POINTS: usize = 101;
+/// Amplitudes above this multiple of asperity_height_std are refused: other asperities would meet
+/// in every cycle.
+const FARTHEST: f64 = 1e6;
+
+/// A joint that opens, follows a history of loads or, with --friction, slips
+#[derive(Debug, Args)]
+#[command(
+    mut_arg("format", |arg| arg.default_value("csv")),
+    after_help = "Opening: the joint has been closed for the first time up to --closest, --load or
+--pressure, and opens by the retreats (default: to the end of contact).
+Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
+(not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
+below 1 most surfaces have parted, and values are averages over many surfaces).
+hertz: as a Hertzian contact with the force and area at the closest approach; brake:
+Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
+Coming closer again retraces these curves, and then follows the virgin one: the energy is
+dissipated in the first cycle only.
+--history takes a new joint through turning points; way counts the paths between them.
+bem opens the scan along its own path, with the stiffness at fixed contact.
+
+Slip, with --friction: at constant separation; force_N at a first shift (blank below 0), back_N
+and forth_N in a steady cycle between -amplitude and +amplitude (Masing); loss_J and loss_factor
+of a cycle whose amplitude is this shift: energy / (pi x force x shift), 4/pi in gross slip.
+Several preloads or forces have one row each, with tangential_force_N and amplitude_m or
+force_N and sliding_m (the shift at which 99 % of mu F is reached). Partial slip of every
+asperity (Cattaneo, Mindlin), which answers as elastically as in unloading: exact for gw.
+Needs equivalent_shear_modulus, or the bodies.
+
+Models of equal, upright asperities with circular contacts only, without adhesion; to open
+a joint with jkr adhesion, use the model jkr-separation. Blank rows have a reason, which is
+printed.
+
+Examples:
+  asperity joint scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
+  asperity joint scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
+  asperity joint scan.toml --model bem --pressure 50MPa --retreat 0:100nm:11
+  asperity joint scene.toml --model ke --history-load 10,2000,500,3000,10 --output cycle.csv
+  asperity joint scene.toml --model gw --pressure 5e6 --friction 0.2 --amplitude 1e-7
+  asperity joint scene.toml --load 100:1e4:20:log --friction 0.3 --amplitude 100nm
+  asperity joint scene.toml --load 100N,1kN --friction 0.3 --tangential-force 1N:25N:20:log"
+)]
+pub struct Joint {
+    /// Scene file; `asperity init` writes an example
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Model by id, as listed by `asperity models` [default: ke; gw without a hardness]
+    #[arg(long, value_name = "M", value_parser = one_model_id)]
+    model: Option<String>,
+    #[command(flatten)]
+    place: Place,
+    /// Unloading laws of the asperities: hertz, brake, etsion, or several
+    #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
+    laws: Vec<UnloadingLaw>,
+    /// Retreats from the closest approach, in units of asperity_height_std (sigma), or with a unit,
+    /// for example 0:100nm:11
+    #[arg(long, value_name = "A:B:N[:log]|v,v")]
+    retreat: Option<Distances>,
+    /// Unit of retreats and turning points given without one: sigma (asperity_height_std) or m
+    #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
+    #[arg(default_value = "sigma")]
+    unit: SeparationUnit,
+    /// Coefficient of friction, for example 0.2 or 20%: the joint slips
+    #[arg(long, alias = "mu", value_name = "MU", value_parser = friction, requires = "cycle")]
+    #[arg(conflicts_with_all = ["retreat", "history", "history_load"])]
+    friction: Option<f64>,
+    #[command(flatten)]
+    cycle: Cycle,
+    /// Number of shifts from -amplitude to +amplitude of one cycle [default: 101]
+    #[arg(long, value_name = "N", value_parser = count_up_to(100_000), requires = "friction")]
+    points: Option<usize>,
+    /// Relative tolerance of every value, from 1e-15 to 0.1
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
+    tolerance: Tolerance,
+    #[command(flatten)]
+    output: DrawnArgs,
+}
+
+/// The closest approach, the largest load, or turning points.
+#[derive(Debug, Args)]
+#[group(id = "place", required = true, multiple = false)]
+struct Place {
+    /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
+    #[arg(long, value_name = "D")]
+    closest: Option<Distances>,
+    /// Largest load, in N, or with a unit, for example 2kN
+    #[arg(long, value_name = "P", value_parser = all(load))]
+    load: Option<Numbers>,
+    /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
+    #[arg(long, value_name = "P", value_parser = all(pressure))]
+    pressure: Option<Numbers>,
+    /// Turning points as separations, in sigma, or with a unit, for example 2um
+    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
+    #[arg(value_parser = turning_separations)]
+    history: Option<Distances>,
+    /// Turning points as loads in N, or with a unit, for example 2kN
+    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
+    #[arg(value_parser = turning_loads)]
+    history_load: Option<Numbers>,
+}
+
+/// The amplitude of a cycle: a shift, or tangential forces.
+#[derive(Debug, Args)]
+#[group(id = "cycle", multiple = false, requires = "friction")]
+struct Cycle {
+    /// Largest shift, in m, or with a unit, for example 100nm
+    #[arg(long, value_name = "M", value_parser = length)]
+    amplitude: Option<f64>,
+    /// Amplitudes of the tangential force instead of the shift: in N, or with a unit, for example
+    /// 10N:500N:20:log
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
+    tangential_force: Option<Numbers>,
+}
+
+impl Place {
+    /// The closest approaches, largest loads or turning points; prints the findings there.
+    fn all(&self, scene: &LoadedScene, model: &NamedModel, turns: SeparationUnit) -> Vec<At> {
+        let height_std = scene.file.scene.surface.asperity_height_std;
+        let mut places = vec![];
+        for (name, list, plain) in
+            [("closest", &self.closest, SeparationUnit::Sigma), ("history", &self.history, turns)]
+        {
+            let Some(list) = list else { continue };
+            let unit = list.unit(plain);
+            warn_unit(name, &list.values, unit, height_std);
+            let place = |value: &f64| At::from(scene.file.separation(*value, unit));
+            places.extend(list.values.iter().map(place));
+        }
+        let loads = [&self.load, &self.history_load].into_iter().flatten().flat_map(|list| &list.0);
+        places.extend(loads.copied().map(At::Load));
+        let pressures = self.pressure.iter().flat_map(|list| &list.0);
+        places.extend(pressures.copied().map(At::Pressure));
+        scene.report_answers(&[model], &places);
+        places
+    }
+
+    fn turns(&self) -> bool {
+        self.history.is_some() || self.history_load.is_some()
+    }
+}
+
+impl Joint {
+    /// Runs under the name of the command or of an alias.
+    pub fn run(self, command: &str) -> Result<()> {
+        self.output.check(command);
+        let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
+        let model = self.model.as_deref();
+        let named = model.map_or_else(|| scene.default_model(), |id| scene.model(id))?;
+        let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
+        if is_scan && laws != [UnloadingLaw::Hertz] {
+            let text = "bem follows the contact itself; leave out --law";
+            usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
+        if is_scan && self.place.turns() {
+            let text = "bem opens from one load; use --load, --pressure or --closest";
+            usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
+        if self.friction.is_some() && laws.len() > 1 {
+            usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
+        }
+        self.check_slip(&scene)?;
+        let places = self.place.all(&scene, &named, self.unit);
+        let subject = scene.subject(&named, self.tolerance);
+        if let Some(friction) = self.friction {
+            return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
+        }
+        if self.place.turns() {
+            let (sheet, ()) =
+                scene.answer(|sheet| Ok(history(&subject, &laws, &places, sheet)?))?;
+            let from = scene.file.separation_from;
+            return self.output.write_sheet(&sheet, || joint_plots::history(&sheet, from));
+        }
+        let [closest] = places[..] else {
+            let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
+            usage_error(command, ErrorKind::TooManyValues, text)
+        };
+        let retreats = self.retreat.as_ref();
+        let retreats = retreats.map(|list| (&list.values[..], list.unit(self.unit)));
+        if is_scan {
+            let watch = terminal()?;
+            let fill =
+                |sheet: &mut Sheet| Ok(unloading_scan(&subject, closest, retreats, sheet, &watch)?);
+            let (sheet, ()) = scene.answer(fill)?;
+            drop(watch);
+            return self.output.write_sheet(&sheet, || joint_plots::opening(&sheet, &sheet));
+        }
+        let fill = |sheet: &mut Sheet| Ok(unloading(&subject, &laws, closest, retreats, sheet)?);
+        let (sheet, ()) = scene.answer(fill)?;
+        self.output.write_sheet(&sheet, || {
+            let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
+            let dense = Some((&dense[..], SeparationUnit::Metres));
+            unloading(&subject, &laws, closest, dense, &mut smooth)?;
+            joint_plots::opening(&sheet, &smooth)
+        })
+    }
+
+    fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
+        let amplitudes = self.amplitudes();
+        if let (Some(points), false) = (self.points, preloads.len() * amplitudes.len() == 1) {
+            let text = format!("--points {points} is not used: several cycles have one row each");
+            print_message("note", &text);
+        }
+        let points = self.points.unwrap_or(POINTS);
+        let fill = |sheet: &mut Sheet| Ok(slip.answer(preloads, &amplitudes, points, sheet)?);
+        let (sheet, ()) = scene.answer(fill)?;
+        self.output.write_sheet(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
+    }
+
+    fn amplitudes(&self) -> Vec<Amplitude> {
+        let shift = self.cycle.amplitude.map(Amplitude::Shift);
+        let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
+        shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
+    }
+
+    /// Refuses an amplitude that is no partial slip, and warns of a coefficient of friction that is
+    /// probably in per cent.
+    fn check_slip(&self, scene: &LoadedScene) -> Result<()> {
+        let most = FARTHEST * scene.file.scene.surface.asperity_height_std;
+        if let Some(amplitude) = self.cycle.amplitude.filter(|amplitude| *amplitude > most) {
+            bail!(
+                "--amplitude is {} m: at most {} m, 1e6 asperity_height_std, were required, as partial slip is far smaller; write it with its unit, for example 100nm",
+                shortest_digits(amplitude),
+                rounded(most)
+            )
+        }
+        if let Some(given) = self.friction.filter(|friction| *friction > LARGEST_FRICTION) {
+            let given = rounded(given);
+            let text = format!(
+                "--friction is {given}, and dry contacts have at most about 1.5; {given} % is written {given}%"
+            );
+            print_message("warning", &text);
+        }
+        Ok(())
+    }
+}
