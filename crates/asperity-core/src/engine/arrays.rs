@@ -2,7 +2,6 @@
 
 use asperity_quadrature::{Column, ColumnAccuracy};
 
-use crate::engine::averages::Averages;
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
 use crate::request::quantity_table::Derivation;
@@ -104,7 +103,7 @@ fn multiple(
     separations: &[f64],
     values: &mut [f64],
 ) -> Option<FillReport> {
-    (&prepared).check_requested(quantity).ok()?;
+    prepared.facts.check_requested(quantity).ok()?;
     let (base, slope, factor) = factor(prepared, quantity)?;
     let channel = prepared.channel(base).ok()?;
     let column = Column { shift: 0.0, slope, factor: factor * channel.units.factor };

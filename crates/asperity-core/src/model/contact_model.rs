@@ -1,9 +1,6 @@
 //! A contact model: named, swapped, applied to scenes.
 
-use std::sync::Arc;
-
 use crate::engine::alone::Alone;
-use crate::engine::compiled::Compiled;
 use crate::engine::list::{answer_prepared, is_short};
 use crate::engine::prepared::{Facts, Prepared};
 use crate::{
@@ -70,21 +67,18 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        Ok(Box::new(Compiled::new(self, scene, request)?))
+        Ok(Box::new(Prepared::new(Facts::new(self, scene, request)?, scene)?))
     }
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         match is_short(request, scene) {
-            true => {
-                let facts = Arc::new(Facts::new(self, scene, request)?);
-                Ok(Box::new(Alone::new(facts, scene)?))
-            }
+            true => Ok(Box::new(Alone::new(Facts::new(self, scene, request)?, scene)?)),
             false => self.compile(scene, request),
         }
     }
 
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        let facts = Arc::new(Facts::new(self, scene, request)?);
+        let facts = Facts::new(self, scene, request)?;
         Ok(match is_short(request, scene) {
             true => Alone::new(facts, scene)?.respond(request),
             false => answer_prepared(&Prepared::new(facts, scene)?, request),

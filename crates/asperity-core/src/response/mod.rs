@@ -81,7 +81,7 @@ impl Response {
 }
 
 /// A value, or the reason why there is none.
-pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
+pub(crate) type Answered = Result<Evaluation, Box<ContactError>>;
 
 /// Rows that are held before they join their columns.
 const ROWS_PER_BLOCK: usize = 8192;
@@ -91,7 +91,7 @@ const ROWS_PER_BLOCK: usize = 8192;
 pub(crate) fn respond(
     (model, scene, adhesive): (&str, &Scene, bool),
     request: &Request,
-    cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
+    answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
     shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
     behind: impl Fn(Quantity, At) -> Option<f64>,
 ) -> Response {
@@ -101,8 +101,8 @@ pub(crate) fn respond(
     };
     let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
     for places in request.at.chunks(ROWS_PER_BLOCK) {
-        for (column, cells) in columns.iter_mut().zip(cells(places)) {
-            column.rows.extend(cells);
+        for (column, rows) in columns.iter_mut().zip(answered(places)) {
+            column.rows.extend(rows);
         }
     }
     let mut seen = RowCheck::new(adhesive);

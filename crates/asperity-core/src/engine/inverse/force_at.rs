@@ -32,12 +32,12 @@ pub(crate) struct Falls {
     /// Force and variation to less, for their slopes.
     rough: [HeightIntegral; 2],
     /// Where force or slope may have kinks, and between them: descending.
-    places: Vec<Place>,
+    places: Vec<Landing>,
 }
 
 /// A separation, and the samples there, made once for all loads.
 #[derive(Debug)]
-struct Place {
+struct Landing {
     s: f64,
     sample: OnceLock<Result<Sample, ContactError>>,
     /// ln of what the integral of the force exceeds here and everywhere below, if it is positive.
@@ -74,7 +74,7 @@ impl Falls {
             let least = if x > 0.0 { variation.least_from(law, x) } else { None };
             least.filter(|least| *least > 0.0).map(f64::ln)
         };
-        let place = |s: f64| Place { s, sample: OnceLock::new(), ln_floor: floor(s) };
+        let place = |s: f64| Landing { s, sample: OnceLock::new(), ln_floor: floor(s) };
         let places = places.into_iter().map(place).collect();
         let unseen = heights.high - first - law.onset * scale;
         let (turns, enough) = (knots.len(), tolerance.relative().max(ENOUGH));
@@ -228,14 +228,14 @@ impl Marks {
 
 /// Where the law of a force falls, kept for other loads and scenes.
 #[derive(Debug, Default)]
-pub(crate) struct KnownFalls {
+pub(crate) struct CachedFalls {
     /// The range that was searched, and what was found there.
     variation: Option<((f64, f64), Arc<Variation>)>,
     /// Those on the last scene.
     on_scene: Option<(Scene, Option<Arc<Falls>>)>,
 }
 
-impl KnownFalls {
+impl CachedFalls {
     /// The variation of the law on a range, at least.
     fn variation(&mut self, law: &Law, (least, most): (f64, f64)) -> Arc<Variation> {
         if let Some(((from, to), known)) = &self.variation

@@ -5,7 +5,7 @@ use asperity_quadrature::Moments;
 use crate::ContactError;
 use crate::engine::inverse::force_at::ForceAt;
 use crate::engine::inverse::interval::Level;
-use crate::request::separation::{HIGHEST, LOWEST, Place};
+use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 
 pub(crate) mod force_at;
 pub(crate) mod interval;
@@ -63,7 +63,7 @@ pub(crate) fn check_load(
 impl Target {
     /// Where a force that need not fall everywhere first carries the load: on approach at the
     /// largest separation, and in tension, pulled from contact, at the smallest.
-    pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<Place, ContactError> {
+    pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<SeparationInSigma, ContactError> {
         let pulled = self.load < 0.0;
         let found = self.crossings(force, !pulled)?;
         let first = if pulled { found.last() } else { found.first() };
@@ -121,9 +121,9 @@ impl Target {
 }
 
 /// The separation of the force, with the error that follows from the force's.
-fn place(s: f64, moments: &Moments) -> Place {
+fn place(s: f64, moments: &Moments) -> SeparationInSigma {
     let error = moments.error * moments.sizes[0] / moments.slope.abs();
-    Place { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
+    SeparationInSigma { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
 }
 
 #[cfg(test)]
