@@ -138,6 +138,6 @@ fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f6
             let factor = radii.on(&scene.interface, quantity).ok()?;
             Some((quantity.origin(), false, factor))
         }
-        Derivation::Ratio(..) | Derivation::Logarithm(_) | Derivation::RegimeShare(_) => None,
+        _ => None,
     }
 }

@@ -9,7 +9,7 @@ use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
 use crate::request::separation::SeparationInSigma;
 use crate::response::{Answered, respond};
-use crate::{At, ContactError, HeightDistribution, Quantity, Request, Response, Scene, Share};
+use crate::{At, ContactError, OtherHeights, Quantity, Request, Response, Scene, Share};
 
 /// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
@@ -21,13 +21,9 @@ const FEW_BETWEEN_BREAKS: usize = 32;
 
 /// Whether a request has too few rows for preparation to save time.
 pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
-    let few = match &scene.heights {
-        HeightDistribution::Weibull(_) => 2 * FEW_BETWEEN_BREAKS,
-        HeightDistribution::Other(other) => {
-            FEW_BETWEEN_BREAKS * (2 + other.heights().breaks().len())
-        }
-        HeightDistribution::Gaussian | HeightDistribution::Exponential => FEW,
-    };
+    let ranges = |heights: &OtherHeights| 2 + heights.heights().breaks().len();
+    let sampled = scene.heights.sampled(1.0);
+    let few = sampled.map_or(FEW, |(heights, _)| FEW_BETWEEN_BREAKS * ranges(heights));
     request.at.len() <= few && !request.shares
 }
 

@@ -63,10 +63,7 @@ impl Evaluation {
                 let value = of(total)?.value().ln();
                 Some(Self::absolute(value, error * (1.0 + value.abs())))
             }
-            Derivation::IntegralOrSlope(..)
-            | Derivation::Slope(_)
-            | Derivation::ContactRadii(_)
-            | Derivation::RegimeShare(_) => None,
+            _ => None,
         }
     }
 

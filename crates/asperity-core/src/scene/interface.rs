@@ -110,18 +110,12 @@ impl Interface {
     }
 
     /// Hardness and ν of one body, with these compliances \[1/Pa\].
-    fn of_body(body: &Body, (normal, tangential): (f64, f64)) -> Interface {
-        Interface {
-            equivalent_modulus: 1.0 / normal,
+    fn of_body(body: &Body, (normal, tangential): (f64, f64)) -> Self {
+        Self {
             equivalent_shear_modulus: Some(1.0 / tangential),
-            poissons_ratio: body.poissons_ratio,
             hardness: body.hardness,
             yield_strength: body.yield_strength,
-            pressure_factor: None,
-            tangent_modulus: None,
-            thermal_conductivity: None,
-            electrical_resistivity: None,
-            work_of_adhesion: None,
+            ..Self::elastic(1.0 / normal, body.poissons_ratio)
         }
     }
 
@@ -138,9 +132,8 @@ impl Interface {
     /// [`ContactError`] naming the field that is out of range.
     pub fn check(&self) -> Result<(Option<f64>, Option<f64>, f64), ContactError> {
         positive("equivalent_modulus", self.equivalent_modulus)?;
-        if let Some(shear) = self.equivalent_shear_modulus {
-            positive("equivalent_shear_modulus", shear)?;
-        }
+        let shear = self.equivalent_shear_modulus;
+        shear.map(|shear| positive("equivalent_shear_modulus", shear)).transpose()?;
         poissons_ratio(self.poissons_ratio)?;
         let alike = 2.0 * (1.0 - self.poissons_ratio.powi(2)) * self.equivalent_modulus;
         check_tangent_modulus(self.tangent_modulus, alike)?;

@@ -74,14 +74,14 @@ impl<'a> Run<'a> {
             }
             let (mut scratch, mut q) = ([0.0; 2], [0.0; 2]);
             let x = [middle.x, middle.x + 0.5 * (right.x - middle.x)];
-            self.evaluations +=
+            self.found.evaluations +=
                 self.integrand.density.sample((left.x, right.x), &x, &mut scratch, &mut q)?;
             let q = q[0].abs().max(q[1].abs());
             let left_over = most - self.view.ln_scale + (q * (right.z - left.z)).ln();
-            if self.sizes[0] > 0.0 && left_over < self.sizes[0].ln() + LN_NOTHING {
+            if self.found.sizes[0] > 0.0 && left_over < self.found.sizes[0].ln() + LN_NOTHING {
                 continue;
             }
-            if self.evaluations > ENOUGH {
+            if self.found.evaluations > ENOUGH {
                 return Err(self.weight.source.fault(WeightFault::Wild { at: middle.z }));
             }
             let divisible = middle.z > left.z && middle.z < right.z;
@@ -188,7 +188,7 @@ impl<'a> Run<'a> {
             place(above).unwrap_or(f64::INFINITY),
         );
         let mut strip = Strip::new(panel, map, (low, 1.0), ends, around);
-        self.evaluations += strip.sample(&self.view)?;
+        self.found.evaluations += strip.sample(&self.view)?;
         self.nonzero |= strip.nonzero;
         self.count(&strip, 1.0);
         self.add_sampled(&[ends.0, ends.1]);

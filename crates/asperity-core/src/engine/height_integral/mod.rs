@@ -40,28 +40,23 @@ impl HeightIntegral {
         let height_std = scene.surface.asperity_height_std;
         let interference_unit = law.interference_unit;
         let scale = interference_unit / height_std;
-        let over = match &scene.heights {
-            HeightDistribution::Gaussian => {
+        let over = match scene.heights.sampled(height_std) {
+            Some((heights, height_std_there)) => {
+                let unit = interference_unit / (height_std / height_std_there);
+                HeightKind::Other(Other {
+                    integral: OverlapIntegral::new(Overlap::new(density, unit, tolerance)),
+                    height_std: height_std_there,
+                    heights: heights.clone(),
+                    tolerance,
+                })
+            }
+            None if matches!(scene.heights, HeightDistribution::Exponential) => {
+                HeightKind::Exponential(Exponential::new(density, scale, tolerance))
+            }
+            None => {
                 let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
                 HeightKind::Gaussian(Gaussian { integral, density, scale, tolerance })
             }
-            HeightDistribution::Exponential => {
-                HeightKind::Exponential(Exponential::new(density, scale, tolerance))
-            }
-            HeightDistribution::Weibull(heights) => HeightKind::Other(Other {
-                integral: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
-                height_std: 1.0,
-                error: heights.sampled.heights().error(),
-                heights: heights.sampled.clone(),
-                tolerance,
-            }),
-            HeightDistribution::Other(heights) => HeightKind::Other(Other {
-                integral: OverlapIntegral::new(Overlap::new(density, interference_unit, tolerance)),
-                height_std,
-                heights: heights.clone(),
-                tolerance,
-                error: heights.heights().error(),
-            }),
         };
         Self { onset: Onset(law.onset * scale), over }
     }
