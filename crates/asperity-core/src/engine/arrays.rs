@@ -1,6 +1,6 @@
 //! Values at many separations in plain arrays: a few nanoseconds each, with one bound for all.
 
-use asperity_quadrature::{Column, ColumnAccuracy};
+use asperity_quadrature::{ArrayAccuracy, ScaledIntegral};
 
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
@@ -106,11 +106,11 @@ fn multiple(
     prepared.facts.check_requested(quantity).ok()?;
     let (base, slope, factor) = factor(prepared, quantity)?;
     let channel = prepared.channel(base).ok()?;
-    let column = Column { shift: 0.0, slope, factor: factor * channel.units.factor };
+    let column = ScaledIntegral { shift: 0.0, slope, factor: factor * channel.units.factor };
     if !column.factor.is_normal() {
         return None;
     }
-    let ColumnAccuracy { error, condition, normal, lowest } =
+    let ArrayAccuracy { error, condition, normal, lowest } =
         channel.total.fill(separations, column, values)?;
     // The factor is a product of two or three numbers.
     let report = FillReport { bound: error + f64::EPSILON, condition };

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity_quadrature::{Moments, QuadratureError};
 
 use crate::engine::inverse::force_at::{Falls, ForceAt};
-use crate::engine::inverse::{ForceCurve, Target, check_load};
+use crate::engine::inverse::{CarriedLoad, ForceCurve, check_load};
 use crate::engine::laws::Laws;
 use crate::error::integral_failed;
 use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
@@ -148,8 +148,8 @@ pub(crate) fn separation_of_pull_off<'s>(
     Ok(pulls.then_some(value))
 }
 
-fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<Target, ContactError> {
-    Ok(Target { load, factor: averages.factor(Quantity::Force)? })
+fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<CarriedLoad, ContactError> {
+    Ok(CarriedLoad { load, factor: averages.factor(Quantity::Force)? })
 }
 
 /// The force over the separation, to be inverted.

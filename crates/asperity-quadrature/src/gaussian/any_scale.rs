@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
 use super::moments::Moments;
-use super::patch::Place;
+use super::patch::Argument;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
 use crate::{Density, QuadratureError};
@@ -76,7 +76,7 @@ impl AnyScale {
 
     /// The rule and the place seen from it, if it has been built and is good enough.
     #[inline]
-    fn ready(&self, s: f64, scale: f64) -> Option<(&Segment, Place)> {
+    fn ready(&self, s: f64, scale: f64) -> Option<(&Segment, Argument)> {
         let rules = self.rows.get(row(scale))?.get()?;
         let place = rules.place(s, scale);
         let segment = rules.ready(place)?;
@@ -91,7 +91,7 @@ impl AnyScale {
 
     /// The rule, built if need be; none where there are none, or where one would be too coarse.
     #[cold]
-    fn build(&self, s: f64, scale: f64) -> Result<Option<(&Segment, Place)>, QuadratureError> {
+    fn build(&self, s: f64, scale: f64) -> Result<Option<(&Segment, Argument)>, QuadratureError> {
         let Some(row) = self.rows.get(row(scale)) else { return Ok(None) };
         let rules = row.get_or_init(|| {
             let quarter = scale.to_bits() >> 50;

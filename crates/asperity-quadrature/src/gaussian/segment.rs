@@ -1,6 +1,6 @@
 //! The integral on a short range of s, and of scales: sampled once, then a polynomial.
 
-use super::patch::{Masses, Patch, Place, Tilt};
+use super::patch::{Argument, Masses, Patch, Tilt};
 use crate::chebyshev::polynomial::{Chebyshev, Series};
 use crate::{Density, QuadratureError};
 
@@ -137,7 +137,7 @@ impl Segment {
 
     /// The value and its size.
     #[inline(always)]
-    pub(crate) fn value(&self, place: Place) -> (f64, f64) {
+    pub(crate) fn value(&self, place: Argument) -> (f64, f64) {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let value = factor * self.power[0].at(at);
         let size = self.size.as_ref().map_or(value, |size| factor * size[0].at(at));
@@ -146,7 +146,7 @@ impl Segment {
 
     /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
     #[inline(always)]
-    pub(crate) fn with_power(&self, place: Place, k: usize) -> [(f64, f64); 2] {
+    pub(crate) fn with_power(&self, place: Argument, k: usize) -> [(f64, f64); 2] {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let of = |series: &Series| factor * series.at(at);
         let (value, power) = (of(&self.power[0]), of(&self.power[k]));

@@ -48,7 +48,7 @@ pub(crate) struct Fitter<'s> {
 }
 
 /// Samples on a panel, with their series.
-struct Fit {
+struct PanelFit {
     low: f64,
     high: f64,
     samples: Samples,
@@ -60,7 +60,7 @@ struct Fit {
     steep: bool,
 }
 
-impl Fit {
+impl PanelFit {
     /// The logarithm at a place.
     fn ln(&self, z: f64) -> f64 {
         self.series.ln((z - self.low) / (self.high - self.low))
@@ -234,7 +234,7 @@ impl<'s> Fitter<'s> {
     }
 
     /// Samples of a panel and their series; beside an end, infinite samples are accepted.
-    fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<Fit, QuadratureError> {
+    fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<PanelFit, QuadratureError> {
         let mut samples = [0.0; NODES];
         for (sample, share) in samples.iter_mut().zip(&lobatto().nodes) {
             let at = low + (high - low) * share;
@@ -259,11 +259,11 @@ impl<'s> Fitter<'s> {
         let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
         let resolved = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
         let steep = self.near && most - least > RANGE && most > self.peak - SMALL;
-        Ok(Fit { low, high, samples, series, error, resolved, steep })
+        Ok(PanelFit { low, high, samples, series, error, resolved, steep })
     }
 
     /// A panel without a power at its ends, halved until it is resolved.
-    fn plain(&mut self, fit: Fit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
+    fn plain(&mut self, fit: PanelFit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
         let width = fit.high - fit.low;
         let (least, most) = range(&fit.samples);
         let small = fit.error < NOISE || most < self.peak - FAINT;

@@ -6,7 +6,8 @@ mod overlap;
 mod slope;
 
 use asperity_quadrature::{
-    Column, ColumnAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian,
+    ArrayAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ScaledIntegral,
+    ShiftedGaussian,
 };
 
 use crate::engine::onset::Onset;
@@ -93,11 +94,11 @@ impl HeightIntegral {
     pub(crate) fn fill(
         &self,
         s: &[f64],
-        column: Column,
+        column: ScaledIntegral,
         out: &mut [f64],
-    ) -> Option<ColumnAccuracy> {
+    ) -> Option<ArrayAccuracy> {
         let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        integral.fill(s, Column { shift: self.onset.0, ..column }, out).ok()
+        integral.fill(s, ScaledIntegral { shift: self.onset.0, ..column }, out).ok()
     }
 
     /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as

@@ -35,7 +35,7 @@ impl<F: FnMut(f64) -> Result<Moments, ContactError>> ForceCurve for F {
 
 /// A load to be carried.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Target {
+pub(crate) struct CarriedLoad {
     /// \[N\]; below 0 for a tension.
     pub(crate) load: f64,
     /// The factor of the integral \[N\].
@@ -60,7 +60,7 @@ pub(crate) fn check_load(
     }
 }
 
-impl Target {
+impl CarriedLoad {
     /// Where a force that need not fall everywhere first carries the load: on approach at the
     /// largest separation, and in tension, pulled from contact, at the smallest.
     pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<SeparationInSigma, ContactError> {

@@ -2,14 +2,14 @@
 
 use asperity_quadrature::Moments;
 
-use crate::engine::inverse::{ALL_TOUCH, ForceCurve, Target, place};
+use crate::engine::inverse::{ALL_TOUCH, CarriedLoad, ForceCurve, place};
 use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError};
 
 /// Newton's steps end after about five; bracketed ones, at the worst, after about sixty.
 const MOST: usize = 200;
 
-impl Target {
+impl CarriedLoad {
     /// ln of an integral over the load, and its fall with s.
     fn measure(&self, moments: &Moments) -> (f64, f64) {
         let Moments { value, slope, ln_scale, .. } = *moments;

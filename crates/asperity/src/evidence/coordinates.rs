@@ -79,7 +79,7 @@ impl SurfaceShape {
 
 /// A surface, a material and a load in the coordinates of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct Coordinates {
     /// m₀ m₄/m₂².
     pub(crate) alpha: f64,
     pub(crate) shape: SurfaceShape,
@@ -95,7 +95,7 @@ pub(crate) struct Place {
     pub(crate) surfaces: f64,
 }
 
-impl Place {
+impl Coordinates {
     /// The place of a scene at a mean pressure \[Pa\]; without a shape heights must be Gaussian.
     pub(crate) fn of_scene(
         scene: &Scene,
@@ -147,7 +147,7 @@ impl Place {
 
 impl Evidence {
     /// Refuses a place outside the solved cases, with the property and its range.
-    pub(crate) fn check(&self, place: &Place) -> Result<(), ContactError> {
+    pub(crate) fn check(&self, place: &Coordinates) -> Result<(), ContactError> {
         let outside_by = |beyond: f64, field: &str, value: f64, [low, high]: [f64; 2]| {
             let (least, most) = (low / beyond, high * beyond);
             (value > 0.0 && !(least..=most).contains(&value)).then(|| {
@@ -173,14 +173,14 @@ impl Evidence {
             })
         };
         let outside = |field: &str, value: f64, range| outside_by(BEYOND, field, value, range);
-        let range = |of: fn(&Place) -> f64| {
+        let range = |of: fn(&Coordinates) -> f64| {
             let known = self.places.iter().map(of);
             known.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
         };
         let up_to = |high: f64| [0.0, high];
         // Of skewed surfaces and those with a lay, fewer materials are solved.
-        let plain = |place: &Place| place.shape == SurfaceShape::default();
-        let like = |other: &&Place| plain(place) || !plain(other);
+        let plain = |place: &Coordinates| place.shape == SurfaceShape::default();
+        let like = |other: &&Coordinates| plain(place) || !plain(other);
         let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
         let plasticity = match plain(place) {
             true => "plasticity_index".into(),
@@ -191,7 +191,7 @@ impl Evidence {
                 )
             }
         };
-        let [_, hardness] = range(Place::of_hardness);
+        let [_, hardness] = range(Coordinates::of_hardness);
         let [lightest, load] = range(|place| place.load);
         let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
