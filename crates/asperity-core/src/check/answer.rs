@@ -234,12 +234,8 @@ impl Check {
         (deep, plastic): (&Interferences, bool),
     ) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
-        self.add_number(
-            "interference",
-            w,
-            "m",
-            "exceeded by the asperities that carry the top 1 % of the load",
-        );
+        let top = "exceeded by the asperities that carry the top 1 % of the load";
+        self.add_number("interference", w, "m", top);
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED * r {
             let deep = Finding::warning("deep", "interference_over_radius", w / r)
@@ -249,10 +245,8 @@ impl Check {
                 .advice("the interference is too large for a spherical-asperity law");
             self.extend([deep]);
         }
-        let Some(critical) = scene.asperity().ok().and_then(|a| a.critical_interference().ok())
-        else {
-            return;
-        };
+        let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
+        let Ok(critical) = critical else { return };
         self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
         self.add_number("yielding_share", beyond, "", YIELDING_SHARE);

@@ -42,7 +42,7 @@ impl Alone {
     }
 
     /// The integrals for a place; a load that is asked for again is not inverted again.
-    fn at(&self, at: &At) -> Result<CaseIntegrals<'_>, ContactError> {
+    pub(crate) fn at(&self, at: &At) -> Result<CaseIntegrals<'_>, ContactError> {
         let Some(load) = at.load(&self.scene).map(f64::to_bits) else { return self.integrals() };
         let inverted = || self.inverted.lock().unwrap_or_else(PoisonError::into_inner);
         let found = inverted().iter().find(|(of, _)| *of == load).map(|(_, found)| *found);
@@ -122,6 +122,6 @@ impl Contact for Alone {
     }
 
     fn respond(&self, request: &Request) -> Response {
-        answer_alone(&self.facts, &self.scene, request, |at| self.at(at))
+        answer_alone(self, request)
     }
 }

@@ -4,6 +4,7 @@ use asperity_quadrature::{ArrayAccuracy, ScaledIntegral};
 
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
+use crate::error::require;
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::LOWEST;
 use crate::response::row_check::CANCELLED;
@@ -68,16 +69,14 @@ fn check(
     separations: &[f64],
     columns: &[&mut [f64]],
 ) -> Result<(), ContactError> {
-    let wrong = |field, value: usize, required| {
-        Err(ContactError::OutOfRange { field, value: value as f64, required })
+    let same = |a: usize, b: usize, field, required| require(a == b, field, a as f64, required);
+    let each = "one for each quantity,";
+    same(columns.len(), quantities.len(), "the number of columns", each)?;
+    let long = |column: &&mut [f64]| {
+        let required = "that of the separations,";
+        same(column.len(), separations.len(), "the length of a column", required).map(drop)
     };
-    if columns.len() != quantities.len() {
-        return wrong("the number of columns", columns.len(), "one for each quantity,");
-    }
-    match columns.iter().find(|column| column.len() != separations.len()) {
-        Some(column) => wrong("the length of a column", column.len(), "that of the separations,"),
-        None => Ok(()),
-    }
+    columns.iter().try_for_each(long)
 }
 
 fn one_by_one(

@@ -2,8 +2,8 @@
 
 use asperity_quadrature::Moments;
 
+use crate::engine::alone::Alone;
 use crate::engine::averages::{Averages, separation_at, shares};
-use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::parallel;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
@@ -27,54 +27,37 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     request.at.len() <= few && !request.shares
 }
 
-/// The response to a request, row by row without preparation; `alone` makes the integrals of a row.
-pub(crate) fn answer_alone<'s>(
-    facts: &Facts,
-    scene: &Scene,
-    request: &Request,
-    alone: impl Fn(&At) -> Result<CaseIntegrals<'s>, ContactError> + Sync + Send,
-) -> Response {
+/// The response to a request, row by row without preparation.
+pub(crate) fn answer_alone(contact: &Alone, request: &Request) -> Response {
     let columns = |places: &[At]| {
         let mut columns = empty(&request.quantities, places);
         for at in places {
-            add_row(
-                &mut columns,
-                match alone(at) {
-                    Ok(mut averages) => answers(&mut averages, &request.quantities, at),
-                    Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
-                },
-            );
+            let row = match contact.at(at) {
+                Ok(mut averages) => answers(&mut averages, &request.quantities, at),
+                Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
+            };
+            add_row(&mut columns, row);
         }
         columns
     };
     let answered = |places: &[At]| parallel::columns(places, (FEW + 1, FEW), columns);
-    answer(facts, scene, request, answered, &alone)
+    respond(contact, request, answered, |quantity, at| {
+        behind(&mut contact.at(&at).ok()?, quantity, at)
+    })
 }
 
 /// The response to a request from prepared integrals.
 pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
     let columns = |places: &[At]| columns(prepared, &request.quantities, places);
     let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-    answer(&prepared.facts, &prepared.scene, request, answered, |_: &At| Ok(prepared))
+    respond(prepared, request, answered, |quantity, at| behind(&mut &*prepared, quantity, at))
 }
 
-/// A response from its columns; its other parts come from `averages`.
-fn answer<'s, A: Averages<'s>>(
-    facts: &Facts,
-    scene: &Scene,
-    request: &Request,
-    columns: impl Fn(&[At]) -> Vec<Vec<Answered>>,
-    averages: impl Fn(&At) -> Result<A, ContactError>,
-) -> Response {
-    let value = |quantity, at: At| {
-        let mut averages = averages(&at).ok()?;
-        let mut row = RowIntegrals::<_>::new(&mut averages, &[quantity], &at).ok()?;
-        Some(row.unchecked(quantity).ok()?.value())
-    };
-    let signed = facts.laws.are_signed();
-    let behind = |quantity, at| if signed { value(quantity, at) } else { None };
-    let shares = |quantity, at: At| shares_at(facts, &mut averages(&at)?, quantity, &at);
-    respond((&facts.model, scene, facts.laws.adhesive), request, columns, shares, behind)
+/// The value behind a logarithm or a share; `None` if it is not negative for any law.
+fn behind<'s>(averages: &mut impl Averages<'s>, quantity: Quantity, at: At) -> Option<f64> {
+    averages.laws().are_signed().then_some(())?;
+    let mut row = RowIntegrals::<_>::new(averages, &[quantity], &at).ok()?;
+    Some(row.unchecked(quantity).ok()?.value())
 }
 
 /// The share of every part in a quantity that follows from a single law.

@@ -160,9 +160,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
             request.quantities.iter().map(of).collect()
         };
         let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-        let shares = |quantity, at| self.shares_at(quantity, at);
-        let of = (self.model(), self.scene(), self.is_adhesive());
-        let mut response = respond(of, request, answered, shares, |_, _| None);
+        let mut response = respond(self, request, answered, |_, _| None);
         response.warnings.extend(self.notes().iter().cloned());
         response
     }

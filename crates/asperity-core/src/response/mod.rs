@@ -6,7 +6,7 @@ pub(crate) mod row_check;
 use serde::Serialize;
 
 use self::row_check::RowCheck;
-use crate::{At, ContactError, Evaluation, Finding, Quantity, Request, Scene, Share};
+use crate::{At, Contact, ContactError, Evaluation, Finding, Quantity, Request, Share};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -87,12 +87,11 @@ pub(crate) type Answered = Result<Evaluation, Box<ContactError>>;
 const ROWS_PER_BLOCK: usize = 8192;
 
 /// Puts columns of runs of rows together, with their findings. `behind` returns the value whose
-/// sign a logarithm or share hides, where it may be negative; `adhesive` if adhesion makes it so.
+/// sign a logarithm or share hides, where it may be negative.
 pub(crate) fn respond(
-    (model, scene, adhesive): (&str, &Scene, bool),
+    contact: &(impl Contact + ?Sized),
     request: &Request,
     answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
-    shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
     behind: impl Fn(Quantity, At) -> Option<f64>,
 ) -> Response {
     let new = |quantity: &Quantity| {
@@ -105,18 +104,18 @@ pub(crate) fn respond(
             column.rows.extend(rows);
         }
     }
-    let mut seen = RowCheck::new(adhesive);
+    let mut seen = RowCheck::new(contact.is_adhesive());
     for column in &mut columns {
         let quantity = column.quantity;
         for (row, &at) in column.rows.iter().zip(&request.at) {
             let row = row.as_ref().map_err(|error| &**error);
-            seen.check(quantity, row, at, scene, |of| behind(of, at));
+            seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
         }
         if request.shares {
-            let of = |at: &At| shares(column.quantity, *at).map_err(Box::new);
+            let of = |at: &At| contact.shares_at(quantity, *at).map_err(Box::new);
             column.shares = Some(request.at.iter().map(of).collect());
         }
     }
-    let warnings = seen.finish(model);
-    Response { model: model.into(), at: request.at.clone(), columns, warnings }
+    let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));
+    Response { model, at: request.at.clone(), columns, warnings }
 }

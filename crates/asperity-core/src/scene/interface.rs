@@ -6,7 +6,7 @@ use super::body::{
     Body, check_conduction, check_tangent_modulus, hardness_and_yield, poissons_ratio,
 };
 use crate::ContactError;
-use crate::error::positive;
+use crate::error::{positive, require};
 
 /// The equivalent properties of two bodies in contact, as the laws use them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -138,10 +138,9 @@ impl Interface {
         let alike = 2.0 * (1.0 - self.poissons_ratio.powi(2)) * self.equivalent_modulus;
         check_tangent_modulus(self.tangent_modulus, alike)?;
         check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
-        if let Some(value) = self.work_of_adhesion.filter(|w| !(*w >= 0.0 && w.is_finite())) {
-            let (field, required) = ("work_of_adhesion", "a finite number, at least 0,");
-            return Err(ContactError::OutOfRange { field, value, required });
-        }
+        let work = self.work_of_adhesion.unwrap_or(0.0);
+        let holds = work >= 0.0 && work.is_finite();
+        require(holds, "work_of_adhesion", work, "a finite number, at least 0,")?;
         let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
         let factor = match self.pressure_factor {
             Some(factor) => positive("pressure_factor", factor)?,

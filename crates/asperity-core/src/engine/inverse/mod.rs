@@ -5,6 +5,7 @@ use asperity_quadrature::Moments;
 use crate::ContactError;
 use crate::engine::inverse::force_at::ForceAt;
 use crate::engine::inverse::interval::Level;
+use crate::error::{positive, require};
 use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 
 pub(crate) mod force_at;
@@ -48,15 +49,12 @@ pub(crate) fn check_load(
     value: f64,
     adhesive: bool,
 ) -> Result<f64, ContactError> {
-    if value != 0.0 && value.abs() < f64::MIN_POSITIVE {
-        let required = "one that a double holds to all digits (2.2e-308 and more)";
-        return Err(ContactError::OutOfRange { field, value, required });
-    }
+    let subnormal = value != 0.0 && value.abs() < f64::MIN_POSITIVE;
+    require(!subnormal, field, value, "one that a double holds to all digits (2.2e-308 and more)")?;
     let required = "a finite number other than 0 (below it for tensions)";
     match adhesive {
-        true if value.is_finite() && value != 0.0 => Ok(value),
-        true => Err(ContactError::OutOfRange { field, value, required }),
-        false => crate::positive(field, value),
+        true => require(value.is_finite() && value != 0.0, field, value, required),
+        false => positive(field, value),
     }
 }
 
