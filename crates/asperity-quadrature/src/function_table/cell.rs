@@ -119,8 +119,7 @@ impl Source {
             // A function that is zero throughout has neither size nor tail.
             let reached = if size > 0.0 { tail.max(error) / size } else { 0.0 };
             if reached > REFUSED * self.tolerance {
-                let asked = self.tolerance;
-                return Err(QuadratureError::NotConverged { reached, asked, evaluations });
+                return Err(QuadratureError::missed(reached, self.tolerance, evaluations));
             }
             cell.error = cell.error.max(reached);
             cell.series.push(Series::new(map, ends, range, terms));

@@ -1,6 +1,7 @@
 //! A short range of s, and of scales, and the integral sampled there.
 
 use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use crate::chebyshev::extent;
 use crate::chebyshev::polynomial::Chebyshev;
 use crate::{Density, Goal, PointMasses, QuadratureError};
 
@@ -125,9 +126,7 @@ impl Patch {
 
     /// What the rounding of place and scale does to samples.
     pub(crate) fn rounding(&self, samples: &[f64], tilt: Option<Tilt>) -> f64 {
-        let (least, most) = samples
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), f| (l.min(*f), m.max(*f)));
+        let (least, most) = extent(samples.iter().copied());
         let key = self.keys.0.abs().max(self.keys.1.abs());
         // Both are divided by a scale, which is rounded, and s itself is not.
         let (moved, scaled) = if self.unstretched() { (0.0, 0.0) } else { (2.0 * key, 2.0) };

@@ -2,6 +2,7 @@
 
 use super::panel::{Panel, RANGE, Series, Shape, end_shares};
 use super::source::Source;
+use crate::chebyshev::extent;
 use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
 use crate::{QuadratureError, WeightFault};
 
@@ -210,9 +211,7 @@ impl<'s> Fitter<'s> {
         let width = (far - end).abs();
         let place = 4e3 * f64::EPSILON * end.abs() / width * series.power.abs();
         let smooth = |k: usize| samples[k] - series.power * end_shares()[k].ln();
-        let all = (0..NODES).map(smooth);
-        let (least, most) =
-            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
+        let (least, most) = extent((0..NODES).map(smooth));
         let largest = samples.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let allowed = 10.0 * GOOD + place + ROUNDED * f64::EPSILON * largest;
         // A negligible mass matters only where the density sees nothing else; its error is kept.
@@ -336,6 +335,5 @@ impl Nearest {
 }
 
 fn range(samples: &Samples) -> (f64, f64) {
-    let ends = (f64::INFINITY, f64::NEG_INFINITY);
-    samples.iter().fold(ends, |(least, most), s| (least.min(*s), most.max(*s)))
+    extent(samples.iter().copied())
 }

@@ -97,7 +97,7 @@ impl Overlap {
         if reached <= self.integrand.tolerance.max(ATTAINABLE) {
             return Ok(());
         }
-        Err(QuadratureError::NotConverged { reached, asked: self.integrand.tolerance, evaluations })
+        Err(QuadratureError::missed(reached, self.integrand.tolerance, evaluations))
     }
 
     /// The d above which the integral is 0: the top of the weight is below the density's beginning.
