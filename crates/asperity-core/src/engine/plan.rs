@@ -116,8 +116,7 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
         let failed = integral_failed(law, &at);
         channel.total.value(s).map_err(&failed)?;
         if let Some(n) = channel.total.terms(s).map_err(&failed)? {
-            let (least, most) = terms.unwrap_or((n, n));
-            terms = Some((least.min(n), most.max(n)));
+            terms = Some(terms.map_or((n, n), |(least, most)| (least.min(n), most.max(n))));
         }
         farthest = farthest.max(reach(channel.units.onset.shifted(s)));
     }

@@ -62,22 +62,21 @@ impl HeightIntegral {
         Self { onset: Onset(law.onset * scale), over }
     }
 
+    fn gaussian(&self) -> Option<&ShiftedGaussian> {
+        match &self.over {
+            HeightKind::Gaussian(Gaussian { integral, .. }) => Some(integral),
+            HeightKind::Exponential(_) | HeightKind::Other(_) => None,
+        }
+    }
+
     /// Terms of the polynomial for s; `None` where there is none.
     pub(crate) fn terms(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
-        match &self.over {
-            HeightKind::Gaussian(heights) => {
-                heights.integral.terms(self.onset.shifted(s)).map(Some)
-            }
-            _ => Ok(None),
-        }
+        self.gaussian().map(|integral| integral.terms(self.onset.shifted(s))).transpose()
     }
 
     /// Number of samples of the density for rules.
     pub(crate) fn samples(&self) -> usize {
-        match &self.over {
-            HeightKind::Gaussian(heights) => heights.integral.evaluations(),
-            _ => 0,
-        }
+        self.gaussian().map_or(0, ShiftedGaussian::evaluations)
     }
 
     /// I(s), without the slope if that saves work.
@@ -97,14 +96,13 @@ impl HeightIntegral {
         column: ScaledIntegral,
         out: &mut [f64],
     ) -> Option<ArrayAccuracy> {
-        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        integral.fill(s, ScaledIntegral { shift: self.onset.0, ..column }, out).ok()
+        self.gaussian()?.fill(s, ScaledIntegral { shift: self.onset.0, ..column }, out).ok()
     }
 
     /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as
     /// long: `None` for heights where that saves nothing, or if any s is refused.
     pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
-        let HeightKind::Gaussian(_) = &self.over else { return None };
+        self.gaussian()?;
         for (s, out) in s.iter().zip(out) {
             *out = if slopes { self.at(*s) } else { self.value(*s) }.ok()?;
         }
@@ -113,8 +111,7 @@ impl HeightIntegral {
 
     /// d²I/ds², for Gaussian heights.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        let found = integral.curvature(self.onset.shifted(s));
+        let found = self.gaussian()?.curvature(self.onset.shifted(s));
         Some(found.map(|found| self.onset.widened_curvature(s, found)))
     }
 
