@@ -4,11 +4,12 @@
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, separation_at, shares};
+use crate::engine::laws::Laws;
 use crate::error::integral_failed;
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::SeparationInSigma;
 use crate::response::Answered;
-use crate::{At, ContactError, Evaluation, Quantity, Regime};
+use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
 /// Number of quantities with laws.
 const LAWS: usize = Quantity::INTEGRALS;
@@ -25,6 +26,10 @@ pub(crate) struct LawIntegral {
 /// The quantities at one place, with memory for `MEMORY` integrals; a single value needs none.
 pub(crate) struct RowIntegrals<'a, A, const MEMORY: usize = LAWS> {
     averages: &'a mut A,
+    scene: &'a Scene,
+    /// Whether the model has a law for the stiffness.
+    own_stiffness: bool,
+    tolerance: Tolerance,
     separation: SeparationInSigma,
     /// In the caller's units, for errors.
     at: &'a At,
@@ -54,7 +59,10 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
         slopes: bool,
         batch: impl IntoIterator<Item = LawIntegral>,
     ) -> Self {
-        let mut row = Self { averages, separation, at, slopes, made: [None; MEMORY] };
+        let (scene, made) = (averages.scene(), [None; MEMORY]);
+        let Laws { own_stiffness, tolerance, .. } = *averages.laws();
+        let mut row =
+            Self { averages, scene, own_stiffness, tolerance, separation, at, slopes, made };
         batch.into_iter().for_each(|integral| row.keep(integral));
         row
     }
@@ -71,11 +79,9 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
     pub(crate) fn unchecked(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
         match quantity.derivation() {
             Derivation::Integral(_) => self.value(quantity),
-            Derivation::IntegralOrSlope(..) if self.averages.laws().own_stiffness => {
-                self.value(quantity)
-            }
+            Derivation::IntegralOrSlope(..) if self.own_stiffness => self.value(quantity),
             Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => self.slope(quantity, of),
-            Derivation::PerNominalArea(of) => self.total(of, self.averages.scene().nominal_area),
+            Derivation::PerNominalArea(of) => self.total(of, self.scene.nominal_area),
             Derivation::ContactRadii(_) => self.total(quantity, 1.0),
             Derivation::Ratio(above, below) => self.ratio(quantity, above, below),
             Derivation::Logarithm(of) => self.logarithm(quantity, of),
@@ -88,7 +94,7 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
     fn total(&mut self, quantity: Quantity, area: f64) -> Result<Evaluation, ContactError> {
         let mut total = self.value(quantity.origin())?;
         if let Some(factor) = quantity.radius_factor() {
-            let factor = factor.on(&self.averages.scene().interface, quantity)?;
+            let factor = factor.on(&self.scene.interface, quantity)?;
             let (scaled, size) = (total.scaled * factor, total.size * factor);
             total = Evaluation { scaled, size, ..total }.held(total.size, quantity)?;
         }
@@ -105,10 +111,10 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
     #[inline(always)]
     fn slope(&mut self, quantity: Quantity, of: Quantity) -> Result<Evaluation, ContactError> {
         let (moments, factor) = self.moments(of, true)?;
-        let tolerance = self.averages.laws().tolerance.relative();
+        let tolerance = self.tolerance.relative();
         let within = moments.slope_within(self.separation.s, tolerance);
         within.map_err(integral_failed(quantity, self.at))?;
-        let height_std = self.averages.scene().surface.asperity_height_std;
+        let height_std = self.scene.surface.asperity_height_std;
         Evaluation::of_slope(&moments, factor, height_std, self.separation)
             .held(moments.sizes[1], quantity)
     }
@@ -150,7 +156,7 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
         let sums = |(sum, size), share: f64| (sum + share, size + share.abs());
         let (share, size) = of_regime.map(|share| share.share).fold((0.0, 0.0), sums);
         // Each part has the error of the tolerance, and so has the force that divides it.
-        let error = self.averages.laws().tolerance.relative() + force.cancelled();
+        let error = self.tolerance.relative() + force.cancelled();
         // A force of unknown size has no shares.
         self.number(quantity, error)?;
         Ok(Evaluation::absolute(share, size * error))
@@ -174,12 +180,13 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
         let (place, mut has_slope) = ((self.separation.s, self.at), slope || self.slopes);
         self.averages.settle(base, place)?;
         let (moments, factor) = match self.averages.integral(base, place, has_slope) {
+            Ok(made) => made,
             // A slope that misses its tolerance is no error for a value without it.
             Err(_) if has_slope && !slope => {
                 has_slope = false;
                 self.averages.integral(base, place, false)?
             }
-            made => made?,
+            Err(error) => return Err(error),
         };
         self.keep(LawIntegral { base, moments, factor, has_slope });
         Ok((moments, factor))
