@@ -28,6 +28,6 @@ fn both(
 }
 
 /// The wave number of wave k of n, with its sign, in waves on the whole length.
-pub(crate) fn signed(k: usize, n: usize) -> f64 {
+pub(crate) fn signed((k, n): (usize, usize)) -> f64 {
     if 2 * k > n { k as f64 - n as f64 } else { k as f64 }
 }

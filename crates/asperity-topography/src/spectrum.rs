@@ -92,36 +92,29 @@ impl Topography {
             return Err(TopographyError::Flat { points: self.measured() });
         }
         if self.is_profile() {
-            let each = rows_power.iter().enumerate().skip(1);
-            let length = columns as f64 * dx;
-            let median_wavelength = median(each.map(|(k, p)| (k as f64, *p)), length);
-            return Ok(Spectra {
-                radial: None,
-                along_rows,
-                along_columns: None,
-                median_wavelength,
-            });
+            let waves = rows_power.iter().enumerate().skip(1).map(|(k, p)| (k as f64, *p));
+            let median_wavelength = median(waves, columns as f64 * dx);
+            let (radial, along_columns) = (None, None);
+            return Ok(Spectra { radial, along_rows, along_columns, median_wavelength });
         }
         let columns_power = lines(columns, rows, &down, &|k, i| heights[i * columns + k]);
         let along_columns = Some(profile(&columns_power, rows, dy));
         let point = |(k, h): (usize, &f64)| {
             Complex64::from(along[k % columns] * down[k / columns] * (h - mean))
         };
-        let waves =
-            fourier::forward(heights.iter().enumerate().map(point).collect(), [rows, columns]);
+        let points = heights.iter().enumerate().map(point).collect();
+        let waves = fourier::forward(points, [rows, columns]);
         let [width, height] = [columns as f64 * dx, rows as f64 * dy];
         let each = || {
             waves.iter().enumerate().skip(1).map(|(at, wave)| {
-                let [i, j] =
-                    [fourier::signed(at % rows, rows), fourier::signed(at / rows, columns)];
+                let [i, j] = [(at % rows, rows), (at / rows, columns)].map(fourier::signed);
                 (TAU * (i / height).hypot(j / width), wave.norm_sqr())
             })
         };
         let scale = dx * dy / (rows * columns) as f64;
         let largest = PI / dx.max(dy);
-        let lowest = TAU / width.max(height);
-        let radial = binned(each().map(|(q, p)| (q, p * scale)), lowest, largest);
         let longest = width.max(height);
+        let radial = binned(each().map(|(q, p)| (q, p * scale)), TAU / longest, largest);
         let median_wavelength = median(each().map(|(q, p)| (q * longest / TAU, p)), longest);
         Ok(Spectra { radial: Some(radial), along_rows, along_columns, median_wavelength })
     }
