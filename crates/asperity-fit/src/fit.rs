@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::describe::describe;
+use crate::doubts::likely_unit;
 use crate::forward::Forward;
-use crate::likely_unit::likely_unit;
-use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
+use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
+use crate::solution::Solution;
 use crate::spread::Spread;
 use crate::{Data, FitError, Fitted, Parameter};
 
@@ -102,12 +102,22 @@ impl<'f> Fit<'f> {
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, FitError> {
         let state = Progress { model: model.id().into(), ..Progress::default() };
-        let watch = Watch { progress: RefCell::new(progress), state: RefCell::new(state) };
+        let counted = RefCell::new((progress, state));
+        let count = |what: Counted| {
+            let (progress, state) = &mut *counted.borrow_mut();
+            match what {
+                Counted::Start => state.starts += 1,
+                Counted::Evaluation => {
+                    state.evaluations += 1;
+                    return progress(state);
+                }
+            }
+            ControlFlow::Continue(())
+        };
         let (data, parameters, scene) = (self.data, &self.parameters[..], self.scene);
         let forward = Forward::new(model, data)
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
-        let forward = &forward;
-        let problem = Problem { model, forward, data, parameters, scene, watch: &watch };
+        let problem = Problem { model, forward: &forward, data, parameters, scene, count: &count };
         let mut found = match search(&problem, self.more_starts, PATIENCE) {
             Err(error @ FitError::NoStart { .. }) => {
                 let unit = likely_unit(&problem, f64::INFINITY)?;
@@ -117,8 +127,8 @@ impl<'f> Fit<'f> {
             found => found?,
         };
         found.best = near_the_start(&problem, found.best)?;
-        let mut fitted = describe(&problem, &found)?;
-        fitted.evaluations = watch.state.borrow().evaluations;
+        let mut fitted = Solution::new(&problem, &found)?.describe()?;
+        fitted.evaluations = counted.borrow().1.evaluations;
         Ok(fitted)
     }
 }

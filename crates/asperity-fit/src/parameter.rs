@@ -3,6 +3,7 @@
 use asperity_core::short;
 
 use crate::FitError;
+use crate::doubt::with_unit;
 
 /// The factor either way of the start within which a parameter is varied by default.
 pub const USUAL_FACTOR: f64 = 30.0;
@@ -114,7 +115,6 @@ impl Parameter {
 
     /// A value with its unit.
     pub(crate) fn shown(&self, value: f64) -> String {
-        let gap = if self.unit.is_empty() { "" } else { " " };
-        format!("{}{gap}{}", short(value), self.unit)
+        with_unit(value, &self.unit)
     }
 }
