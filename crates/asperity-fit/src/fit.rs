@@ -66,15 +66,15 @@ impl<'f> Fit<'f> {
         parameters: Vec<Parameter>,
         scene: &'f MakeScene<'f>,
     ) -> Result<Self, FitError> {
+        let refused = |parameter: &str, reason: &str| {
+            Err(FitError::Parameter { parameter: parameter.into(), reason: reason.into() })
+        };
         if parameters.is_empty() {
-            let (parameter, reason) =
-                ("free parameters".into(), "at least one was required".into());
-            return Err(FitError::Parameter { parameter, reason });
+            return refused("free parameters", "at least one was required");
         }
         for (place, one) in parameters.iter().enumerate() {
             if parameters[..place].iter().any(|other| other.name == one.name) {
-                let (parameter, reason) = (one.name.clone(), "it is given twice".into());
-                return Err(FitError::Parameter { parameter, reason });
+                return refused(&one.name, "it is given twice");
             }
         }
         if data.len() < parameters.len() {
@@ -146,10 +146,7 @@ fn near_the_start(problem: &Problem<'_>, best: Minimum) -> Result<Minimum, FitEr
     let change = DVector::from_iterator(best.coordinates.len(), change);
     let idle = &free * (free.transpose() * change);
     let moved: Vec<f64> = best.coordinates.iter().zip(&idle).map(|(x, idle)| x - idle).collect();
-    let inside = |(parameter, x): (&Parameter, &f64)| {
-        let [low, high] = parameter.range();
-        (low..=high).contains(x)
-    };
+    let inside = |(one, x): (&Parameter, &f64)| (one.range()[0]..=one.range()[1]).contains(x);
     let squares = squares(&problem.residuals(&moved)?);
     let same = squares <= best.squares * (1.0 + 1e-6) + 1e-20 * problem.data.len() as f64;
     match same && problem.parameters.iter().zip(&moved).all(inside) {

@@ -11,6 +11,7 @@ mod fit;
 mod fitted;
 mod forward;
 mod likely_unit;
+mod limits;
 mod names;
 mod observation;
 mod outlier;

@@ -67,28 +67,22 @@ impl Parameter {
         scale: f64,
     ) -> Result<Self, FitError> {
         let (name, [low, high]) = (name.into(), bounds);
-        let finite = low.is_finite() && high.is_finite() && start.is_finite();
-        if !finite || low >= high {
-            let reason = format!(
-                "the bounds are {} and {}: two finite numbers, the smaller first, were required",
-                short(low),
-                short(high)
-            );
-            return Err(FitError::Parameter { parameter: name, reason });
-        }
         let role = Role::of(&name);
-        let found =
-            Self { name, unit: unit.into(), role, start: start.clamp(low, high), bounds, scale };
-        if found.role == Role::SeriesCompliance && low < 0.0 {
-            let reason = format!("the lower bound is {}: at least 0 was required", short(low));
-            return Err(FitError::Parameter { parameter: found.name, reason });
-        }
-        let has_scale = scale > 0.0 && scale.is_finite();
-        if !(found.is_log() || has_scale) {
-            let reason = format!("its scale is {scale:?}: a finite number above 0 was required");
-            return Err(FitError::Parameter { parameter: found.name, reason });
-        }
-        Ok(found)
+        let finite = low.is_finite() && high.is_finite() && start.is_finite();
+        let reason = if !finite || low >= high {
+            let [low, high] = bounds.map(short);
+            format!(
+                "the bounds are {low} and {high}: two finite numbers, the smaller first, were required"
+            )
+        } else if role == Role::SeriesCompliance && low < 0.0 {
+            format!("the lower bound is {}: at least 0 was required", short(low))
+        } else if low <= 0.0 && !(scale > 0.0 && scale.is_finite()) {
+            format!("its scale is {scale:?}: a finite number above 0 was required")
+        } else {
+            let (unit, start) = (unit.into(), start.clamp(low, high));
+            return Ok(Self { name, unit, role, start, bounds, scale });
+        };
+        Err(FitError::Parameter { parameter: name, reason })
     }
 
     /// Whether it is varied in its logarithm.

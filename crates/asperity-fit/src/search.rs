@@ -36,8 +36,7 @@ pub(crate) fn search(
             minima.push(problem.minimise_all(start, patience)?);
         }
     }
-    let usable = |minimum: &Minimum| problem.predicted(&minimum.coordinates).is_ok();
-    minima.retain(usable);
+    minima.retain(|minimum| problem.predicted(&minimum.coordinates).is_ok());
     // The first of equals, which is nearest to the start given.
     let best = minima.iter().map(|minimum| minimum.squares).fold(f64::INFINITY, f64::min);
     let floor = MET * problem.data.len() as f64;
@@ -50,9 +49,7 @@ pub(crate) fn search(
     let mut found = Found { best, others: vec![] };
     for other in equal {
         let far = |one: &Minimum| {
-            let distances =
-                one.coordinates.iter().zip(&other.coordinates).map(|(a, b)| (a - b).abs());
-            distances.fold(0.0, f64::max) > 1e-4
+            one.coordinates.iter().zip(&other.coordinates).any(|(a, b)| (a - b).abs() > 1e-4)
         };
         if other.converged && far(&found.best) && found.others.iter().all(far) {
             found.others.push(other);
