@@ -132,12 +132,12 @@ impl FitCommand {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
         }
         match &ranking.models[..] {
-            [first, ..] if ranking.models.iter().all(|one| one.misfit.is_some()) => {
-                let reason = first.misfit.as_deref().unwrap_or_default();
+            [first, ..] if ranking.models.iter().all(|one| one.misfit().is_some()) => {
+                let reason = first.misfit().unwrap_or_default();
                 let place = self.data_name().unwrap_or_else(|| scene.name.clone());
                 bail!("{place}: {}: {reason}", first.model)
             }
-            all if !self.target.is_empty() && all.iter().all(|one| !one.unreachable.is_empty()) => {
+            all if !self.target.is_empty() && all.iter().all(Fitted::has_unreachable) => {
                 bail!("{}: no model reaches the target; the values are the nearest", scene.name)
             }
             _ => Ok(()),
