@@ -221,11 +221,17 @@ fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
 /// # Errors
 /// [`ContactError::OutOfRange`] naming the field.
 pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(ContactError::OutOfRange { field, value, required: "a finite number above 0" })
-    }
+    require(value.is_finite() && value > 0.0, field, value, "a finite number above 0")
+}
+
+/// `value` if it `holds` what was `required`; otherwise [`ContactError::OutOfRange`].
+pub(crate) fn require(
+    holds: bool,
+    field: &'static str,
+    value: f64,
+    required: &'static str,
+) -> Result<f64, ContactError> {
+    if holds { Ok(value) } else { Err(ContactError::OutOfRange { field, value, required }) }
 }
 
 /// The error of an integral for `quantity` at `at`.

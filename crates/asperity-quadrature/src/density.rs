@@ -145,21 +145,22 @@ impl Density {
     /// The same density for a single integral: see [`Sampler::unprepared`].
     #[must_use]
     pub fn unprepared(&self) -> Self {
-        let unprepared = |piece: &Piece| {
-            let sampler = piece.sampler.unprepared().unwrap_or_else(|| piece.sampler.clone());
-            Piece { sampler, ..piece.clone() }
-        };
-        Self { pieces: self.pieces.iter().map(unprepared).collect() }
+        self.with(|sampler| sampler.unprepared())
     }
 
     /// The same density to a relative `tolerance`, for a single integral: see [`Sampler::finer`].
     #[must_use]
     pub fn finer(&self, tolerance: f64) -> Self {
-        let finer = |piece: &Piece| {
-            let sampler = piece.sampler.finer(tolerance).unwrap_or_else(|| piece.sampler.clone());
+        self.with(|sampler| sampler.finer(tolerance))
+    }
+
+    /// With other samplers, where there are any.
+    fn with(&self, other: impl Fn(&dyn Sampler) -> Option<Arc<dyn Sampler>>) -> Self {
+        let piece = |piece: &Piece| {
+            let sampler = other(&*piece.sampler).unwrap_or_else(|| piece.sampler.clone());
             Piece { sampler, ..piece.clone() }
         };
-        Self { pieces: self.pieces.iter().map(finer).collect() }
+        Self { pieces: self.pieces.iter().map(piece).collect() }
     }
 
     /// The ends and kinks of all pieces strictly inside `(low, high)`, ascending, each once.

@@ -54,6 +54,13 @@ pub enum QuadratureError {
     },
 }
 
+impl QuadratureError {
+    /// The relative error `reached` misses the one `asked`.
+    pub(crate) fn missed(reached: f64, asked: f64, evaluations: usize) -> Self {
+        Self::NotConverged { reached, asked, evaluations }
+    }
+}
+
 /// Integrals from a table need no evaluations of their own.
 fn after(evaluations: usize) -> String {
     if evaluations == 0 { String::new() } else { format!(" after {evaluations} evaluations") }

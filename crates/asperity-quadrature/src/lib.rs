@@ -22,7 +22,7 @@
 //! 4. [`ShiftedGaussian::fill`] evaluates whole arrays, with the values of one range side by side
 //!    in the widest registers of the processor.
 //!
-//! [`Weight`], [`Overlap`] and [`Cells`] do the same for any other density in place of φ, with
+//! [`Weight`], [`Overlap`] and [`OverlapSeries`] do the same for any other density in place of φ, with
 //! kinks, jumps and poles of its own.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
@@ -44,10 +44,10 @@ pub use density::{Density, Piece, PointMasses, Sampler, WeightFunction};
 pub use error::{QuadratureError, WeightFault};
 pub use function_table::FunctionTable;
 pub use gaussian::{
-    AnyScale, Column, ColumnAccuracy, Curvature, Moments, Nearby, ShiftedGaussian, reach,
+    AnyScale, ArrayAccuracy, Curvature, Moments, Nearby, ScaledIntegral, ShiftedGaussian, reach,
 };
 pub use roots::{bracketed_root, fallible, highest, last_place};
 pub use rules::{Estimate, Legendre, Point, TanhSinh, gauss_kronrod, legendre};
-pub use weighted::{Cells, Overlap, Weight};
+pub use weighted::{Overlap, OverlapSeries, Weight};
 
 pub(crate) use discretise::{Goal, discretise};

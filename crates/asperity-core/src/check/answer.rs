@@ -1,6 +1,8 @@
 //! Plausibility of an answer: interferences, number of contacts, and the range of validity of the
 //! model.
 
+use std::mem::discriminant;
+
 use super::findings::{
     FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
 };
@@ -82,30 +84,28 @@ impl Check {
         whole: bool,
     ) -> Result<Self, ContactError> {
         let (scene, validity) = (contact.scene(), model.validity());
-        if validity.angles && !whole {
-            let response = contact.respond(&Request::new(Quantity::JUDGED).at([at]));
-            let row = |k: usize| response.columns[k].rows[0].as_ref();
-            let value = |k| row(k).map(|found| found.value()).map_err(|error| (**error).clone());
-            let totals = ([value(0)?, value(1)?], Some(value(2)?));
-            return Ok(Self::of_totals(model, scene, at, None, totals));
-        }
-        let from = crate::Datum::AsperityMean;
-        let contacts_at = |at: At| -> Result<(Separation, f64), ContactError> {
-            let found = contact.separation(at)?.measured_in(SeparationUnit::Sigma, from, scene)?;
-            Ok((found, contact.evaluate(Quantity::Contacts, found)?.value()))
+        // Theories of the whole surface have no number of contacts, and some no separation.
+        let known = |found: Result<f64, ContactError>| match found {
+            Ok(number) => Ok(Some(number)),
+            Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => Ok(None),
+            Err(error) => Err(error),
         };
-        // Theories of the whole surface have no number of contacts.
-        let (place, contacts) = match contacts_at(at) {
-            Ok((found, contacts)) => (Some(found), Some(contacts)),
-            Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => (None, None),
-            Err(error) => return Err(error),
+        let in_sigma = |at| {
+            let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
+            Ok(contact.separation(at)?.measured_in(unit, from, scene)?.value)
         };
-        let there = place.map_or(at, At::from);
-        let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
-        let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
-        let mut check = Self::of_totals(model, scene, at, place, totals);
+        let asked = validity.asperities && (whole || !validity.angles);
+        let place = if asked { known(in_sigma(at))?.map(Separation::sigmas) } else { None };
+        let row = contact.respond(&Request::new(Quantity::JUDGED).at([place.map_or(at, At::from)]));
+        let value = |k: usize| match &row.columns[k].rows[0] {
+            Ok(found) => Ok(found.value()),
+            Err(error) => Err((**error).clone()),
+        };
+        let contacts = known(value(2))?;
+        let place = place.filter(|_| contacts.is_some());
+        let mut check = Self::of_totals(model, scene, at, place, [value(0)?, value(1)?], contacts);
         if whole {
-            check.add_stiffnesses(model, scene, there)?;
+            check.add_stiffnesses(model, scene, place.map_or(at, At::from))?;
         }
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
@@ -173,7 +173,8 @@ impl Check {
         scene: &Scene,
         at: At,
         place: Option<Separation>,
-        ([force, area], contacts): ([f64; 2], Option<f64>),
+        [force, area]: [f64; 2],
+        contacts: Option<f64>,
     ) -> Self {
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
@@ -233,12 +234,8 @@ impl Check {
         (deep, plastic): (&Interferences, bool),
     ) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
-        self.add_number(
-            "interference",
-            w,
-            "m",
-            "exceeded by the asperities that carry the top 1 % of the load",
-        );
+        let top = "exceeded by the asperities that carry the top 1 % of the load";
+        self.add_number("interference", w, "m", top);
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED * r {
             let deep = Finding::warning("deep", "interference_over_radius", w / r)
@@ -248,10 +245,8 @@ impl Check {
                 .advice("the interference is too large for a spherical-asperity law");
             self.extend([deep]);
         }
-        let Some(critical) = scene.asperity().ok().and_then(|a| a.critical_interference().ok())
-        else {
-            return;
-        };
+        let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
+        let Ok(critical) = critical else { return };
         self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
         self.add_number("yielding_share", beyond, "", YIELDING_SHARE);
@@ -283,30 +278,22 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
 
-/// The smallest separation, and the smallest and largest loads and pressures.
+/// The smallest separation, and the largest and smallest loads and pressures, each once.
 fn extremes(places: &[At], scene: &Scene) -> Vec<At> {
-    let mut found: Vec<At> = vec![];
     let number = |at: &At| match at {
         // Invalid separations are refused elsewhere.
         At::Separation(place) => place
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, scene)
             .map_or(f64::NEG_INFINITY, |place| -place.value),
-        At::Load(load) => *load,
-        At::Pressure(pressure) => *pressure,
+        At::Load(number) | At::Pressure(number) => *number,
     };
-    for kind in 0..3 {
-        let same = |at: &&At| match at {
-            At::Separation(_) => kind == 0,
-            At::Load(_) => kind == 1,
-            At::Pressure(_) => kind == 2,
-        };
-        let by_number = |a: &&At, b: &&At| number(a).total_cmp(&number(b));
-        let largest = places.iter().filter(same).max_by(by_number);
-        let smallest = places.iter().filter(same).min_by(by_number).filter(|_| kind > 0);
-        // One place is judged once.
-        let other =
-            smallest.filter(|least| largest.is_some_and(|most| by_number(&most, least).is_ne()));
-        found.extend(largest.into_iter().chain(other));
+    let mut found: Vec<At> = vec![];
+    for kind in [At::sigmas(0.0), At::Load(0.0), At::Pressure(0.0)].map(|at| discriminant(&at)) {
+        let mut alike: Vec<&At> = places.iter().filter(|at| discriminant(*at) == kind).collect();
+        alike.sort_by(|a, b| number(a).total_cmp(&number(b)));
+        alike.dedup_by(|a, b| number(a).total_cmp(&number(b)).is_eq());
+        let least = alike.first().filter(|at| alike.len() > 1 && at.load(scene).is_some());
+        found.extend(alike.last().into_iter().chain(least).map(|at| **at));
     }
     found
 }

@@ -20,6 +20,16 @@ const BEYOND: f64 = 0.02;
 /// Adhesion parameter above which roughness hides adhesion.
 const HIDDEN: f64 = Scene::HIDES_ADHESION;
 
+/// A warning about the answer of a model at a place.
+fn warning(
+    (model, at): (&dyn ContactModel, At),
+    code: &'static str,
+    field: &'static str,
+    value: f64,
+) -> Finding {
+    Finding::warning(code, field, value).of_model(model.name()).at(at)
+}
+
 /// A warning if the model ignores the scene's adhesion or is outside its range of adhesion.
 pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
@@ -63,11 +73,9 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         false => "pressures above the hardness",
     };
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
-    let found = Finding::warning("yields", "yielding_share", share)
+    let found = warning((model, at), "yields", "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
-        .of_model(name)
-        .at(at)
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
         .advice(format!(
             "{name} ignores yielding and underestimates the area at this load; {remedy}"
@@ -84,10 +92,8 @@ pub(super) fn missed(
 ) -> Option<Finding> {
     let KnownDefect { from, to, summary } = defect;
     let percent = short(100.0 * share);
-    let found = Finding::warning("fit-misses", "missed_share", share)
+    let found = warning((model, at), "fit-misses", "missed_share", share)
         .usual([0.0, MISSED])
-        .of_model(model.name())
-        .at(at)
         .fact(format!(
             "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
         ))
@@ -105,10 +111,9 @@ pub(super) fn beyond_fit(
 ) -> Option<Finding> {
     let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
     let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
-    let found = Finding::note("beyond-fit", "interference_over_critical", x)
+    let found = warning((model, at), "beyond-fit", "interference_over_critical", x)
+        .severity(Severity::Note)
         .usual([0.0, holds_to])
-        .of_model(name)
-        .at(at)
         .fact(format!(
             "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
         ))
@@ -122,19 +127,17 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
         f if f > CROWDED[0] => Severity::Warning,
         _ => return None,
     };
-    let found = Finding::warning("crowded", "area_fraction", fraction).severity(severity);
+    let found = warning((model, at), "crowded", "area_fraction", fraction).severity(severity);
     let advice = format!(
         "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
     );
-    Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
+    Some(found.usual([0.0, CROWDED[0]]).advice(advice))
 }
 
 /// A warning for a mean pressure that exceeds any hardness.
 pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
-    let found = Finding::warning("above-hardness", "mean_pressure_over_hardness", ratio)
+    let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
-        .of_model(model.name())
-        .at(at)
         .advice(format!("the contacts would yield, and the real area is larger; use {YIELDING}"));
     (ratio > PLASTIC).then_some(found)
 }
@@ -142,6 +145,6 @@ pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Op
 pub(super) fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Finding {
     let advice =
         "with so few contacts, the scatter between samples exceeds the differences between models";
-    let found = Finding::warning("few-contacts", "contacts", contacts);
-    found.usual([FEW, f64::INFINITY]).of_model(model.name()).at(at).advice(advice)
+    let found = warning((model, at), "few-contacts", "contacts", contacts);
+    found.usual([FEW, f64::INFINITY]).advice(advice)
 }

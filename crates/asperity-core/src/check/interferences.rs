@@ -1,5 +1,6 @@
 //! Interferences of the asperities that carry the load.
 
+use crate::error::integral_failed;
 use crate::{Contact, ContactError, Law, Quantity, Separation};
 
 /// Number of bins of interference.
@@ -32,7 +33,7 @@ impl Interferences {
             Err(error) => Err(error),
         };
         let at = place.into();
-        let failed = |source| ContactError::Integral { quantity: Quantity::Force, at, source };
+        let failed = integral_failed(Quantity::Force, &at);
         let all = above(s)?;
         let mut reach = 0.01;
         while above(s + reach)? > REST * all && reach < 1e6 {
@@ -45,7 +46,7 @@ impl Interferences {
         let (mut bins, mut total, mut outer) = (vec![], 0.0, all);
         for (k, inner) in counts.into_iter().enumerate() {
             let w = onset + reach * sigma * (k as f64 + 0.5) / BINS as f64;
-            let force = (outer - inner) * law.value(w).map_err(failed)?;
+            let force = (outer - inner) * law.value(w).map_err(&failed)?;
             bins.push((w, force));
             (total, outer) = (total + force, inner);
         }

@@ -5,18 +5,17 @@ mod answer;
 mod findings;
 mod impossible;
 mod interferences;
+mod likely_unit;
 mod materials;
 mod moduli;
 mod roughness;
-mod units;
-mod usual;
 
 use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
 #[doc(hidden)]
-pub use self::usual::CHECK_UNIT;
+pub use self::likely_unit::CHECK_UNIT;
 use crate::finding::short;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use crate::{ContactError, Finding, Findings, HeightDistribution, Scene};
@@ -150,19 +149,11 @@ impl Scene {
         check.add_number("surface_height_std", moments.m0.sqrt(), "m", gaussian);
         check.add_number("rms_slope", surface.rms_slope(), "", gaussian);
         check.add_number("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
-        check.add_number(
-            "roughness_parameter",
-            surface.roughness_parameter(),
-            "",
-            "beta_z = eta R sigma_z",
-        );
+        let beta = surface.roughness_parameter();
+        check.add_number("roughness_parameter", beta, "", "beta_z = eta R sigma_z");
         check.add_number("height_std_over_radius", sigma / r, "", "sigma_z/R");
-        check.add_number(
-            "mean_plane_offset",
-            self.mean_plane_offset(),
-            "m",
-            "of the asperities above the mean plane",
-        );
+        let above = "of the asperities above the mean plane";
+        check.add_number("mean_plane_offset", self.mean_plane_offset(), "m", above);
         check.add_number("nominal_area", self.nominal_area, "m2", "A_n");
         check.add_number("asperities", self.asperities(), "", "eta A_n");
         check.extend(self.findings());

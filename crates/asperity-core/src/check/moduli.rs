@@ -1,7 +1,6 @@
 //! Plausibility of a modulus beside a hardness or a yield strength.
 
-use super::units::{PRESSURES, Unit, likely};
-use super::usual::{CHECK_UNIT, unusual, within};
+use super::likely_unit::{CHECK_UNIT, Input, PRESSURES, Unit, within};
 use crate::finding::short;
 use crate::{Finding, Findings, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
 
@@ -49,11 +48,11 @@ impl Material {
         // A finding about the hardness already explains the ratio.
         if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
             && found.is_empty()
-            && !within(h / y, YIELD_RATIO)
         {
             let usual = [h / YIELD_RATIO[1], h / YIELD_RATIO[0]];
             let advice = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
-            found.push(unusual("yield_strength", y, usual).unit("Pa").advice(advice));
+            let input = Input::new("yield_strength", usual, "Pa", &[]);
+            found.extend(input.finding(y).map(|found| found.advice(advice)));
         }
         found
     }
@@ -66,50 +65,36 @@ impl Material {
 
     /// Findings of modulus and hardness, each by itself and in proportion to the other.
     fn sizes(&self) -> Vec<Finding> {
-        let (_, modulus) = self.modulus;
-        let strength = self.strength();
+        let ((field, modulus), strength) = (self.modulus, self.strength());
         if plausible(modulus, strength) {
             return vec![];
         }
         // Another unit changes the ratio by more than ten.
         if let Some(strength) = strength.filter(|s| s.is_nearly_usual(modulus)) {
-            return vec![strength.found(modulus)];
+            return vec![strength.finding(modulus, &[])];
         }
-        match meant(modulus, strength) {
-            Some((unit, units)) => {
-                let times = |value: f64, unit: Option<&Unit>| unit.map_or(value, |u| u.1 * value);
-                let meant = times(modulus, unit.as_ref());
-                let strong =
-                    strength.map(|s| Strength { value: times(s.value, units.first()), ..s });
-                let of_modulus = unit.map(|unit| {
-                    self.of_modulus(meant, strong).likely_unit(likely(modulus, &[unit], "Pa"))
-                });
-                let of_strength = strength.filter(|_| !units.is_empty()).map(|strength| {
-                    strength.found(meant).likely_unit(likely(strength.value, &units, "Pa"))
-                });
-                of_modulus.into_iter().chain(of_strength).collect()
-            }
-            None => {
-                let e = (!within(modulus, MODULUS)).then(|| self.of_modulus(modulus, strength));
-                let odd = |strength: &Strength| e.is_none() || !within(strength.value, HARDNESS);
-                let h = strength.filter(odd).map(|strength| strength.found(modulus));
-                e.into_iter().chain(h).collect()
-            }
-        }
-    }
-
-    /// The finding of the modulus; it and the strength are `meant` in their likely units.
-    fn of_modulus(&self, meant: f64, strength: Option<Strength>) -> Finding {
-        let (field, modulus) = self.modulus;
-        let (usual, meaning) = match (strength, self.strength()) {
-            (Some(strength), Some(given)) if within(modulus, MODULUS) => {
-                let [least, most] = strength.ratios(meant);
-                let usual = [strength.value / most, strength.value / least];
-                (usual, given.over(modulus, [least, most]))
-            }
-            _ => (MODULUS, NO_MATERIAL.into()),
-        };
-        unusual(field, modulus, usual).unit("Pa").advice(format!("{meaning}; {CHECK_UNIT}"))
+        let (unit, units) = meant(modulus, strength).unwrap_or_default();
+        let unexplained = unit.is_none() && units.is_empty();
+        let times = |value: f64, unit: Option<&Unit>| unit.map_or(value, |unit| unit.1 * value);
+        let meant = times(modulus, unit.as_ref());
+        let is_odd = !within(modulus, MODULUS);
+        let of_modulus = (unit.is_some() || unexplained && is_odd).then(|| {
+            let (usual, meaning) = match strength.filter(|_| !is_odd) {
+                Some(given) => {
+                    let strong = Strength { value: times(given.value, units.first()), ..given };
+                    let [least, most] = strong.ratios(meant);
+                    let usual = [strong.value / most, strong.value / least];
+                    (usual, given.over(modulus, [least, most]))
+                }
+                None => (MODULUS, NO_MATERIAL.into()),
+            };
+            let found = Input::new(field, usual, "Pa", &[]).in_unit(modulus, unit.as_slice());
+            found.advice(format!("{meaning}; {CHECK_UNIT}"))
+        });
+        let is_odd = |strength: &Strength| !is_odd || !within(strength.value, HARDNESS);
+        let explained = |strength: &Strength| !units.is_empty() || unexplained && is_odd(strength);
+        let of_strength = strength.filter(explained).map(|s| s.finding(meant, &units));
+        of_modulus.into_iter().chain(of_strength).collect()
     }
 }
 
@@ -162,14 +147,14 @@ impl Strength {
         format!("{} over modulus is {ratio}, where {least} to {most} is usual", self.field)
     }
 
-    /// The finding of a strength beside a modulus.
-    fn found(self, modulus: f64) -> Finding {
+    /// The finding of a strength beside a modulus, in these likely units, if there are any.
+    fn finding(self, modulus: f64, units: &[Unit]) -> Finding {
         let Self { field, value } = self;
         let (ratio, by_ratio) = (value / modulus, self.ratios(modulus));
         let [least, most] = by_ratio.map(|ratio| ratio * modulus);
         let usual = [least.max(HARDNESS[0]), most.min(HARDNESS[1])];
         let usual = if usual[0] < usual[1] { usual } else { HARDNESS };
-        let found = unusual(field, value, usual).unit("Pa");
+        let found = Input::new(field, usual, "Pa", &[]).in_unit(value, units);
         if modulus >= PLASTIC && ratio > NO_HARDNESS {
             let advice = format!("{} times the modulus looks like a modulus", short(ratio));
             return found.severity(Severity::Error).advice(advice);

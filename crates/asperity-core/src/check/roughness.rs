@@ -1,22 +1,31 @@
 //! Plausibility of asperity sizes and numbers.
 
-use super::units::{AREAS, DENSITIES, LENGTHS, Unit, likely_unit};
-use super::usual::{CHECK_UNIT, severity, within};
+use std::cmp::Ordering;
+
+use super::likely_unit::{Input, UNUSUAL, Unit, severity, within};
 use crate::finding::{FEW_ASPERITIES, short};
 use crate::{Finding, Findings, Scene, Severity, Surface};
 
-/// R \[m\], from a sharp tip to a lens.
-const RADIUS: [f64; 2] = [2e-9, 5e-2];
-/// η \[1/m²\], from the stones of asphalt, a centimetre apart, to atomic corrugation.
-const DENSITY: [f64; 2] = [5e3, 1e16];
-/// σ_z \[m\], from cleaved mica to the texture of asphalt.
-const HEIGHT_STD: [f64; 2] = [3e-11, 2e-3];
+const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
+const DENSITIES: &[Unit] = &[("1/mm2", 1e6), ("1/um2", 1e12), ("1/cm2", 1e4), ("1/nm2", 1e18)];
+/// σ_z from cleaved mica to the texture of asphalt, R from a sharp tip to a lens, η from the stones
+/// of asphalt, a centimetre apart, to atomic corrugation.
+static NUMBERS: [Input; 3] = [
+    Input::new("asperity_height_std", [3e-11, 2e-3], "m", LENGTHS),
+    Input::new("asperity_radius", [2e-9, 5e-2], "m", LENGTHS),
+    Input::new("asperity_density", [5e3, 1e16], "1/m2", DENSITIES),
+];
+/// A_n from the tip of an instrument to a large flange.
+const AREA: Input = Input::new(
+    "nominal_area",
+    [1e-16, 0.03],
+    "m2",
+    &[("mm2", 1e-6), ("cm2", 1e-4), ("um2", 1e-12)],
+);
 /// σ_z \[m\] of a typical machined surface.
 const MICRON: f64 = 1e-6;
 /// Factor outside the usual range from which β is a warning.
 const RARE: f64 = 5.0;
-/// A_n \[m²\], from the tip of an instrument to a large flange.
-const AREA: [f64; 2] = [1e-16, 0.03];
 /// σ_z \[m\] of surfaces, from polished to rough, of which a length in another unit is not one.
 const FINE: f64 = 1e-9;
 const COARSE: f64 = 1e-4;
@@ -45,36 +54,30 @@ impl Surface {
         found.map_or_else(|| self.apart(), |found| vec![found]).into_iter().collect()
     }
 
+    fn numbers(&self) -> [f64; 3] {
+        [self.asperity_height_std, self.asperity_radius, self.asperity_density]
+    }
+
     /// The finding of the one number that in another unit makes a surface that `is_usual`; `None`
     /// if there is none. Another unit is off by orders of magnitude: an error.
     fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Finding> {
-        let one = |field, value, usual, units: &[Unit], si, set: fn(&mut Self, f64)| {
-            let unit = likely_unit(value, units, si, |x| {
-                let mut other = *self;
-                set(&mut other, x);
-                is_usual(&other)
-            });
-            let found = Finding::error(CODE, field, value).usual(usual).unit(si);
-            unit.map(|unit| found.advice(CHECK_UNIT).likely_unit(unit))
+        let of = |(k, input): (usize, &Input)| {
+            let value = self.numbers()[k];
+            let unit = input.unit(value, |x| {
+                let mut numbers = self.numbers();
+                numbers[k] = x;
+                is_usual(&Self::new(numbers[1], numbers[2], numbers[0]))
+            })?;
+            Some(input.in_unit(value, &[unit]).severity(Severity::Error))
         };
-        let &Self { asperity_height_std: std, asperity_radius: radius, .. } = self;
-        let density = self.asperity_density;
-        let slips = [
-            one("asperity_height_std", std, HEIGHT_STD, LENGTHS, "m", |s, x| {
-                s.asperity_height_std = x;
-            }),
-            one("asperity_radius", radius, RADIUS, LENGTHS, "m", |s, x| s.asperity_radius = x),
-            one("asperity_density", density, DENSITY, DENSITIES, "1/m2", |s, x| {
-                s.asperity_density = x;
-            }),
-        ];
         // The number farthest from the middle of its range is reported.
         let distance = |found: &Finding| {
             let ([from, to], value) = (found.usual, found.value);
             ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
         };
-        let worst = slips.into_iter().flatten().max_by(|a, b| distance(a).total_cmp(&distance(b)));
-        worst.map(|found| match within(found.value, found.usual) {
+        let slips = NUMBERS.iter().enumerate().filter_map(of);
+        let found = slips.max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        Some(match within(found.value, found.usual) {
             true => {
                 let fact = format!("{} is {} {}, ", found.field, short(found.value), found.unit);
                 found.fact(fact + &self.together())
@@ -85,94 +88,81 @@ impl Surface {
 
     /// The most severe of the criteria: numbers ten times outside their ranges are errors.
     fn severity(&self) -> Severity {
-        let sizes = self.criteria().into_iter().map(|(_, value, usual, ..)| severity(value, usual));
+        let sizes = self.criteria().into_iter().map(|(input, value)| severity(value, input.usual));
         sizes.min().unwrap_or(Severity::Warning)
     }
 
     /// A finding if all lengths are plausible in another common unit, with densities in its square
     /// or in another unit; of several, that with the height nearest to 1 um.
     fn in_one_unit(&self) -> Option<Finding> {
-        let scaled = |length: f64, density: f64| Self {
-            asperity_radius: length * self.asperity_radius,
-            asperity_density: density * self.asperity_density,
-            asperity_height_std: length * self.asperity_height_std,
-        };
-        let same =
-            LENGTHS.iter().map(|(name, unit)| (*name, *unit, format!("1/{name}2"), unit.powi(-2)));
-        let others = LENGTHS.iter().flat_map(|(name, unit)| {
-            DENSITIES.iter().map(|(inverse, density)| (*name, *unit, inverse.to_string(), *density))
+        let [std, radius, density] = self.numbers();
+        let inverse = |(name, size): Unit| (format!("1/{name}2"), size.powi(-2));
+        let all = LENGTHS.iter().flat_map(|&length| {
+            let others = DENSITIES.iter().map(|(name, size)| ((*name).to_string(), *size));
+            let densities = std::iter::once(inverse(length)).chain(others).enumerate();
+            densities.map(move |(k, density)| (k > 0, length, density))
         });
-        let makes_sense =
-            |(_, length, _, density): &(_, f64, _, f64)| makes_sense(&scaled(*length, *density));
-        let std = self.asperity_height_std;
-        let order = |(_, length, ..): &(_, f64, String, f64)| (length * std / MICRON).ln().abs();
-        let nearest = |a: &_, b: &_| order(a).total_cmp(&order(b));
-        let (name, _, inverse, _) = same
-            .filter(makes_sense)
-            .min_by(nearest)
-            .or_else(|| others.filter(makes_sense).min_by(nearest))?;
+        let makes_sense = |(_, (_, length), (_, inverse)): &(bool, Unit, (String, f64))| {
+            makes_sense(&Self::new(length * radius, inverse * density, length * std))
+        };
+        let order = |(is_other, (_, length), _): &(bool, Unit, _)| {
+            (*is_other, (length * std / MICRON).ln().abs())
+        };
+        let nearest = |a: &_, b: &_| order(a).partial_cmp(&order(b)).unwrap_or(Ordering::Equal);
+        let (_, (name, _), (inverse, _)) = all.filter(makes_sense).min_by(nearest)?;
         // Two numbers outside their ranges have the same cause; fine but wide waves have them, too.
-        let sizes = self.criteria().into_iter().take(3);
-        let odd = sizes.filter(|(_, value, usual, ..)| !within(*value, *usual)).count();
+        let odd = NUMBERS.iter().zip(self.numbers());
+        let odd = odd.filter(|(input, value)| !within(*value, input.usual)).count();
         let is_unit = odd > 1 && !(FINE..COARSE).contains(&std);
         let severity = if is_unit { Severity::Error } else { self.severity() };
-        let found = Finding::warning(CODE, "asperity_height_std", std)
-            .usual(HEIGHT_STD)
+        let found = Finding::warning(UNUSUAL, "asperity_height_std", std)
+            .usual(NUMBERS[0].usual)
             .severity(severity)
             .fact(format!(
                 "asperity_height_std is {} m, asperity_radius {} m",
                 short(std),
-                short(self.asperity_radius)
+                short(radius)
             ))
             .advice("check the numbers and their units")
             .likely_unit(format!(
                 "all lengths look like {name}, and the density {} like {inverse}; give m and 1/m2",
-                short(self.asperity_density)
+                short(density)
             ));
         Some(found)
     }
 
-    /// Criteria: field, value, usual range, unit and advice.
-    fn criteria(&self) -> [(&'static str, f64, [f64; 2], &'static str, &'static str); 6] {
-        let ratio = self.asperity_height_std / self.asperity_radius;
-        let beta = self.roughness_parameter();
+    /// Criteria, with the values of this surface.
+    fn criteria(&self) -> [(Input, f64); 6] {
+        let [std, radius, density] = self.numbers();
+        let derived = |field, usual, advice| Input::new(field, usual, "", &[]).advice(advice);
         let together = "one of asperity_density, asperity_radius and asperity_height_std is wrong, or the scan is noisy or too coarse";
+        let needles = "the asperities would be needles, not spherical caps";
+        let steep = "half-space contact assumes slopes well below 1";
+        let [of_std, of_radius, of_density] = NUMBERS;
+        let beta = derived("roughness_parameter", Self::USUAL_ASPERITY_ROUGHNESS, together);
         [
-            ("asperity_height_std", self.asperity_height_std, HEIGHT_STD, "m", CHECK_UNIT),
-            ("asperity_radius", self.asperity_radius, RADIUS, "m", CHECK_UNIT),
-            ("asperity_density", self.asperity_density, DENSITY, "1/m2", CHECK_UNIT),
-            ("roughness_parameter", beta, Self::USUAL_ASPERITY_ROUGHNESS, "", together),
-            (
-                "height_std_over_radius",
-                ratio,
-                [0.0, 1.0],
-                "",
-                "the asperities would be needles, not spherical caps",
-            ),
-            (
-                "rms_slope",
-                self.rms_slope(),
-                [0.0, 1.0],
-                "",
-                "half-space contact assumes slopes well below 1",
-            ),
+            (of_std, std),
+            (of_radius, radius),
+            (of_density, density),
+            (beta, self.roughness_parameter()),
+            (derived("height_std_over_radius", [0.0, 1.0], needles), std / radius),
+            (derived("rms_slope", [0.0, 1.0], steep), self.rms_slope()),
         ]
     }
 
     /// Findings of each number alone, without a likely unit.
     fn apart(&self) -> Vec<Finding> {
-        let unusual = |(_, value, usual, ..): &(_, f64, [f64; 2], _, _)| !within(*value, *usual);
-        let found = |(field, value, usual, unit, advice)| {
-            let found = Finding::warning(CODE, field, value).usual(usual);
-            let severity = match field {
-                "roughness_parameter" if found.excess() > RARE => Severity::Warning,
+        let odd = self.criteria().into_iter().filter(|(input, x)| !within(*x, input.usual));
+        let found = |(input, value): (Input, f64)| {
+            let found = input.in_unit(value, &[]);
+            match input.field {
+                "roughness_parameter" if found.excess() > RARE => found.severity(Severity::Warning),
                 // The laws remain valid.
-                "roughness_parameter" => Severity::Note,
-                _ => severity(value, usual),
-            };
-            found.severity(severity).unit(unit).advice(advice)
+                "roughness_parameter" => found.severity(Severity::Note),
+                _ => found,
+            }
         };
-        self.criteria().into_iter().filter(unusual).map(found).collect()
+        odd.map(found).collect()
     }
 
     /// The unusual combination of numbers that are usual alone.
@@ -188,15 +178,8 @@ impl Surface {
     }
 }
 
-const CODE: &str = "unusual-size";
-
 fn makes_sense(surface: &Surface) -> bool {
-    within(surface.asperity_height_std, HEIGHT_STD)
-        && within(surface.asperity_radius, RADIUS)
-        && within(surface.asperity_density, DENSITY)
-        && within(surface.roughness_parameter(), Surface::USUAL_ASPERITY_ROUGHNESS)
-        && surface.asperity_height_std <= surface.asperity_radius
-        && surface.rms_slope() <= 1.0
+    surface.criteria().iter().all(|(input, value)| within(*value, input.usual))
 }
 
 /// A finding for an unusual nominal area, alone or for its number of asperities. Beside findings
@@ -205,34 +188,31 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
     let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
     let population = if has_unit { 0.0 } else { POPULATION[1] / density };
-    let enough = AREA[0].max(population);
-    let usual = [enough, if enough < AREA[1] { AREA[1] } else { f64::INFINITY }];
+    let [smallest, largest] = AREA.usual;
+    let enough = smallest.max(population);
+    let usual = [enough, if enough < largest { largest } else { f64::INFINITY }];
     let odd_surface = !of_surface.is_empty();
     let is_possible = area <= FIELD && (has_unit || area * density >= 1.0);
-    if within(area, [enough, AREA[1]]) || odd_surface && is_possible {
+    if within(area, [enough, largest]) || odd_surface && is_possible {
         return None;
     }
-    let least = if odd_surface { AREA[0] } else { 1000.0 / density };
-    let unit = likely_unit(area, AREAS, "m2", |a| within(a, [least, AREA[1]]));
+    let least = if odd_surface { smallest } else { 1000.0 / density };
+    let unit = AREA.unit(area, |a| within(a, [least, largest]));
     let unit = unit.filter(|_| !odd_surface || area > FIELD);
     // A likely unit refers to the area alone.
-    let few = within(area, AREA) && unit.is_none();
+    let few = within(area, AREA.usual) && unit.is_none();
     let (severity, meaning) = match area {
         a if a > FIELD => (severity(a, [0.0, FIELD]), "no joint is so large".to_string()),
-        a if a > AREA[1] => (Severity::Note, "few joints are so large".to_string()),
+        a if a > largest => (Severity::Note, "few joints are so large".to_string()),
         a => {
             let (count, few) = (short(a * density), a * density < POPULATION[0]);
             let meaning = format!("the area holds {count} asperities, too few for an average");
             (if few { Severity::Warning } else { Severity::Note }, meaning)
         }
     };
-    let code = if few { FEW_ASPERITIES } else { CODE };
-    let found = Finding::warning(code, "nominal_area", area).severity(severity);
-    let found = found.usual(usual).unit("m2").advice(meaning);
-    Some(match unit {
-        Some(unit) => found.likely_unit(unit),
-        None => found,
-    })
+    let mut found = Input { usual, ..AREA }.in_unit(area, unit.as_slice()).advice(meaning);
+    found.code = if few { FEW_ASPERITIES } else { UNUSUAL };
+    Some(found.severity(severity))
 }
 
 #[cfg(test)]

@@ -4,19 +4,19 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::engine::arrays::FillReport;
-use crate::engine::averages::{all_places_of_load, place, place_of_pull_off};
+use crate::engine::averages::{all_separations_of_load, separation_at, separation_of_pull_off};
 use crate::engine::case_integrals::CaseIntegrals;
-use crate::engine::compiled::Compiled;
 use crate::engine::list::{answer_alone, shares_at};
 use crate::engine::prepared::Facts;
-use crate::request::separation::Place;
+use crate::engine::row_integrals::RowIntegrals;
+use crate::request::separation::SeparationInSigma;
 use crate::response::Response;
 use crate::{
     At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
     Share,
 };
 
-/// Loads whose places are kept: more than few are asked of tables.
+/// Loads whose separations are kept: more than few are asked of tables.
 const KEPT: usize = 64;
 
 /// The averages of a model's laws over the heights of a scene, place by place.
@@ -24,38 +24,35 @@ const KEPT: usize = 64;
 pub(crate) struct Alone {
     facts: Arc<Facts>,
     scene: Scene,
-    /// The bits of loads \[N\] and their places, so that a load is inverted once.
-    found: Mutex<Vec<(u64, Place)>>,
+    /// The bits of loads \[N\] and their separations, so that a load is inverted once.
+    inverted: Mutex<Vec<(u64, SeparationInSigma)>>,
 }
 
 impl Alone {
     /// # Errors
     /// A scene that is refused for every place.
     pub(crate) fn new(facts: Arc<Facts>, scene: &Scene) -> Result<Self, ContactError> {
-        let alone = Self { facts, scene: scene.clone(), found: Mutex::default() };
-        alone.integrals(None)?;
+        let alone = Self { facts, scene: scene.clone(), inverted: Mutex::default() };
+        alone.integrals()?;
         Ok(alone)
     }
 
-    fn integrals(&self, known: Option<Place>) -> Result<CaseIntegrals<'_>, ContactError> {
-        let Facts { laws, tolerance, .. } = &*self.facts;
-        Ok(CaseIntegrals::alone(&self.scene, laws, *tolerance)?.knowing(known))
+    fn integrals(&self) -> Result<CaseIntegrals<'_>, ContactError> {
+        CaseIntegrals::alone(&self.scene, &self.facts.laws)
     }
 
-    /// The integrals for a place; of a load that is asked for again, the place is known.
-    fn at(&self, at: &At) -> Result<CaseIntegrals<'_>, ContactError> {
-        let Some(load) = at.load(&self.scene).map(f64::to_bits) else {
-            return self.integrals(None);
-        };
-        let found = || self.found.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = found().iter().find(|(known, _)| *known == load).map(|(_, place)| *place);
-        let mut integrals = self.integrals(known)?;
+    /// The integrals for a place; a load that is asked for again is not inverted again.
+    pub(crate) fn at(&self, at: &At) -> Result<CaseIntegrals<'_>, ContactError> {
+        let Some(load) = at.load(&self.scene).map(f64::to_bits) else { return self.integrals() };
+        let inverted = || self.inverted.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = inverted().iter().find(|(of, _)| *of == load).map(|(_, found)| *found);
+        let mut integrals = self.integrals()?.after(found);
         // A load that is refused is refused again, with its reason.
-        let Ok(place) = place(&mut integrals, at) else { return Ok(integrals) };
-        if known.is_none() && found().len() < KEPT {
-            found().push((load, place));
+        let Ok(separation) = separation_at(&mut integrals, at) else { return Ok(integrals) };
+        if found.is_none() && inverted().len() < KEPT {
+            inverted().push((load, separation));
         }
-        Ok(integrals.knowing(Some(place)))
+        Ok(integrals.after(Some(separation)))
     }
 }
 
@@ -81,11 +78,8 @@ impl Contact for Alone {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        if !self.facts.quantities.contains(&quantity) {
-            return Err(ContactError::NotRequested { quantity });
-        }
-        let mut response = self.respond(&Request::new([quantity]).at([at]));
-        response.columns.remove(0).rows.remove(0).map_err(|error| *error)
+        self.facts.check_requested(quantity)?;
+        RowIntegrals::<_>::new(&mut self.at(&at)?, &[quantity], &at)?.quantity(quantity)
     }
 
     fn fill(
@@ -98,17 +92,17 @@ impl Contact for Alone {
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
-        let found = all_places_of_load(&mut self.integrals(None)?, load)?;
+        let found = all_separations_of_load(&mut self.integrals()?, load)?;
         Ok(found.into_iter().map(Separation::sigmas).collect())
     }
 
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         let at = At::Load(load);
-        Ok(Separation::sigmas(place(&mut self.at(&at)?, &at)?.s))
+        Ok(Separation::sigmas(separation_at(&mut self.at(&at)?, &at)?.s))
     }
 
     fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
-        Ok(place_of_pull_off(&mut self.integrals(None)?)?.map(Separation::sigmas))
+        Ok(separation_of_pull_off(&mut self.integrals()?)?.map(Separation::sigmas))
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
@@ -116,7 +110,7 @@ impl Contact for Alone {
     }
 
     fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
-        Compiled::moved(&self.facts, scene)
+        self.facts.on(scene)
     }
 
     fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
@@ -128,6 +122,6 @@ impl Contact for Alone {
     }
 
     fn respond(&self, request: &Request) -> Response {
-        answer_alone(&self.facts, &self.scene, request, |at| self.at(at))
+        answer_alone(self, request)
     }
 }

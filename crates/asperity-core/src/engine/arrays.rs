@@ -1,10 +1,10 @@
 //! Values at many separations in plain arrays: a few nanoseconds each, with one bound for all.
 
-use asperity_quadrature::{Column, ColumnAccuracy};
+use asperity_quadrature::{ArrayAccuracy, ScaledIntegral};
 
-use crate::engine::averages::Averages;
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
+use crate::error::require;
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::LOWEST;
 use crate::response::row_check::CANCELLED;
@@ -69,16 +69,14 @@ fn check(
     separations: &[f64],
     columns: &[&mut [f64]],
 ) -> Result<(), ContactError> {
-    let wrong = |field, value: usize, required| {
-        Err(ContactError::OutOfRange { field, value: value as f64, required })
+    let same = |a: usize, b: usize, field, required| require(a == b, field, a as f64, required);
+    let each = "one for each quantity,";
+    same(columns.len(), quantities.len(), "the number of columns", each)?;
+    let long = |column: &&mut [f64]| {
+        let required = "that of the separations,";
+        same(column.len(), separations.len(), "the length of a column", required).map(drop)
     };
-    if columns.len() != quantities.len() {
-        return wrong("the number of columns", columns.len(), "one for each quantity,");
-    }
-    match columns.iter().find(|column| column.len() != separations.len()) {
-        Some(column) => wrong("the length of a column", column.len(), "that of the separations,"),
-        None => Ok(()),
-    }
+    columns.iter().try_for_each(long)
 }
 
 fn one_by_one(
@@ -104,14 +102,14 @@ fn multiple(
     separations: &[f64],
     values: &mut [f64],
 ) -> Option<FillReport> {
-    (&prepared).check_requested(quantity).ok()?;
+    prepared.facts.check_requested(quantity).ok()?;
     let (base, slope, factor) = factor(prepared, quantity)?;
     let channel = prepared.channel(base).ok()?;
-    let column = Column { shift: 0.0, slope, factor: factor * channel.units.factor };
+    let column = ScaledIntegral { shift: 0.0, slope, factor: factor * channel.units.factor };
     if !column.factor.is_normal() {
         return None;
     }
-    let ColumnAccuracy { error, condition, normal, lowest } =
+    let ArrayAccuracy { error, condition, normal, lowest } =
         channel.total.fill(separations, column, values)?;
     // The factor is a product of two or three numbers.
     let report = FillReport { bound: error + f64::EPSILON, condition };
@@ -139,6 +137,6 @@ fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f6
             let factor = radii.on(&scene.interface, quantity).ok()?;
             Some((quantity.origin(), false, factor))
         }
-        Derivation::Ratio(..) | Derivation::Logarithm(_) | Derivation::RegimeShare(_) => None,
+        _ => None,
     }
 }

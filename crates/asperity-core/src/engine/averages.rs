@@ -5,13 +5,12 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Moments, QuadratureError};
 
-use crate::engine::channel::Units;
 use crate::engine::inverse::force_at::{Falls, ForceAt};
-use crate::engine::inverse::{ForceCurve, Target, check_load};
+use crate::engine::inverse::{CarriedLoad, ForceCurve, check_load};
 use crate::engine::laws::Laws;
 use crate::error::integral_failed;
-use crate::request::separation::{HIGHEST, LOWEST, Place};
-use crate::{At, ContactError, Quantity, Scene, Share, Tolerance};
+use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
+use crate::{At, ContactError, Quantity, Scene, Share};
 
 /// The integrals of the laws of one scene at any separation.
 ///
@@ -21,31 +20,16 @@ pub(crate) trait Averages<'s> {
 
     fn laws(&self) -> &'s Laws;
 
-    fn tolerance(&self) -> Tolerance;
+    /// The factor that makes the integral of the law for `base` a quantity of the scene.
+    fn factor(&self, base: Quantity) -> Result<f64, ContactError>;
 
-    /// From the numbers of the law for `base` to those of the scene.
-    fn units(&self, base: Quantity) -> Result<Units, ContactError>;
-
-    /// I(s) of the law for `base`, and -dI/ds if `slope` is set.
+    /// I(s) of the law for `base`, and -dI/ds if `slope` is set, with its factor.
     fn integral(
         &mut self,
         base: Quantity,
         place: (f64, &At),
         slope: bool,
-    ) -> Result<Moments, ContactError>;
-
-    /// The same with the factor that makes it a quantity of the scene, made for this place.
-    #[inline]
-    fn settled(
-        &mut self,
-        base: Quantity,
-        place: (f64, &At),
-        slope: bool,
-    ) -> Result<(Moments, f64), ContactError> {
-        self.settle(base, place)?;
-        let moments = self.integral(base, place, slope)?;
-        Ok((moments, self.units(base)?.factor))
-    }
+    ) -> Result<(Moments, f64), ContactError>;
 
     /// The same of each part of the law for `base`.
     fn parts(
@@ -68,9 +52,9 @@ pub(crate) trait Averages<'s> {
         falls.force(s)
     }
 
-    /// The place of a load that was found before.
+    /// The separation of a load that was inverted before.
     #[inline(always)]
-    fn known(&self, _at: &At) -> Option<Place> {
+    fn inverted(&self, _at: &At) -> Option<SeparationInSigma> {
         None
     }
 
@@ -89,16 +73,19 @@ pub(crate) trait Averages<'s> {
 
 /// d/σ_z at a place; a load is inverted.
 #[inline(always)]
-pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: &At) -> Result<Place, ContactError> {
-    if let Some(place) = averages.known(at) {
-        return Ok(place);
+pub(crate) fn separation_at<'s>(
+    averages: &mut impl Averages<'s>,
+    at: &At,
+) -> Result<SeparationInSigma, ContactError> {
+    if let Some(separation) = averages.inverted(at) {
+        return Ok(separation);
     }
     match at {
-        At::Separation(separation) => separation.place(averages.scene()),
-        At::Load(load) => place_of_load(averages, ("load", *load), 1.0),
+        At::Separation(separation) => separation.in_sigma(averages.scene()),
+        At::Load(load) => separation_of_load(averages, ("load", *load), 1.0),
         At::Pressure(pressure) => {
             let area = averages.scene().nominal_area;
-            place_of_load(averages, ("pressure", *pressure), area)
+            separation_of_load(averages, ("pressure", *pressure), area)
         }
     }
 }
@@ -106,32 +93,32 @@ pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: &At) -> Result<Pla
 /// The d/σ_z that carries a load of `value` times `area`: the largest, which is the first on
 /// approach, of a load above 0, and the smallest, which is stable, of a tension.
 #[inline(never)]
-pub(crate) fn place_of_load<'s>(
+pub(crate) fn separation_of_load<'s>(
     averages: &mut impl Averages<'s>,
     (field, value): (&'static str, f64),
     area: f64,
-) -> Result<Place, ContactError> {
+) -> Result<SeparationInSigma, ContactError> {
     let value = check_load(field, value, averages.laws().adhesive)?;
     let target = target(averages, value * area)?;
     // Where the heights meet only a rising law, one separation carries the load.
     let subtracts = averages.laws().law(Quantity::Force).is_some_and(|law| law.is_signed());
     if target.load > 0.0
         && !subtracts
-        && let Ok(place) = target.newton(&mut Force(averages))
-        && averages.rises_above(place.s)?
+        && let Ok(found) = target.newton(&mut Force(averages))
+        && averages.rises_above(found.s)?
     {
-        return Ok(place);
+        return Ok(found);
     }
     let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
     target.first(&ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls })
 }
 
 /// All d/σ_z that carry a load, ascending.
-pub(crate) fn all_places_of_load<'s>(
+pub(crate) fn all_separations_of_load<'s>(
     averages: &mut impl Averages<'s>,
     load: f64,
 ) -> Result<Vec<f64>, ContactError> {
-    let first = place_of_load(averages, ("load", load), 1.0)?.s;
+    let first = separation_of_load(averages, ("load", load), 1.0)?.s;
     let Some(falls) = averages.falls()? else { return Ok(vec![first]) };
     let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
@@ -143,7 +130,7 @@ pub(crate) fn all_places_of_load<'s>(
 }
 
 /// d/σ_z of the least force; `None` if no negative force is within the range of f64.
-pub(crate) fn place_of_pull_off<'s>(
+pub(crate) fn separation_of_pull_off<'s>(
     averages: &mut impl Averages<'s>,
 ) -> Result<Option<f64>, ContactError> {
     let Some(falls) = averages.falls()? else { return Ok(None) };
@@ -161,8 +148,8 @@ pub(crate) fn place_of_pull_off<'s>(
     Ok(pulls.then_some(value))
 }
 
-fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<Target, ContactError> {
-    Ok(Target { load, factor: averages.units(Quantity::Force)?.factor })
+fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<CarriedLoad, ContactError> {
+    Ok(CarriedLoad { load, factor: averages.factor(Quantity::Force)? })
 }
 
 /// The force over the separation, to be inverted.
@@ -170,7 +157,7 @@ struct Force<'a, A>(&'a mut A);
 
 impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
     fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        self.0.integral(Quantity::Force, (s, &s.into()), true)
+        Ok(self.0.integral(Quantity::Force, (s, &s.into()), true)?.0)
     }
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
@@ -185,7 +172,7 @@ pub(crate) fn shares<'s>(
     place: (f64, &At),
 ) -> Result<Vec<Share>, ContactError> {
     averages.settle(base, place)?;
-    let total = averages.integral(base, place, false)?;
+    let (total, _) = averages.integral(base, place, false)?;
     let integrals = averages.parts(base, place, false)?;
     let law = averages.laws().law(base).ok_or(ContactError::NotRequested { quantity: base })?;
     let share = |part: &Moments| {

@@ -4,17 +4,17 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
+use asperity_quadrature::{Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::channel::Units;
 use crate::engine::height_integral::{HeightIntegral, with_slope_within};
 use crate::engine::inverse::force_at::Falls;
+use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;
-use crate::request::separation::Place;
-use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
+use crate::request::separation::SeparationInSigma;
+use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene};
 
 /// The distance in s within which the bound of an integral holds.
 const SETTLED: f64 = 1e-3;
@@ -31,7 +31,7 @@ enum PartIntegral {
 struct LawIntegrals<'c> {
     base: Quantity,
     law: &'c Law,
-    units: Units,
+    units: LawUnits,
     /// Part by part, for Gaussian heights; none for others.
     sources: Vec<PartIntegral>,
 }
@@ -40,20 +40,15 @@ struct LawIntegrals<'c> {
 pub(crate) struct CaseIntegrals<'c> {
     scene: &'c Scene,
     laws: &'c Laws,
-    tolerance: Tolerance,
     law_integrals: Vec<LawIntegrals<'c>>,
-    /// The place of the load for which they are, if it was found before.
-    known: Option<Place>,
+    /// The separation of the load for which they are, if it was inverted before.
+    inverted: Option<SeparationInSigma>,
 }
 
 impl<'c> CaseIntegrals<'c> {
     /// The integrals of a single scene.
-    pub(crate) fn alone(
-        scene: &'c Scene,
-        laws: &'c Laws,
-        tolerance: Tolerance,
-    ) -> Result<Self, ContactError> {
-        Self::new(scene, laws, tolerance, |_, _| PartIntegral::Alone(None))
+    pub(crate) fn alone(scene: &'c Scene, laws: &'c Laws) -> Result<Self, ContactError> {
+        Self::new(scene, laws, |_, _| PartIntegral::Alone(None))
     }
 
     /// The integrals of a case among others: functions in the laws of its neighbours recur, and so
@@ -62,19 +57,18 @@ impl<'c> CaseIntegrals<'c> {
         (shapes, neighbours): (&mut RecentShapes<'_>, [Option<&Laws>; 2]),
         scene: &'c Scene,
         laws: &'c Laws,
-        tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let mut place = 0;
-        Self::new(scene, laws, tolerance, |(k, j), part| {
+        let mut count = 0;
+        Self::new(scene, laws, |(k, j), part| {
             let recurs = |other: &&Laws| {
                 let other = other.laws.get(k).and_then(|(_, law)| law.parts.get(j));
                 other.is_some_and(|other| part.recurs_in(other))
             };
             let shared =
                 matches!(part.form, Formula::Powers(_)) || neighbours.iter().flatten().any(recurs);
-            place += 1;
+            count += 1;
             match shared {
-                true => PartIntegral::Shared(shapes.shape(place - 1, part)),
+                true => PartIntegral::Shared(shapes.shape(count - 1, part)),
                 false => PartIntegral::Alone(None),
             }
         })
@@ -84,23 +78,22 @@ impl<'c> CaseIntegrals<'c> {
     fn new(
         scene: &'c Scene,
         laws: &'c Laws,
-        tolerance: Tolerance,
         mut source: impl FnMut((usize, usize), &Part) -> PartIntegral,
     ) -> Result<Self, ContactError> {
         let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
         let mut law_integrals = Vec::with_capacity(laws.laws.len());
         for (k, (base, law)) in laws.laws.iter().enumerate() {
-            let units = Units::new(*base, law, scene)?;
+            let units = LawUnits::new(*base, law, scene)?;
             let parts = law.parts.iter().enumerate().filter(|_| gaussian);
             let sources = parts.map(|(j, part)| source((k, j), part)).collect();
             law_integrals.push(LawIntegrals { base: *base, law, units, sources });
         }
-        Ok(Self { scene, laws, tolerance, law_integrals, known: None })
+        Ok(Self { scene, laws, law_integrals, inverted: None })
     }
 
-    /// For a load whose place was found before.
-    pub(crate) fn knowing(self, known: Option<Place>) -> Self {
-        Self { known, ..self }
+    /// For a load that was inverted before.
+    pub(crate) fn after(self, inverted: Option<SeparationInSigma>) -> Self {
+        Self { inverted, ..self }
     }
 
     fn law(&mut self, base: Quantity) -> Result<&mut LawIntegrals<'c>, ContactError> {
@@ -118,17 +111,13 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         self.laws
     }
 
-    fn tolerance(&self) -> Tolerance {
-        self.tolerance
+    fn inverted(&self, at: &At) -> Option<SeparationInSigma> {
+        self.inverted.filter(|_| !matches!(at, At::Separation(_)))
     }
 
-    fn known(&self, at: &At) -> Option<Place> {
-        self.known.filter(|_| !matches!(at, At::Separation(_)))
-    }
-
-    fn units(&self, base: Quantity) -> Result<Units, ContactError> {
+    fn factor(&self, base: Quantity) -> Result<f64, ContactError> {
         let found = self.law_integrals.iter().find(|law| law.base == base);
-        Ok(found.ok_or(ContactError::NotRequested { quantity: base })?.units)
+        Ok(found.ok_or(ContactError::NotRequested { quantity: base })?.units.factor)
     }
 
     fn integral(
@@ -136,9 +125,11 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         base: Quantity,
         (s, at): (f64, &At),
         slope: bool,
-    ) -> Result<Moments, ContactError> {
-        let (scene, tolerance) = (self.scene, self.tolerance);
-        self.law(base)?.at(s, slope, scene, tolerance).map_err(integral_failed(base, at))
+    ) -> Result<(Moments, f64), ContactError> {
+        let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
+        let law = self.law(base)?;
+        let moments = law.at(s, slope, scene, tolerance).map_err(integral_failed(base, at))?;
+        Ok((moments, law.units.factor))
     }
 
     fn parts(
@@ -147,18 +138,16 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError> {
-        let (scene, tolerance) = (self.scene, self.tolerance.relative());
-        let of_law = self.law(base)?;
-        let LawIntegrals { law, units, .. } = *of_law;
-        if of_law.sources.is_empty() {
-            let parts = law.parts.iter().map(|part| {
-                let alone = Density { pieces: vec![part.piece()] };
-                HeightIntegral::new(alone, law, scene, tolerance).once(s, slope)
-            });
-            return all_parts(parts, base, at);
+        let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
+        let LawIntegrals { law, units, sources, .. } = self.law(base)?;
+        if sources.is_empty() {
+            let alone = |part: &Part| {
+                HeightIntegral::new(part.density(), law, scene, tolerance).once(s, slope)
+            };
+            return all_parts(law.parts.iter().map(alone), base, at);
         }
         let s = units.onset.shifted(s);
-        let parts = law.parts.iter().zip(&mut of_law.sources).map(|(part, source)| {
+        let parts = law.parts.iter().zip(sources).map(|(part, source)| {
             let (factor, moments) = source.at(part, (s, units.scale), slope, tolerance)?;
             Ok(Moments::NONE.plus(factor, &moments))
         });
@@ -170,11 +159,11 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
-        self.laws.falls(self.scene, self.tolerance)
+        self.laws.falls(self.scene)
     }
 
     fn settle(&mut self, base: Quantity, (s, at): (f64, &At)) -> Result<bool, ContactError> {
-        let tolerance = self.tolerance;
+        let tolerance = self.laws.tolerance.relative();
         self.law(base)?.settle(s, tolerance).map_err(integral_failed(base, at))
     }
 }
@@ -192,7 +181,10 @@ impl PartIntegral {
             Self::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
             Self::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
             Self::Alone(Some(made)) if made.serves(s) => (1.0, made.at(s)),
-            Self::Alone(made) => (1.0, made.insert(alone(part, scale, s, tolerance)?).at(s)),
+            Self::Alone(made) => {
+                let new = Nearby::new(&part.density(), scale, s, tolerance)?;
+                (1.0, made.insert(new).at(s))
+            }
         })
     }
 }
@@ -204,41 +196,36 @@ impl LawIntegrals<'_> {
         s: f64,
         slope: bool,
         scene: &Scene,
-        tolerance: Tolerance,
+        tolerance: f64,
     ) -> Result<Moments, QuadratureError> {
-        let (Units { scale, onset, .. }, relative) = (self.units, tolerance.relative());
+        let LawUnits { scale, onset, .. } = self.units;
         if self.sources.is_empty() {
-            let integral = HeightIntegral::new(self.law.density(), self.law, scene, relative);
+            let integral = HeightIntegral::new(self.law.density(), self.law, scene, tolerance);
             return integral.once(s, slope);
         }
         let (given, s, slope) = (s, onset.shifted(s), slope || onset.is_nonzero());
         let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
-            let (factor, m) = source.at(part, (s, scale), slope, relative)?;
+            let (factor, m) = source.at(part, (s, scale), slope, tolerance)?;
             sum = sum.plus(factor, &m);
         }
         if slope {
-            sum = with_slope_within(sum, || self.law.density(), (scale, s), relative);
+            sum = with_slope_within(sum, || self.law.density(), (scale, s), tolerance);
         }
         Ok(onset.widened(given, sum))
     }
 
     /// Makes integrals for s if they were made too far from it for their bounds to hold; returns
     /// whether there were any.
-    fn settle(&mut self, s: f64, tolerance: Tolerance) -> Result<bool, QuadratureError> {
+    fn settle(&mut self, s: f64, tolerance: f64) -> Result<bool, QuadratureError> {
         let (mut moved, s) = (false, self.units.onset.shifted(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let PartIntegral::Alone(made) = source else { continue };
             if !made.as_ref().is_some_and(|made| (made.from() - s).abs() <= SETTLED) {
-                *made = Some(alone(part, self.units.scale, s, tolerance.relative())?);
+                *made = Some(Nearby::new(&part.density(), self.units.scale, s, tolerance)?);
                 moved = true;
             }
         }
         Ok(moved)
     }
-}
-
-/// One part, integrated for one s.
-fn alone(part: &Part, scale: f64, s: f64, tolerance: f64) -> Result<Nearby, QuadratureError> {
-    Nearby::new(&Density { pieces: vec![part.piece()] }, scale, s, tolerance)
 }

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_quadrature::Sampler;
 
-use crate::engine::inverse::force_at::{Falls, KnownFalls};
+use crate::engine::inverse::force_at::{CachedFalls, Falls};
 use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
 
 /// The laws of one asperity that quantities follow from.
@@ -16,8 +16,9 @@ pub(crate) struct Laws {
     /// Whether loads may be tensions.
     pub(crate) adhesive: bool,
     pub(crate) laws: Vec<(Quantity, Arc<Law>)>,
+    pub(crate) tolerance: Tolerance,
     by_load: bool,
-    known_falls: Mutex<KnownFalls>,
+    cached_falls: Mutex<CachedFalls>,
 }
 
 impl Laws {
@@ -30,9 +31,15 @@ impl Laws {
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
         let Validity { adhesive, .. } = model.validity();
-        let (own_stiffness, laws) = (false, vec![]);
-        let known_falls = Mutex::default();
-        let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load, known_falls };
+        let mut found = Self {
+            asperity,
+            own_stiffness: false,
+            adhesive,
+            laws: vec![],
+            tolerance,
+            by_load,
+            cached_falls: Mutex::default(),
+        };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
                 let own = model.stiffness(&asperity, tolerance)?;
@@ -72,18 +79,14 @@ impl Laws {
         if !law.is_signed() && law.parts.iter().any(costly) {
             return Ok(true);
         }
-        let mut known = self.known_falls.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(known.rises_above(law, scene, s))
+        let mut cached = self.cached_falls.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(cached.rises_above(law, scene, s))
     }
 
-    /// Where the law of the force falls on a scene, if it does; the tolerance is that of the laws.
-    pub(crate) fn falls(
-        &self,
-        scene: &Scene,
-        tolerance: Tolerance,
-    ) -> Result<Option<Arc<Falls>>, ContactError> {
-        let mut known = self.known_falls.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(known.on(self.force()?, scene, tolerance))
+    /// Where the law of the force falls on a scene, if it does.
+    pub(crate) fn falls(&self, scene: &Scene) -> Result<Option<Arc<Falls>>, ContactError> {
+        let mut cached = self.cached_falls.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(cached.on(self.force()?, scene, self.tolerance))
     }
 
     /// Whether a part is subtracted in any of them.

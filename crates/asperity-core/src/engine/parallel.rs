@@ -5,22 +5,19 @@ pub(crate) const MANY: (usize, usize) = (2048, 512);
 
 /// The columns that `f` returns for runs of items, joined in order: `least` items or more are
 /// handed out in runs of `length`, fewer are left to the calling thread.
-#[cfg(feature = "rayon")]
 pub(crate) fn columns<T: Sync, R: Send>(
     items: &[T],
     (least, length): (usize, usize),
     f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
 ) -> Vec<Vec<R>> {
-    use rayon::prelude::*;
     if items.len() < least {
         return f(items);
     }
-    let runs: Vec<Vec<Vec<R>>> = items.par_chunks(length).map(f).collect();
     let join = |mut all: Vec<Vec<R>>, run: Vec<Vec<R>>| {
         all.iter_mut().zip(run).for_each(|(column, more)| column.extend(more));
         all
     };
-    runs.into_iter().reduce(join).unwrap_or_default()
+    map_runs(items, length, |run| vec![f(run)]).into_iter().reduce(join).unwrap_or_default()
 }
 
 /// The results of `f` for runs of `length` items, joined in order.
@@ -41,15 +38,6 @@ pub(crate) fn both<A: Send, B: Send>(
     b: impl FnOnce() -> B + Send,
 ) -> (A, B) {
     rayon::join(a, b)
-}
-
-#[cfg(not(feature = "rayon"))]
-pub(crate) fn columns<T: Sync, R: Send>(
-    items: &[T],
-    _: (usize, usize),
-    f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
-) -> Vec<Vec<R>> {
-    f(items)
 }
 
 #[cfg(not(feature = "rayon"))]

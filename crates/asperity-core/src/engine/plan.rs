@@ -6,9 +6,8 @@ use asperity_quadrature::reach;
 
 use serde::Serialize;
 
-use crate::engine::averages::place;
-use crate::engine::channel::Channel;
-use crate::engine::prepared::Prepared;
+use crate::engine::averages::separation_at;
+use crate::engine::prepared::{Channel, Prepared};
 use crate::error::integral_failed;
 use crate::{At, ContactError, HeightDistribution, Part, Quantity, Request};
 
@@ -90,7 +89,7 @@ pub struct Plan {
 /// The plan for a request; builds what its rows need.
 pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, ContactError> {
     let mut averages = prepared;
-    let places = request.at.iter().map(|at| Ok(place(&mut averages, at)?.s));
+    let places = request.at.iter().map(|at| Ok(separation_at(&mut averages, at)?.s));
     let places: Vec<f64> = places.collect::<Result<_, ContactError>>()?;
     let steps = prepared.channels.iter().map(|channel| step(prepared, channel, &places));
     let rows = || places.iter().zip(&request.at);
@@ -99,7 +98,7 @@ pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, Conta
     Ok(Plan {
         model: prepared.facts.model.clone(),
         heights: prepared.scene.heights.name().into(),
-        tolerance: prepared.facts.tolerance.relative(),
+        tolerance: prepared.facts.laws.tolerance.relative(),
         rows: places.len(),
         range: first.zip(last).map(|((_, first), (_, last))| (*first, *last)),
         steps: steps.collect::<Result<_, _>>()?,
@@ -117,8 +116,7 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
         let failed = integral_failed(law, &at);
         channel.total.value(s).map_err(&failed)?;
         if let Some(n) = channel.total.terms(s).map_err(&failed)? {
-            let (least, most) = terms.unwrap_or((n, n));
-            terms = Some((least.min(n), most.max(n)));
+            terms = Some(terms.map_or((n, n), |(least, most)| (least.min(n), most.max(n))));
         }
         farthest = farthest.max(reach(channel.units.onset.shifted(s)));
     }

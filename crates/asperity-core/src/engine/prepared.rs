@@ -1,17 +1,18 @@
 //! A model of one asperity on one scene, prepared for many separations: integrals are built when
 //! first needed, and shared by all threads.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::channel::{Channel, Units};
+use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::force_at::Falls;
+use crate::engine::law_units::LawUnits;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;
-use crate::{AsperityModel, At, ContactError, Finding, Law, Quantity, Request, Scene, Tolerance};
+use crate::{AsperityModel, At, Contact, ContactError, Finding, Law, Quantity, Request, Scene};
 
 /// The part of a request that does not depend on the surface.
 #[derive(Debug)]
@@ -20,7 +21,6 @@ pub(crate) struct Facts {
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) laws: Laws,
     pub(crate) notes: Vec<Finding>,
-    pub(crate) tolerance: Tolerance,
 }
 
 impl Facts {
@@ -30,17 +30,36 @@ impl Facts {
         model: &dyn AsperityModel,
         scene: &Scene,
         request: &Request,
-    ) -> Result<Self, ContactError> {
+    ) -> Result<Arc<Self>, ContactError> {
         let Request { quantities, at, tolerance, .. } = request;
         let asperity = scene.asperity()?;
         contact_radii::check(quantities, &scene.interface)?;
-        Ok(Self {
+        Ok(Arc::new(Self {
             model: model.name().into(),
             quantities: quantities.clone(),
             laws: Laws::new(model, asperity, quantities, any_load(at), *tolerance)?,
             notes: model.notes(),
-            tolerance: *tolerance,
-        })
+        }))
+    }
+
+    /// The same laws on another scene.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherAsperity`] if its laws would be others.
+    pub(crate) fn on(self: &Arc<Self>, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
+        if scene.asperity()? != self.laws.asperity {
+            return Err(ContactError::OtherAsperity);
+        }
+        contact_radii::check(&self.quantities, &scene.interface)?;
+        Ok(Box::new(Prepared::new(self.clone(), scene)?))
+    }
+
+    #[inline]
+    pub(crate) fn check_requested(&self, quantity: Quantity) -> Result<(), ContactError> {
+        match self.quantities.contains(&quantity) {
+            true => Ok(()),
+            false => Err(ContactError::NotRequested { quantity }),
+        }
     }
 }
 
@@ -50,15 +69,30 @@ pub(crate) struct Prepared {
     pub(crate) facts: Arc<Facts>,
     pub(crate) scene: Scene,
     pub(crate) channels: Vec<Channel>,
+    falls: OnceLock<Result<Option<Arc<Falls>>, ContactError>>,
+}
+
+/// The integral of one law.
+#[derive(Debug)]
+pub(crate) struct Channel {
+    /// The quantity of the law.
+    pub(crate) base: Quantity,
+    pub(crate) law: Arc<Law>,
+    pub(crate) units: LawUnits,
+    pub(crate) total: HeightIntegral,
+    parts: OnceLock<Vec<HeightIntegral>>,
 }
 
 impl Prepared {
     pub(crate) fn new(facts: Arc<Facts>, scene: &Scene) -> Result<Self, ContactError> {
+        let tolerance = facts.laws.tolerance.relative();
         let channel = |(base, law): &(Quantity, Arc<Law>)| {
-            Channel::new(*base, law.clone(), scene, facts.tolerance)
+            let units = LawUnits::new(*base, law, scene)?;
+            let total = HeightIntegral::new(law.density(), law, scene, tolerance);
+            Ok(Channel { base: *base, law: law.clone(), units, total, parts: OnceLock::new() })
         };
         let channels = facts.laws.laws.iter().map(channel).collect::<Result<_, _>>()?;
-        Ok(Self { facts, scene: scene.clone(), channels })
+        Ok(Self { facts, scene: scene.clone(), channels, falls: OnceLock::new() })
     }
 
     /// The integral of the law for `base`.
@@ -75,12 +109,6 @@ impl Prepared {
     pub(crate) fn laws_of(&self, quantity: Quantity) -> impl Iterator<Item = Quantity> + use<> {
         quantity.laws(self.facts.laws.own_stiffness)
     }
-
-    /// The law of a quantity that needs a single one.
-    pub(crate) fn single_law(&self, quantity: Quantity) -> Option<Quantity> {
-        let mut laws = self.laws_of(quantity);
-        laws.next().filter(|_| laws.next().is_none())
-    }
 }
 
 impl<'p> Averages<'p> for &'p Prepared {
@@ -94,30 +122,12 @@ impl<'p> Averages<'p> for &'p Prepared {
         &self.facts.laws
     }
 
-    #[inline]
-    fn tolerance(&self) -> Tolerance {
-        self.facts.tolerance
-    }
-
-    #[inline]
-    fn units(&self, base: Quantity) -> Result<Units, ContactError> {
-        Ok(self.channel(base)?.units)
-    }
-
-    #[inline]
-    fn integral(
-        &mut self,
-        base: Quantity,
-        (s, at): (f64, &At),
-        slope: bool,
-    ) -> Result<Moments, ContactError> {
-        let total = &self.channel(base)?.total;
-        let found = if slope { total.at(s) } else { total.value(s) };
-        found.map_err(integral_failed(base, at))
+    fn factor(&self, base: Quantity) -> Result<f64, ContactError> {
+        Ok(self.channel(base)?.units.factor)
     }
 
     #[inline(always)]
-    fn settled(
+    fn integral(
         &mut self,
         base: Quantity,
         (s, at): (f64, &At),
@@ -136,18 +146,23 @@ impl<'p> Averages<'p> for &'p Prepared {
         (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError> {
-        let parts = self.channel(base)?.parts().iter();
+        let Channel { law, parts, .. } = self.channel(base)?;
+        let tolerance = self.facts.laws.tolerance.relative();
+        let of_parts = || {
+            let densities = law.parts.iter().map(|part| part.density());
+            densities.map(|alone| HeightIntegral::new(alone, law, &self.scene, tolerance)).collect()
+        };
+        let parts = parts.get_or_init(of_parts).iter();
         let integrals = parts.map(|part| if slope { part.at(s) } else { part.value(s) });
         all_parts(integrals, base, at)
     }
 
     fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
-        let falls = self.falls()?;
-        Ok(falls.is_none_or(|falls| falls.hides_above(s)))
+        Ok(self.falls()?.is_none_or(|falls| falls.hides_above(s)))
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
-        self.channel(Quantity::Force)?.falls(&self.facts.laws)
+        self.falls.get_or_init(|| self.facts.laws.falls(&self.scene)).clone()
     }
 
     fn guide(&self, _: &Falls, s: f64) -> Result<Moments, ContactError> {
@@ -157,9 +172,6 @@ impl<'p> Averages<'p> for &'p Prepared {
 
     #[inline]
     fn check_requested(&self, quantity: Quantity) -> Result<(), ContactError> {
-        match self.facts.quantities.contains(&quantity) {
-            true => Ok(()),
-            false => Err(ContactError::NotRequested { quantity }),
-        }
+        self.facts.check_requested(quantity)
     }
 }

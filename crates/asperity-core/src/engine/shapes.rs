@@ -4,7 +4,7 @@ use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 
-use asperity_quadrature::{AnyScale, Density};
+use asperity_quadrature::AnyScale;
 
 use crate::{Part, Tolerance};
 
@@ -40,8 +40,7 @@ impl Shapes {
             return shape;
         }
         let part = part.without_factor();
-        let density = Density { pieces: vec![part.piece()] };
-        let integral = AnyScale::new(density, tolerance.relative());
+        let integral = AnyScale::new(part.density(), tolerance.relative());
         let shape = Arc::new(Shape { part, integral, recurs: AtomicBool::new(false) });
         if shapes.len() >= SHAPES {
             shapes.retain(|shape| shape.recurs.load(Ordering::Relaxed));

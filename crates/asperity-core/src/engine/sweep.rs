@@ -2,7 +2,7 @@
 
 use crate::engine::parallel::{both, map_runs};
 use crate::engine::shapes::Shapes;
-use crate::engine::worker::{Question, Worker};
+use crate::engine::worker::Worker;
 use crate::{Case, ContactError, ContactModel, Evaluation, Quantity, Tolerance};
 
 /// Cases handed to a thread at a time.
@@ -33,16 +33,17 @@ const HELD: usize = 16_384;
 /// ```
 #[derive(Debug)]
 pub struct Sweep<'m> {
-    question: Question<'m>,
-    shapes: Shapes,
+    pub(crate) model: &'m dyn ContactModel,
+    pub(crate) quantities: Vec<Quantity>,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) shapes: Shapes,
 }
 
 impl<'m> Sweep<'m> {
     /// A sweep without laws: they are built for the scenes.
     #[must_use]
     pub fn new(model: &'m dyn ContactModel, quantities: &[Quantity], tolerance: Tolerance) -> Self {
-        let question = Question { model, quantities: quantities.to_vec(), tolerance };
-        Self { question, shapes: Shapes::default() }
+        Self { model, quantities: quantities.to_vec(), tolerance, shapes: Shapes::default() }
     }
 
     /// The quantities of one case, in the order of the sweep's.
@@ -51,22 +52,19 @@ impl<'m> Sweep<'m> {
     /// Those of [`ContactModel::compile`] and
     /// [`Contact::evaluate_at`](crate::Contact::evaluate_at).
     pub fn evaluate(&self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
-        match self.worker().run(std::slice::from_ref(case)).pop() {
-            Some(answer) => answer,
-            None => Ok(vec![]),
-        }
+        Worker::new(self).run(std::slice::from_ref(case)).pop().unwrap_or(Ok(vec![]))
     }
 
     /// Every case on all cores, in order. The digits do not depend on the number of threads.
     #[must_use]
     pub fn evaluate_all(&self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
-        map_runs(cases, CASES_PER_RUN, |cases| self.worker().run(cases))
+        map_runs(cases, CASES_PER_RUN, |cases| Worker::new(self).run(cases))
     }
 
     /// The separation d/σ_z of every case; for a load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        map_runs(cases, CASES_PER_RUN, |cases| self.worker().separations(cases))
+        map_runs(cases, CASES_PER_RUN, |cases| Worker::new(self).separations(cases))
     }
 
     /// Every case on all cores, delivered in order with its number. Some thousand cases at a time
@@ -93,9 +91,5 @@ impl<'m> Sweep<'m> {
             held = next;
         }
         Ok(())
-    }
-
-    fn worker(&self) -> Worker<'_> {
-        Worker::new(&self.question, &self.shapes)
     }
 }

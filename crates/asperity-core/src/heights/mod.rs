@@ -137,13 +137,20 @@ impl HeightDistribution {
         }
     }
 
+    /// The sampled density, and σ_z in the unit of its heights: 1, or this one \[m\]. `None` for
+    /// Gaussian and exponential heights.
+    pub(crate) fn sampled(&self, height_std: f64) -> Option<(&Arc<OtherHeights>, f64)> {
+        match self {
+            Self::Weibull(weibull) => Some((&weibull.sampled, 1.0)),
+            Self::Other(other) => Some((other, height_std)),
+            Self::Gaussian | Self::Exponential => None,
+        }
+    }
+
     /// Heights \[m\] inside the [support](Self::support) at which the density or its slope jumps.
     #[must_use]
     pub fn breaks(&self) -> &[f64] {
-        match self {
-            Self::Other(other) => other.heights().breaks(),
-            Self::Gaussian | Self::Exponential | Self::Weibull(_) => &[],
-        }
+        self.sampled(1.0).map_or(&[], |(sampled, _)| sampled.heights().breaks())
     }
 
     /// Name, for plans and tables.

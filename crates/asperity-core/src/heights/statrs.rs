@@ -5,7 +5,7 @@ use std::fmt;
 use statrs::distribution::Continuous;
 use statrs::statistics::{Distribution, Max, Min};
 
-use crate::error::positive;
+use crate::error::{positive, require};
 use crate::{ContactError, Heights};
 
 /// Bound on the relative error of statrs densities; the largest measured error is 3e-14, from the
@@ -49,10 +49,7 @@ where
             distribution.std_dev().unwrap_or(f64::NAN),
         )?;
         let mean = distribution.mean().unwrap_or(f64::NAN);
-        if !mean.is_finite() {
-            let (field, required) = ("mean of the heights", "a finite number");
-            return Err(ContactError::OutOfRange { field, value: mean, required });
-        }
+        require(mean.is_finite(), "mean of the heights", mean, "a finite number")?;
         let scale = std / wanted;
         let support = ((distribution.min() - mean) / scale, (distribution.max() - mean) / scale);
         let ln_scale = scale.ln();

@@ -1,6 +1,6 @@
 //! A measured density of heights: a table with linear interpolation.
 
-use crate::error::positive;
+use crate::error::{positive, require};
 use crate::{ContactError, Heights};
 
 /// A density given at heights in metres: linear between the points, zero outside them, normalised.
@@ -117,10 +117,7 @@ impl TabulatedHeights {
 }
 
 fn check(points: &[(f64, f64)]) -> Result<(), ContactError> {
-    if points.len() < 2 {
-        let (field, value) = ("number of points", points.len() as f64);
-        return Err(ContactError::OutOfRange { field, value, required: "at least 2" });
-    }
+    require(points.len() >= 2, "number of points", points.len() as f64, "at least 2")?;
     let refused = |row, field, value, required| {
         Err(ContactError::InTable { row: row + 1, field, value, required })
     };

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::require;
 use crate::heights::OtherHeights;
 use crate::{ContactError, Heights};
 
@@ -57,11 +58,8 @@ impl WeibullHeights {
     /// [`ContactError::OutOfRange`] outside [`Self::SKEWNESS`].
     pub fn new(skewness: f64) -> Result<Self, ContactError> {
         let [least, most] = Self::SKEWNESS;
-        if !(least..=most).contains(&skewness) {
-            let required = "a number from -1 to 2 (use a table of heights beyond)";
-            let field = "skewness";
-            return Err(ContactError::OutOfRange { field, value: skewness, required });
-        }
+        let required = "a number from -1 to 2 (use a table of heights beyond)";
+        require((least..=most).contains(&skewness), "skewness", skewness, required)?;
         let [mut from, mut to] = SHAPES;
         // The skewness rises with 1/k.
         loop {

@@ -110,6 +110,14 @@ impl Formula {
         }
     }
 
+    /// The function; `None` for a sum of powers.
+    fn sampler(&self) -> Option<&dyn Sampler> {
+        match self {
+            Self::Powers(_) => None,
+            Self::Function { sampler, .. } => Some(&**sampler),
+        }
+    }
+
     /// A short description of the formula.
     #[must_use]
     pub fn describe(&self) -> &str {
@@ -162,30 +170,18 @@ impl Sampler for Formula {
     }
 
     fn relative_error(&self, x: &[f64]) -> f64 {
-        match self {
-            Self::Powers(_) => 0.0,
-            Self::Function { sampler, .. } => sampler.relative_error(x),
-        }
+        self.sampler().map_or(0.0, |sampler| sampler.relative_error(x))
     }
 
     fn is_costly(&self) -> bool {
-        match self {
-            Self::Powers(_) => false,
-            Self::Function { sampler, .. } => sampler.is_costly(),
-        }
+        self.sampler().is_some_and(|sampler| sampler.is_costly())
     }
 
     fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
-        match self {
-            Self::Powers(_) => None,
-            Self::Function { sampler, .. } => sampler.finer(tolerance),
-        }
+        self.sampler()?.finer(tolerance)
     }
 
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
-        match self {
-            Self::Powers(_) => None,
-            Self::Function { sampler, .. } => sampler.unprepared(),
-        }
+        self.sampler()?.unprepared()
     }
 }

@@ -225,7 +225,7 @@ impl Law {
 
 impl Part {
     /// The part alone, with its sign.
-    pub(crate) fn piece(&self) -> Piece {
+    fn piece(&self) -> Piece {
         Piece {
             from: self.range.start,
             to: self.range.end,
@@ -234,6 +234,11 @@ impl Part {
             origin: self.origin(),
             sampler: Arc::new(self.form.clone()),
         }
+    }
+
+    /// The part alone as a density of x.
+    pub(crate) fn density(&self) -> Density {
+        Density { pieces: vec![self.piece()] }
     }
 
     /// The common origin of the fractional powers, if there is one.

@@ -70,12 +70,7 @@ impl dyn AsperityModel + '_ {
         let law = match quantity.derivation() {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
-            Derivation::Slope(_)
-            | Derivation::PerNominalArea(_)
-            | Derivation::ContactRadii(_)
-            | Derivation::Ratio(..)
-            | Derivation::Logarithm(_)
-            | Derivation::RegimeShare(_) => None,
+            _ => None,
         };
         law.ok_or_else(|| ContactError::NoLaw { model: self.name().into(), quantity })
     }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::engine::arrays::{self, FillReport};
 use crate::engine::parallel;
-use crate::response::{Cell, Response, respond};
+use crate::response::{Answered, Response, respond};
 use crate::{
     At, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation, Share,
 };
@@ -154,15 +154,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
 
     /// Answers a request for the quantities this scene was compiled for, row by row.
     fn respond(&self, request: &Request) -> Response {
-        let columns = |places: &[At]| -> Vec<Vec<Cell>> {
+        let columns = |places: &[At]| -> Vec<Vec<Answered>> {
             let at = |q: Quantity, at: &At| self.evaluate_at(q, *at).map_err(Box::new);
             let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
             request.quantities.iter().map(of).collect()
         };
-        let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-        let shares = |quantity, at| self.shares_at(quantity, at);
-        let of = (self.model(), self.scene(), self.is_adhesive());
-        let mut response = respond(of, request, cells, shares, |_, _| None);
+        let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
+        let mut response = respond(self, request, answered, |_, _| None);
         response.warnings.extend(self.notes().iter().cloned());
         response
     }

@@ -1,10 +1,7 @@
 //! A contact model: named, swapped, applied to scenes.
 
-use std::sync::Arc;
-
 use crate::engine::alone::Alone;
-use crate::engine::compiled::Compiled;
-use crate::engine::list::{answer_prepared, is_short};
+use crate::engine::list::is_short;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::{
     Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
@@ -27,8 +24,7 @@ pub trait ContactModel: Described {
     /// [`ContactError`] naming the input that is out of range or missing.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError>;
 
-    /// Prepares a scene for the places of this request alone: few places cost what
-    /// [`solve`](Self::solve) takes for them, and no tables are made for others.
+    /// Prepares a scene for the places of this request alone: no tables are made for others.
     ///
     /// # Errors
     /// Those of [`compile`](Self::compile).
@@ -42,7 +38,7 @@ pub trait ContactModel: Described {
     /// [`ContactError`] naming the input that is out of range or missing. The error of a single row
     /// stands in that row of the response.
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        Ok(self.compile(scene, request)?.respond(request))
+        Ok(self.contact(scene, request)?.respond(request))
     }
 }
 
@@ -70,24 +66,13 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        Ok(Box::new(Compiled::new(self, scene, request)?))
+        Ok(Box::new(Prepared::new(Facts::new(self, scene, request)?, scene)?))
     }
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         match is_short(request, scene) {
-            true => {
-                let facts = Arc::new(Facts::new(self, scene, request)?);
-                Ok(Box::new(Alone::new(facts, scene)?))
-            }
+            true => Ok(Box::new(Alone::new(Facts::new(self, scene, request)?, scene)?)),
             false => self.compile(scene, request),
         }
-    }
-
-    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        let facts = Arc::new(Facts::new(self, scene, request)?);
-        Ok(match is_short(request, scene) {
-            true => Alone::new(facts, scene)?.respond(request),
-            false => answer_prepared(&Prepared::new(facts, scene)?, request),
-        })
     }
 }

@@ -61,13 +61,7 @@ impl Quantity {
     pub fn regime(self) -> Option<Regime> {
         match self.derivation() {
             Derivation::RegimeShare(regime) => Some(regime),
-            Derivation::Integral(_)
-            | Derivation::IntegralOrSlope(..)
-            | Derivation::Slope(_)
-            | Derivation::PerNominalArea(_)
-            | Derivation::ContactRadii(_)
-            | Derivation::Ratio(..)
-            | Derivation::Logarithm(_) => None,
+            _ => None,
         }
     }
 
@@ -108,12 +102,7 @@ impl Quantity {
         match self.derivation() {
             Derivation::ContactRadii(factor) => Some(factor),
             Derivation::PerNominalArea(of) => of.radius_factor(),
-            Derivation::Integral(_)
-            | Derivation::IntegralOrSlope(..)
-            | Derivation::Slope(_)
-            | Derivation::Ratio(..)
-            | Derivation::Logarithm(_)
-            | Derivation::RegimeShare(_) => None,
+            _ => None,
         }
     }
 
@@ -125,10 +114,7 @@ impl Quantity {
             Derivation::IntegralOrSlope(..) if own_stiffness => (self, None),
             Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => (of, None),
             Derivation::Ratio(above, below) => (above, Some(below)),
-            Derivation::PerNominalArea(_)
-            | Derivation::Logarithm(_)
-            | Derivation::ContactRadii(_)
-            | Derivation::RegimeShare(_) => (self.origin(), None),
+            _ => (self.origin(), None),
         };
         std::iter::once(first).chain(second)
     }

@@ -116,8 +116,8 @@ impl Separation {
 
     /// d/σ_z from the mean of the asperity heights, with the rounding of the conversion.
     #[inline]
-    pub(crate) fn place(self, scene: &Scene) -> Result<Place, ContactError> {
-        let mut place = Place { s: self.value, rounding: 0.0 };
+    pub(crate) fn in_sigma(self, scene: &Scene) -> Result<SeparationInSigma, ContactError> {
+        let mut place = SeparationInSigma { s: self.value, rounding: 0.0 };
         if (self.unit, self.from) != (SeparationUnit::Sigma, Datum::AsperityMean) {
             place = self.converted(scene)?;
         }
@@ -129,7 +129,7 @@ impl Separation {
     }
 
     #[inline(never)]
-    fn converted(self, scene: &Scene) -> Result<Place, ContactError> {
+    fn converted(self, scene: &Scene) -> Result<SeparationInSigma, ContactError> {
         let sigma = scene.surface.asperity_height_std;
         let s = self.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, scene)?.value;
         let mut rounding = f64::EPSILON * s.abs();
@@ -137,7 +137,7 @@ impl Separation {
             // Either number may be larger than their difference.
             rounding += 2.0 * f64::EPSILON * (mean_plane_offset(scene)? / sigma).abs();
         }
-        Ok(Place { s, rounding })
+        Ok(SeparationInSigma { s, rounding })
     }
 }
 
@@ -156,7 +156,7 @@ fn mean_plane_offset(scene: &Scene) -> Result<f64, ContactError> {
 
 /// d/σ_z from the mean of the asperity heights, with its rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct SeparationInSigma {
     pub(crate) s: f64,
     /// Bound on the absolute error of `s`.
     pub(crate) rounding: f64,
@@ -297,15 +297,15 @@ mod tests {
             (SeparationUnit::Sigma, Datum::SurfaceMean),
         ] {
             let there = Separation::sigmas(1.7).measured_in(unit, from, &scene).unwrap();
-            let place = there.place(&scene).unwrap();
+            let place = there.in_sigma(&scene).unwrap();
             assert!((place.s - 1.7).abs() <= place.rounding && place.rounding < 2e-15);
         }
         let gap = Separation::metres(1e-6 + offset).from_surface_mean();
-        assert!((gap.place(&scene).unwrap().s - 2.0).abs() < 1e-14);
+        assert!((gap.in_sigma(&scene).unwrap().s - 2.0).abs() < 1e-14);
         // A measured offset takes precedence over that of an isotropic Gaussian surface.
         let measured = Scene { mean_plane_offset: Some(0.25e-6), ..scene };
         let gap = Separation::metres(1e-6).from_surface_mean();
-        assert!((gap.place(&measured).unwrap().s - 1.5).abs() < 1e-14);
+        assert!((gap.in_sigma(&measured).unwrap().s - 1.5).abs() < 1e-14);
     }
 
     #[test]
@@ -320,16 +320,16 @@ mod tests {
     #[test]
     fn multiples_of_sigma_are_exact_and_missing_planes_are_refused() {
         let mut scene = scene();
-        let place = Separation::sigmas(0.1).place(&scene).unwrap();
+        let place = Separation::sigmas(0.1).in_sigma(&scene).unwrap();
         assert!(place.s.to_bits() == 0.1f64.to_bits() && place.rounding == 0.0);
         scene.heights = HeightDistribution::Exponential;
-        let refused = Separation::sigmas(1.0).from_surface_mean().place(&scene).unwrap_err();
+        let refused = Separation::sigmas(1.0).from_surface_mean().in_sigma(&scene).unwrap_err();
         assert_eq!(refused, ContactError::NoMeanPlane);
         for bad in [f64::NAN, 2e9, -2e6] {
-            let message = Separation::sigmas(bad).place(&scene).unwrap_err().to_string();
+            let message = Separation::sigmas(bad).in_sigma(&scene).unwrap_err().to_string();
             assert!(message.starts_with("separation is"), "{message}");
         }
-        let message = Separation::metres(-1.0).place(&scene).unwrap_err().to_string();
+        let message = Separation::metres(-1.0).in_sigma(&scene).unwrap_err().to_string();
         assert!(message.contains("-1e0 m (-2000000.0 asperity_height_std)"), "{message}");
     }
 }

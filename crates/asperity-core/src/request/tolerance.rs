@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::ContactError;
+use crate::error::require;
 
 /// A relative tolerance, from 1e-15 to 0.1.
 ///
@@ -18,12 +19,8 @@ impl Tolerance {
     /// # Errors
     /// [`ContactError::OutOfRange`] unless 1e-15 ≤ `relative` ≤ 0.1.
     pub fn new(relative: f64) -> Result<Self, ContactError> {
-        if (1e-15..=0.1).contains(&relative) {
-            Ok(Self(relative))
-        } else {
-            let required = "a relative tolerance from 1e-15 to 0.1";
-            Err(ContactError::OutOfRange { field: "tolerance", value: relative, required })
-        }
+        let required = "a relative tolerance from 1e-15 to 0.1";
+        require((1e-15..=0.1).contains(&relative), "tolerance", relative, required).map(Self)
     }
 
     /// The number.

@@ -6,7 +6,7 @@ use asperity_quadrature::Moments;
 use serde::Serialize;
 
 use crate::request::quantity_table::Derivation;
-use crate::request::separation::Place;
+use crate::request::separation::SeparationInSigma;
 use crate::{ContactError, Quantity, Regime, Scene};
 
 /// A value that may be too small for a plain number, with a bound on its error.
@@ -63,10 +63,7 @@ impl Evaluation {
                 let value = of(total)?.value().ln();
                 Some(Self::absolute(value, error * (1.0 + value.abs())))
             }
-            Derivation::IntegralOrSlope(..)
-            | Derivation::Slope(_)
-            | Derivation::ContactRadii(_)
-            | Derivation::RegimeShare(_) => None,
+            _ => None,
         }
     }
 
@@ -219,7 +216,7 @@ pub struct Share {
 impl Evaluation {
     /// The integral times a factor; `place` may be off by its rounding.
     #[inline]
-    pub(crate) fn of_value(moments: &Moments, factor: f64, place: Place) -> Self {
+    pub(crate) fn of_value(moments: &Moments, factor: f64, place: SeparationInSigma) -> Self {
         let [scaled, size] = [moments.value, moments.sizes[0]].map(|x| x * factor);
         Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
             .moved(place, moments)
@@ -227,7 +224,12 @@ impl Evaluation {
 
     /// -dQ/dd, with σ_z \[m\].
     #[inline]
-    pub(crate) fn of_slope(moments: &Moments, factor: f64, height_std: f64, place: Place) -> Self {
+    pub(crate) fn of_slope(
+        moments: &Moments,
+        factor: f64,
+        height_std: f64,
+        place: SeparationInSigma,
+    ) -> Self {
         let [scaled, size] = [moments.slope, moments.sizes[1]].map(|x| x / height_std * factor);
         Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
             .moved(place, moments)
@@ -235,7 +237,7 @@ impl Evaluation {
 
     /// With the effect of the rounding of the separation in the bound.
     #[inline]
-    fn moved(mut self, place: Place, moments: &Moments) -> Self {
+    fn moved(mut self, place: SeparationInSigma, moments: &Moments) -> Self {
         if place.rounding > 0.0 && moments.value != 0.0 {
             // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
             let steepness = (moments.slope / moments.value).abs() + 1.0;
@@ -257,7 +259,7 @@ impl Evaluation {
 mod tests {
     use super::*;
 
-    const HERE: Place = Place { s: 0.0, rounding: 0.0 };
+    const HERE: SeparationInSigma = SeparationInSigma { s: 0.0, rounding: 0.0 };
 
     fn moments(value: f64) -> Moments {
         Moments { value, slope: 0.0, sizes: [value, 0.0], ln_scale: 0.0, error: 0.0 }

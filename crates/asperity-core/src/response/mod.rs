@@ -6,7 +6,7 @@ pub(crate) mod row_check;
 use serde::Serialize;
 
 use self::row_check::RowCheck;
-use crate::{At, ContactError, Evaluation, Finding, Quantity, Request, Scene, Share};
+use crate::{At, Contact, ContactError, Evaluation, Finding, Quantity, Request, Share};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -81,18 +81,17 @@ impl Response {
 }
 
 /// A value, or the reason why there is none.
-pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
+pub(crate) type Answered = Result<Evaluation, Box<ContactError>>;
 
 /// Rows that are held before they join their columns.
 const ROWS_PER_BLOCK: usize = 8192;
 
 /// Puts columns of runs of rows together, with their findings. `behind` returns the value whose
-/// sign a logarithm or share hides, where it may be negative; `adhesive` if adhesion makes it so.
+/// sign a logarithm or share hides, where it may be negative.
 pub(crate) fn respond(
-    (model, scene, adhesive): (&str, &Scene, bool),
+    contact: &(impl Contact + ?Sized),
     request: &Request,
-    cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
-    shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
+    answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
     behind: impl Fn(Quantity, At) -> Option<f64>,
 ) -> Response {
     let new = |quantity: &Quantity| {
@@ -101,22 +100,22 @@ pub(crate) fn respond(
     };
     let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
     for places in request.at.chunks(ROWS_PER_BLOCK) {
-        for (column, cells) in columns.iter_mut().zip(cells(places)) {
-            column.rows.extend(cells);
+        for (column, rows) in columns.iter_mut().zip(answered(places)) {
+            column.rows.extend(rows);
         }
     }
-    let mut seen = RowCheck::new(adhesive);
+    let mut seen = RowCheck::new(contact.is_adhesive());
     for column in &mut columns {
         let quantity = column.quantity;
         for (row, &at) in column.rows.iter().zip(&request.at) {
             let row = row.as_ref().map_err(|error| &**error);
-            seen.check(quantity, row, at, scene, |of| behind(of, at));
+            seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
         }
         if request.shares {
-            let of = |at: &At| shares(column.quantity, *at).map_err(Box::new);
+            let of = |at: &At| contact.shares_at(quantity, *at).map_err(Box::new);
             column.shares = Some(request.at.iter().map(of).collect());
         }
     }
-    let warnings = seen.finish(model);
-    Response { model: model.into(), at: request.at.clone(), columns, warnings }
+    let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));
+    Response { model, at: request.at.clone(), columns, warnings }
 }

@@ -11,7 +11,7 @@ const ACCURACY: f64 = 1e-6;
 
 /// What can be unusual about a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum Oddity {
     Negative,
     Adhesion,
     Underflow,
@@ -23,7 +23,7 @@ enum Kind {
 /// One cause, and the rows that show it.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
-    kind: Kind,
+    oddity: Oddity,
     quantity: Quantity,
     /// Another quantity that shows the same is not counted again.
     shown_by: Quantity,
@@ -57,77 +57,73 @@ impl RowCheck {
         scene: &Scene,
         behind: impl FnOnce(Quantity) -> Option<f64>,
     ) {
-        let mut found = |kind, of, value| self.count(kind, of, quantity, at, value);
+        let adhesive = self.adhesive;
+        let mut found = |oddity, of, value| self.count(oddity, of, quantity, at, value);
         let evaluation = match row {
             Ok(evaluation) => evaluation,
             Err(ContactError::NoValue { .. }) => {
-                return found(Kind::NoContact, Quantity::Contacts, 0.0);
+                return found(Oddity::NoContact, Quantity::Contacts, 0.0);
             }
             Err(_) => return,
         };
-        let value = evaluation.value();
+        let (value, condition) = (evaluation.value(), evaluation.condition());
         let absolute = quantity.is_absolute();
         let (of, signed) = match absolute {
             true => (quantity.origin(), behind(quantity.origin()).unwrap_or(0.0)),
             false => (quantity, value),
         };
-        let adhesive = self.adhesive;
-        let mut found = |kind, of, value| self.count(kind, of, quantity, at, value);
         if signed < 0.0 {
-            found(if adhesive { Kind::Adhesion } else { Kind::Negative }, of, signed);
+            found(if adhesive { Oddity::Adhesion } else { Oddity::Negative }, of, signed);
         }
         if value == 0.0 && evaluation.scaled != 0.0 && !absolute {
-            found(Kind::Underflow, quantity, evaluation.ln_value());
+            found(Oddity::Underflow, quantity, evaluation.ln_value());
         }
-        if !absolute && !adhesive {
-            let condition = evaluation.condition();
-            if condition > CANCELLED {
-                found(Kind::Cancelled, quantity, condition);
-            }
+        if condition > CANCELLED && !absolute && !adhesive {
+            found(Oddity::Cancelled, quantity, condition);
         }
         let nominal = if quantity == Quantity::Area { scene.nominal_area } else { 1.0 };
         if matches!(quantity, Quantity::Area | Quantity::AreaFraction) && value > nominal {
-            found(Kind::AreaAboveNominal, Quantity::Area, value / nominal);
+            found(Oddity::AreaAboveNominal, Quantity::Area, value / nominal);
         }
     }
 
-    fn count(&mut self, kind: Kind, of: Quantity, shown_by: Quantity, at: At, value: f64) {
-        let cause = (kind, of.origin());
-        match self.seen.iter_mut().find(|seen| (seen.kind, seen.quantity.origin()) == cause) {
+    fn count(&mut self, oddity: Oddity, of: Quantity, shown_by: Quantity, at: At, value: f64) {
+        let cause = (oddity, of.origin());
+        match self.seen.iter_mut().find(|seen| (seen.oddity, seen.quantity.origin()) == cause) {
             Some(seen) if seen.shown_by == shown_by => {
                 seen.count += 1;
-                let worst = matches!(kind, Kind::Cancelled | Kind::AreaAboveNominal);
+                let worst = matches!(oddity, Oddity::Cancelled | Oddity::AreaAboveNominal);
                 if worst && value > seen.value {
                     (seen.at, seen.value) = (at, value);
                 }
             }
             Some(_) => {}
-            None => self.seen.push(Seen { kind, quantity: of, shown_by, count: 1, at, value }),
+            None => self.seen.push(Seen { oddity, quantity: of, shown_by, count: 1, at, value }),
         }
     }
 
-    /// The findings, in the order in which they were found: several quantities of one kind are
-    /// one finding.
+    /// The findings, in the order in which they were found: several quantities with one oddity
+    /// are one finding.
     #[must_use]
     pub fn finish(&self, model: &str) -> Vec<Finding> {
         let of_model = |found: Finding, s: &Seen| found.of_model(model).at(s.at).in_rows(s.count);
-        let of = |kind| self.seen.iter().filter(move |seen| seen.kind == kind);
-        let leads = |seen: &&Seen| match seen.kind {
-            Kind::Underflow => false,
-            Kind::Cancelled => of(seen.kind).all(|other| other.value <= seen.value),
-            Kind::Negative => {
-                of(seen.kind).next().is_some_and(|first| first.quantity == seen.quantity)
+        let of = |oddity| self.seen.iter().filter(move |seen| seen.oddity == oddity);
+        let leads = |seen: &&Seen| match seen.oddity {
+            Oddity::Underflow => false,
+            Oddity::Cancelled => of(seen.oddity).all(|other| other.value <= seen.value),
+            Oddity::Negative => {
+                of(seen.oddity).next().is_some_and(|first| first.quantity == seen.quantity)
             }
             _ => true,
         };
         let found = self.seen.iter().filter(leads);
-        let found = found.map(|seen| of_model(seen.finding(of(seen.kind)), seen));
+        let found = found.map(|seen| of_model(seen.finding(of(seen.oddity)), seen));
         found.chain(self.underflow().map(|(found, most)| of_model(found, most))).collect()
     }
 
     /// All quantities that read 0, where most rows do.
     fn underflow(&self) -> Option<(Finding, &Seen)> {
-        let small = || self.seen.iter().filter(|seen| seen.kind == Kind::Underflow);
+        let small = || self.seen.iter().filter(|seen| seen.oddity == Oddity::Underflow);
         // The first of equal ones.
         let most = small().rev().max_by_key(|seen| seen.count)?;
         let each = |text: &dyn Fn(&Seen) -> String, by: &str| {
@@ -150,55 +146,50 @@ impl RowCheck {
 }
 
 impl Seen {
-    /// With the others of its kind, itself included.
+    /// With the others of its oddity, itself included.
     fn finding<'s>(&self, same: impl Iterator<Item = &'s Self>) -> Finding {
         let &Self { quantity, value, .. } = self;
-        let negative = || {
-            let one = |seen: &Self| {
-                let (name, unit) = (seen.quantity, seen.quantity.unit());
-                format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
-            };
-            match self.kind {
-                Kind::Adhesion => one(self),
-                _ => same.map(one).collect::<Vec<_>>().join(", "),
-            }
+        let one = |seen: &Self| {
+            let (name, unit) = (seen.quantity, seen.quantity.unit());
+            format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
         };
-        match self.kind {
-            Kind::Negative => Finding::warning("negative", quantity.to_string(), value)
-                .unit(quantity.unit())
-                .of_quantity(quantity)
-                .fact(negative())
-                .advice(
-                    "the negative part of this model's law exceeds the positive part; the value \
-                     has no physical meaning",
-                ),
-            Kind::Adhesion => {
-                let advice = if quantity.origin() == Quantity::Force {
-                    "the surfaces attract each other there"
-                } else {
-                    "under a constant load, the surfaces snap together or part there; stable states have a positive tangent"
-                };
-                Finding::warning("adhesion", quantity.to_string(), value)
-                    .unit(quantity.unit())
-                    .of_quantity(quantity)
-                    .fact(negative())
-                    .advice(advice)
-            }
-            Kind::AreaAboveNominal => Finding::warning("area-above-nominal", "fraction", value)
+        let negative = |code, fact: String, advice: &'static str| {
+            let found = Finding::warning(code, quantity.to_string(), value).unit(quantity.unit());
+            found.of_quantity(quantity).fact(fact).advice(advice)
+        };
+        match self.oddity {
+            Oddity::Negative => negative(
+                "negative",
+                same.map(one).collect::<Vec<_>>().join(", "),
+                "the negative part of this model's law exceeds the positive part; the value has no physical meaning",
+            ),
+            Oddity::Adhesion => negative(
+                "adhesion",
+                one(self),
+                match quantity.origin() {
+                    Quantity::Force => "the surfaces attract each other there",
+                    _ => {
+                        "under a constant load, the surfaces snap together or part there; stable states have a positive tangent"
+                    }
+                },
+            ),
+            Oddity::AreaAboveNominal => Finding::warning("area-above-nominal", "fraction", value)
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
                 .advice(format!(
                     "models of independent asperities do not hold there; use {WHOLE_SURFACE}"
                 )),
-            Kind::Cancelled => Finding::warning("cancelled", "condition", value)
+            Oddity::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
                 .fact(format!("positive and negative parts of the {quantity} cancel"))
                 .advice(self.accuracy()),
-            Kind::NoContact | Kind::Underflow => Finding::warning("no-contact", "contacts", value)
-                .usual([f64::MIN_POSITIVE, f64::INFINITY])
-                .fact("no asperity touches")
-                .advice("logarithms, shares and mean pressure are undefined there"),
+            Oddity::NoContact | Oddity::Underflow => {
+                Finding::warning("no-contact", "contacts", value)
+                    .usual([f64::MIN_POSITIVE, f64::INFINITY])
+                    .fact("no asperity touches")
+                    .advice("logarithms, shares and mean pressure are undefined there")
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! One asperity pressed by a flat: the inputs of a single-asperity law.
 
-use crate::error::positive;
+use crate::error::{positive, require};
 use crate::recommended::ELASTIC;
 use crate::{ContactError, Interface};
 
@@ -57,12 +57,10 @@ impl Asperity {
         let value = self.hardness()?;
         let strain =
             std::f64::consts::PI * self.pressure_factor * value / (2.0 * self.equivalent_modulus);
-        if strain < 1.0 {
-            Ok(strain * strain * self.radius)
-        } else {
-            let required = "a hardness below 2E/(pi S), of the order of the modulus (check the units of both),";
-            Err(ContactError::OutOfRange { field: "hardness", value, required })
-        }
+        let required =
+            "a hardness below 2E/(pi S), of the order of the modulus (check the units of both),";
+        require(strain < 1.0, "hardness", value, required)?;
+        Ok(strain * strain * self.radius)
     }
 
     /// F_c = (2/3) π R w_c S H = (4/3) E √R w_c^(3/2) \[N\], the force at w_c. \[seen\]

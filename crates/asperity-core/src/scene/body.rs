@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::ContactError;
-use crate::error::positive;
+use crate::error::{positive, require};
 
 /// Hardness over yield strength when only one of them is known (Tabor's ratio, as the JG and KE
 /// papers use it). \[seen\]
@@ -96,12 +96,8 @@ impl Body {
 }
 
 pub(super) fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
-    if value > -1.0 && value <= 0.5 {
-        Ok(value)
-    } else {
-        let required = "a number above -1 and at most 0.5";
-        Err(ContactError::OutOfRange { field: "poissons_ratio", value, required })
-    }
+    let required = "a number above -1 and at most 0.5";
+    require(value > -1.0 && value <= 0.5, "poissons_ratio", value, required)
 }
 
 /// E_t is at least 0 and below Young's modulus \[Pa\].
@@ -109,13 +105,9 @@ pub(super) fn check_tangent_modulus(
     tangent: Option<f64>,
     youngs_modulus: f64,
 ) -> Result<(), ContactError> {
-    match tangent.filter(|value| !(0.0..youngs_modulus).contains(value)) {
-        None => Ok(()),
-        Some(value) => {
-            let required = "at least 0 and less than Young's modulus";
-            Err(ContactError::OutOfRange { field: "tangent_modulus", value, required })
-        }
-    }
+    let required = "at least 0 and less than Young's modulus";
+    let holds = |value: f64| (0.0..youngs_modulus).contains(&value);
+    tangent.map_or(Ok(()), |e| require(holds(e), "tangent_modulus", e, required).map(drop))
 }
 
 pub(super) fn check_conduction(

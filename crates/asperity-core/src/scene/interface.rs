@@ -6,7 +6,7 @@ use super::body::{
     Body, check_conduction, check_tangent_modulus, hardness_and_yield, poissons_ratio,
 };
 use crate::ContactError;
-use crate::error::positive;
+use crate::error::{positive, require};
 
 /// The equivalent properties of two bodies in contact, as the laws use them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -110,18 +110,12 @@ impl Interface {
     }
 
     /// Hardness and ν of one body, with these compliances \[1/Pa\].
-    fn of_body(body: &Body, (normal, tangential): (f64, f64)) -> Interface {
-        Interface {
-            equivalent_modulus: 1.0 / normal,
+    fn of_body(body: &Body, (normal, tangential): (f64, f64)) -> Self {
+        Self {
             equivalent_shear_modulus: Some(1.0 / tangential),
-            poissons_ratio: body.poissons_ratio,
             hardness: body.hardness,
             yield_strength: body.yield_strength,
-            pressure_factor: None,
-            tangent_modulus: None,
-            thermal_conductivity: None,
-            electrical_resistivity: None,
-            work_of_adhesion: None,
+            ..Self::elastic(1.0 / normal, body.poissons_ratio)
         }
     }
 
@@ -138,17 +132,15 @@ impl Interface {
     /// [`ContactError`] naming the field that is out of range.
     pub fn check(&self) -> Result<(Option<f64>, Option<f64>, f64), ContactError> {
         positive("equivalent_modulus", self.equivalent_modulus)?;
-        if let Some(shear) = self.equivalent_shear_modulus {
-            positive("equivalent_shear_modulus", shear)?;
-        }
+        let shear = self.equivalent_shear_modulus;
+        shear.map(|shear| positive("equivalent_shear_modulus", shear)).transpose()?;
         poissons_ratio(self.poissons_ratio)?;
         let alike = 2.0 * (1.0 - self.poissons_ratio.powi(2)) * self.equivalent_modulus;
         check_tangent_modulus(self.tangent_modulus, alike)?;
         check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
-        if let Some(value) = self.work_of_adhesion.filter(|w| !(*w >= 0.0 && w.is_finite())) {
-            let (field, required) = ("work_of_adhesion", "a finite number, at least 0,");
-            return Err(ContactError::OutOfRange { field, value, required });
-        }
+        let work = self.work_of_adhesion.unwrap_or(0.0);
+        let holds = work >= 0.0 && work.is_finite();
+        require(holds, "work_of_adhesion", work, "a finite number, at least 0,")?;
         let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
         let factor = match self.pressure_factor {
             Some(factor) => positive("pressure_factor", factor)?,

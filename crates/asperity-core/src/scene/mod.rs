@@ -7,7 +7,7 @@ pub(crate) mod surface;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::positive;
+use crate::error::{positive, require};
 use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
 
 /// Two bodies, their equivalent rough surface and its nominal area.
@@ -55,14 +55,8 @@ impl Scene {
     pub(crate) fn check_surface(&self) -> Result<(), ContactError> {
         self.surface.check()?;
         positive("nominal_area", self.nominal_area)?;
-        match self.mean_plane_offset {
-            Some(value) if !value.is_finite() => {
-                let (field, required) = ("mean_plane_offset", "a finite number");
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
-            _ => {}
-        }
-        Ok(())
+        let offset = self.mean_plane_offset.unwrap_or(0.0);
+        require(offset.is_finite(), "mean_plane_offset", offset, "a finite number").map(drop)
     }
 
     /// Height of the mean of the asperities above the mean plane of the surface \[m\].

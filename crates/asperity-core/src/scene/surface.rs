@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::positive;
+use crate::error::{positive, require};
 use crate::{Asperity, ContactError, Interface};
 
 /// σ_z² = σ² - SUMMIT_VARIANCE/(ηR)² for an isotropic Gaussian surface. \[seen, derived\]
@@ -95,12 +95,9 @@ impl Surface {
         positive("m2", m2)?;
         positive("m4", m4)?;
         let bandwidth = moments.bandwidth();
-        if bandwidth < 1.5 {
-            // β of 0.02493, and σ_z² is 0.402 σ² there.
-            let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
-            let field = "bandwidth (m0 m4/m2^2)";
-            return Err(ContactError::OutOfRange { field, value: bandwidth, required });
-        }
+        // β of 0.02493, and σ_z² is 0.402 σ² there.
+        let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
+        require(bandwidth >= 1.5, "bandwidth (m0 m4/m2^2)", bandwidth, required)?;
         Ok(Self {
             asperity_radius: 0.375 * (std::f64::consts::PI / m4).sqrt(),
             asperity_density: m4 / (6.0 * 3f64.sqrt() * std::f64::consts::PI * m2),
@@ -123,10 +120,7 @@ impl Surface {
         positive("surface_height_std", surface_height_std)?;
         let per_length = asperity_density * asperity_radius;
         let beta = per_length * surface_height_std;
-        if beta < 0.024_93 {
-            let (field, required) = ("roughness_parameter", "at least 0.02493");
-            return Err(ContactError::OutOfRange { field, value: beta, required });
-        }
+        require(beta >= 0.024_93, "roughness_parameter", beta, "at least 0.02493")?;
         let share = 1.0 - SUMMIT_VARIANCE / (beta * beta);
         let asperity_height_std = surface_height_std * share.sqrt();
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })

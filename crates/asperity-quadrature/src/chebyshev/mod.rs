@@ -47,6 +47,12 @@ pub(crate) fn chebyshev_sum(terms: &[f64], y: f64) -> f64 {
     y * now - before + first
 }
 
+/// The smallest and the largest of some samples.
+pub(crate) fn extent(samples: impl Iterator<Item = f64>) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    samples.fold(none, |(least, most), f| (least.min(f), most.max(f)))
+}
+
 fn angle(k: usize, n: usize) -> f64 {
     PI * (k as f64 + 0.5) / n as f64
 }

@@ -64,7 +64,7 @@ pub(crate) struct Series {
 
 /// A series, and a bound on its truncation.
 #[derive(Debug)]
-pub(crate) struct Fit {
+pub(crate) struct FittedSeries {
     pub(crate) series: Series,
     /// Bound on the terms left out.
     pub(crate) left: f64,
@@ -80,7 +80,7 @@ impl Series {
         samples: &[f64],
         allowed: f64,
         size: f64,
-    ) -> Fit {
+    ) -> FittedSeries {
         let largest = samples.iter().fold(size, |m: f64, f| m.max(f.abs()));
         let of_u: Vec<_> = samples.chunks(u.points.len()).map(|row| u.terms(row)).collect();
         // terms[j][i] belongs to Tᵢ(u) Tⱼ(v).
@@ -122,7 +122,7 @@ impl Series {
             if left <= allowed || threshold <= noise || resolved != [true; 2] {
                 terms.truncate(used);
                 terms.iter_mut().zip(&lengths).for_each(|(row, n)| row.truncate(*n));
-                return Fit { series: Self::of_terms(&terms), left, resolved };
+                return FittedSeries { series: Self::of_terms(&terms), left, resolved };
             }
             threshold = noise.max(0.5 * threshold);
         }

@@ -96,11 +96,7 @@ pub(crate) fn discretise(
         }
     }
     if stuck > refuse * total {
-        return Err(QuadratureError::NotConverged {
-            reached: stuck / total,
-            asked: aim,
-            evaluations,
-        });
+        return Err(QuadratureError::missed(stuck / total, aim, evaluations));
     }
     Ok(result)
 }

@@ -10,6 +10,7 @@ pub(crate) const POINTS: usize = 20;
 const MAP_POWER: i32 = 5;
 
 /// One panel: x = origin + (v·span)^5-mapped, v in [low, high].
+#[derive(Default)]
 pub(crate) struct Panel {
     origin: f64,
     span: f64,
@@ -39,18 +40,7 @@ impl Panel {
         ends: (f64, f64),
         depth: u32,
     ) -> Self {
-        Self {
-            origin,
-            span,
-            low,
-            high,
-            ends,
-            depth,
-            stalled: 0,
-            points: [0.0; POINTS],
-            masses: [0.0; POINTS],
-            error: 0.0,
-        }
+        Self { origin, span, low, high, ends, depth, ..Self::default() }
     }
 
     pub(crate) fn halves(&self) -> [Self; 2] {

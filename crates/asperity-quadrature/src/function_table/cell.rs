@@ -29,12 +29,12 @@ pub(super) struct Source {
 
 /// The series of a cell, ascending, and their largest relative error.
 #[derive(Debug, Default)]
-pub(super) struct Cell {
+pub(super) struct PiecewiseSeries {
     series: Vec<Series>,
     pub(super) error: f64,
 }
 
-impl Cell {
+impl PiecewiseSeries {
     pub(super) fn value(&self, x: f64) -> f64 {
         let at = self.series.partition_point(|s| s.high <= x).min(self.series.len() - 1);
         x * self.series[at].value(x)
@@ -52,7 +52,7 @@ struct Parents {
 
 impl Source {
     /// The cell from `low` to `high`.
-    pub(super) fn cell(&self, low: f64, high: f64) -> Result<Cell, QuadratureError> {
+    pub(super) fn cell(&self, low: f64, high: f64) -> Result<PiecewiseSeries, QuadratureError> {
         let is_kink = |x: f64| self.kinks.iter().any(|k| (k - x).abs() <= 1e-13 * x);
         let inner = self.kinks.iter().copied().filter(|k| *k > low && *k < high);
         let mut ends: Vec<f64> = std::iter::once(low).chain(inner).chain([high]).collect();
@@ -62,7 +62,7 @@ impl Source {
             let middle = (pair[0] * pair[1]).sqrt();
             first.size = first.size.max(((self.function)(middle).value / middle).abs());
         }
-        let mut cell = Cell::default();
+        let mut cell = PiecewiseSeries::default();
         for pair in ends.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             let mut fit = |ends, map| self.fit(ends, map, (0.0, 1.0), first, &mut cell);
@@ -87,7 +87,7 @@ impl Source {
         map: Map,
         range: (f64, f64),
         parents: Parents,
-        cell: &mut Cell,
+        cell: &mut PiecewiseSeries,
     ) -> Result<(), QuadratureError> {
         let (mut evaluations, mut error) = (0, 0.0f64);
         let mut sample = |root: f64| {
@@ -119,8 +119,7 @@ impl Source {
             // A function that is zero throughout has neither size nor tail.
             let reached = if size > 0.0 { tail.max(error) / size } else { 0.0 };
             if reached > REFUSED * self.tolerance {
-                let asked = self.tolerance;
-                return Err(QuadratureError::NotConverged { reached, asked, evaluations });
+                return Err(QuadratureError::missed(reached, self.tolerance, evaluations));
             }
             cell.error = cell.error.max(reached);
             cell.series.push(Series::new(map, ends, range, terms));

@@ -7,9 +7,9 @@ use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use crate::{Estimate, QuadratureError, Sampler};
-use cell::{Cell, Source};
+use cell::{PiecewiseSeries, Source};
 
-/// Cells span a factor 64 each and cover x from 64^-21 to 64^21.
+/// OverlapSeries span a factor 64 each and cover x from 64^-21 to 64^21.
 const CELLS: usize = 42;
 const OCTAVES: i64 = 6;
 
@@ -17,10 +17,10 @@ const OCTAVES: i64 = 6;
 type Function = dyn Fn(f64) -> Estimate + Send + Sync;
 
 /// A function of x > 0 that is smooth in ln x between its kinks, where it may have fractional
-/// powers of the distance. Cells are built when first needed, and shared by all threads.
+/// powers of the distance. OverlapSeries are built when first needed, and shared by all threads.
 pub struct FunctionTable {
     source: Source,
-    cells: Box<[OnceLock<Result<Cell, QuadratureError>>]>,
+    cells: Box<[OnceLock<Result<PiecewiseSeries, QuadratureError>>]>,
 }
 
 impl fmt::Debug for FunctionTable {
@@ -69,7 +69,7 @@ impl FunctionTable {
     }
 
     /// The octave of x, and its cell, if there is one.
-    fn cell(&self, x: f64) -> (i64, Option<&OnceLock<Result<Cell, QuadratureError>>>) {
+    fn cell(&self, x: f64) -> (i64, Option<&OnceLock<Result<PiecewiseSeries, QuadratureError>>>) {
         let octave = (x.to_bits() >> 52) as i64 - 1023;
         let index = octave.div_euclid(OCTAVES) + CELLS as i64 / 2;
         let cell = usize::try_from(index).ok().and_then(|i| self.cells.get(i));

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
 use super::moments::Moments;
-use super::patch::Place;
+use super::patch::Argument;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
 use crate::{Density, QuadratureError};
@@ -42,11 +42,11 @@ impl AnyScale {
             Some((segment, place)) => {
                 Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0]))
             }
-            None => self.anew(s, scale).map(|(pair, error)| Moments::new(pair, s, error)),
+            None => self.anew(s, scale),
         }
     }
 
-    /// I(s, c) alone, with `slope` and its size left at 0.
+    /// I(s, c) alone; `slope` and its size may be left at 0.
     ///
     /// # Errors
     /// Those of [`at`](Self::at).
@@ -56,9 +56,7 @@ impl AnyScale {
             Some((segment, place)) => {
                 Ok(Moments::of_value(segment.value(place), s, segment.error[0]))
             }
-            None => {
-                self.anew(s, scale).map(|([value, _], error)| Moments::of_value(value, s, error))
-            }
+            None => self.anew(s, scale),
         }
     }
 
@@ -78,7 +76,7 @@ impl AnyScale {
 
     /// The rule and the place seen from it, if it has been built and is good enough.
     #[inline]
-    fn ready(&self, s: f64, scale: f64) -> Option<(&Segment, Place)> {
+    fn ready(&self, s: f64, scale: f64) -> Option<(&Segment, Argument)> {
         let rules = self.rows.get(row(scale))?.get()?;
         let place = rules.place(s, scale);
         let segment = rules.ready(place)?;
@@ -93,7 +91,7 @@ impl AnyScale {
 
     /// The rule, built if need be; none where there are none, or where one would be too coarse.
     #[cold]
-    fn build(&self, s: f64, scale: f64) -> Result<Option<(&Segment, Place)>, QuadratureError> {
+    fn build(&self, s: f64, scale: f64) -> Result<Option<(&Segment, Argument)>, QuadratureError> {
         let Some(row) = self.rows.get(row(scale)) else { return Ok(None) };
         let rules = row.get_or_init(|| {
             let quarter = scale.to_bits() >> 50;
@@ -104,14 +102,14 @@ impl AnyScale {
         Ok(self.ready(s, scale))
     }
 
-    /// The value and the slope, with their sizes and error, from a rule that is to be built first
-    /// or from none.
+    /// I and -dI/ds from a rule that is to be built first or from none.
     #[cold]
-    fn anew(&self, s: f64, scale: f64) -> Result<([(f64, f64); 2], f64), QuadratureError> {
-        match self.build(s, scale)? {
-            Some((segment, place)) => Ok((segment.with_power(place, 1), segment.error[0])),
-            None => self.task.directly(s, scale, 1),
-        }
+    fn anew(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
+        let (pair, error) = match self.build(s, scale)? {
+            Some((segment, place)) => (segment.with_power(place, 1), segment.error[0]),
+            None => self.task.directly(s, scale, 1)?,
+        };
+        Ok(Moments::new(pair, s, error))
     }
 }
 

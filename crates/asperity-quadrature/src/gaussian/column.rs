@@ -7,7 +7,7 @@ const LEAST: f64 = -700.0;
 
 /// What a column of numbers holds: `factor` · I(s + shift), or `factor` · -dI/ds there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Column {
+pub struct ScaledIntegral {
     /// Added to each s.
     pub shift: f64,
     /// Whether the slope -dI/ds is meant, and not the value.
@@ -18,7 +18,7 @@ pub struct Column {
 
 /// How good all numbers of a column are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ColumnAccuracy {
+pub struct ArrayAccuracy {
     /// Bound on the relative error of each number: that of the integral, with the rounding of the
     /// sum s + shift, of the scale exp(-s²/2) and of the product with the factor.
     pub error: f64,
@@ -32,7 +32,7 @@ pub struct ColumnAccuracy {
     pub lowest: f64,
 }
 
-impl ColumnAccuracy {
+impl ArrayAccuracy {
     /// Of a column without numbers.
     pub const NONE: Self = Self { error: 0.0, condition: 1.0, normal: true, lowest: f64::INFINITY };
 
@@ -48,9 +48,9 @@ impl ColumnAccuracy {
     }
 }
 
-impl Column {
+impl ScaledIntegral {
     /// One number out of an integral at `seen` = s + shift.
-    pub(crate) fn number(&self, seen: f64, moments: &Moments) -> (f64, ColumnAccuracy) {
+    pub(crate) fn number(&self, seen: f64, moments: &Moments) -> (f64, ArrayAccuracy) {
         let [value, size] = match self.slope {
             true => [moments.slope, moments.sizes[1]],
             false => [moments.value, moments.sizes[0]],
@@ -61,7 +61,7 @@ impl Column {
         let error = (moments.error + self.rounding(seen.abs(), steepness)) * condition
             + (0.5 * moments.ln_scale.abs() + ROUNDED) * f64::EPSILON;
         let normal = moments.ln_scale > LEAST && number.is_normal();
-        (number, ColumnAccuracy { error, condition, normal, lowest: seen })
+        (number, ArrayAccuracy { error, condition, normal, lowest: seen })
     }
 
     /// The relative error by the rounding of s + shift up to `largest` where the ratio of slope to

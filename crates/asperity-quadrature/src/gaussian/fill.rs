@@ -2,7 +2,7 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::column::{Column, ColumnAccuracy};
+use super::column::{ArrayAccuracy, ScaledIntegral};
 use super::shifted::ShiftedGaussian;
 use super::table::{INDICES, NOT_MADE, STEPS, Unit, locate, unit};
 use crate::QuadratureError;
@@ -19,11 +19,11 @@ impl ShiftedGaussian {
     pub fn fill(
         &self,
         s: &[f64],
-        column: Column,
+        column: ScaledIntegral,
         out: &mut [f64],
-    ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
-        let mut all = ColumnAccuracy::NONE;
-        let mut units = Units::NONE;
+    ) -> Result<ArrayAccuracy, (usize, QuadratureError)> {
+        let mut all = ArrayAccuracy::NONE;
+        let mut units = UsedUnits::NONE;
         let (mut steps, mut x) = ([0; BLOCK], [0.0; BLOCK]);
         let level = Level::new();
         let blocks = s.chunks(BLOCK).zip(out.chunks_mut(BLOCK));
@@ -45,10 +45,10 @@ impl ShiftedGaussian {
     fn one_by_one(
         &self,
         s: &[f64],
-        column: Column,
+        column: ScaledIntegral,
         out: &mut [f64],
-    ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
-        let mut all = ColumnAccuracy::NONE;
+    ) -> Result<ArrayAccuracy, (usize, QuadratureError)> {
+        let mut all = ArrayAccuracy::NONE;
         for (k, (s, out)) in s.iter().zip(out).enumerate().filter(|(_, (_, out))| !out.is_normal())
         {
             let seen = s + column.shift;
@@ -62,12 +62,12 @@ impl ShiftedGaussian {
 }
 
 /// The units of a table that have been needed so far, and the steps.
-struct Units<'t> {
+struct UsedUnits<'t> {
     units: [&'t Unit; INDICES],
     used: [[bool; STEPS]; INDICES],
 }
 
-impl<'t> Units<'t> {
+impl<'t> UsedUnits<'t> {
     const NONE: Self = Self { units: [&NOT_MADE; INDICES], used: [[false; STEPS]; INDICES] };
 
     /// The numbers of a column; whether all are normal.
@@ -77,7 +77,7 @@ impl<'t> Units<'t> {
         simd: S,
         steps: &[u32],
         x: &[f64],
-        column: Column,
+        column: ScaledIntegral,
         out: &mut [f64],
     ) -> bool {
         for ((out, step), x) in out.iter_mut().zip(steps).zip(x) {
@@ -99,7 +99,7 @@ impl<'t> Units<'t> {
 
     /// Makes the units of these steps.
     #[cold]
-    fn make(&mut self, steps: &[u32], integral: &'t ShiftedGaussian, column: Column) {
+    fn make(&mut self, steps: &[u32], integral: &'t ShiftedGaussian, column: ScaledIntegral) {
         for index in steps.iter().map(|step| unit(*step)) {
             if std::ptr::eq(self.units[index], &NOT_MADE)
                 && let Some(made) =
@@ -111,10 +111,10 @@ impl<'t> Units<'t> {
     }
 
     /// Bounds for all steps that have been used.
-    fn accuracy(&self, column: Column) -> ColumnAccuracy {
+    fn accuracy(&self, column: ScaledIntegral) -> ArrayAccuracy {
         let units = self.units.iter().zip(&self.used).enumerate();
         let made = units.filter(|(_, (unit, _))| !std::ptr::eq(**unit, &NOT_MADE));
-        made.fold(ColumnAccuracy::NONE, |all, (index, (unit, used))| {
+        made.fold(ArrayAccuracy::NONE, |all, (index, (unit, used))| {
             all.and(unit.accuracy(index, used, column))
         })
     }
@@ -127,11 +127,16 @@ mod tests {
     use crate::gaussian::shifted::tests::{both_signs, power};
     use crate::gaussian::table::VARIED;
 
-    fn checked(density: &Density, s: &[f64], column: Column, tolerance: f64) -> ColumnAccuracy {
+    fn checked(
+        density: &Density,
+        s: &[f64],
+        column: ScaledIntegral,
+        tolerance: f64,
+    ) -> ArrayAccuracy {
         let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);
         let mut out = vec![f64::NAN; s.len()];
         let accuracy = integral.fill(s, column, &mut out).unwrap();
-        let mut worst = ColumnAccuracy::NONE;
+        let mut worst = ArrayAccuracy::NONE;
         for (s, out) in s.iter().zip(out) {
             let seen = s + column.shift;
             let (wanted, one) = column.number(seen, &integral.at(seen).unwrap());
@@ -167,7 +172,12 @@ mod tests {
             for s in [&ordered, &scrambled, &deep, &few] {
                 for (slope, shift) in [(false, 0.0), (true, 0.0), (false, 0.25), (true, -0.1)] {
                     for tolerance in [1e-4, 1e-13] {
-                        checked(&density, s, Column { shift, slope, factor: 3.7 }, tolerance);
+                        checked(
+                            &density,
+                            s,
+                            ScaledIntegral { shift, slope, factor: 3.7 },
+                            tolerance,
+                        );
                     }
                 }
             }
@@ -176,7 +186,7 @@ mod tests {
 
     #[test]
     fn numbers_beyond_the_normal_ones_are_reported() {
-        let column = |factor: f64| Column { shift: 0.0, slope: false, factor };
+        let column = |factor: f64| ScaledIntegral { shift: 0.0, slope: false, factor };
         let normal =
             |s: f64, factor: f64| checked(&power(1.0), &[0.0, s], column(factor), 1e-10).normal;
         assert!(normal(36.0, 1.0) && !normal(37.5, 1e250));
@@ -186,7 +196,7 @@ mod tests {
     #[test]
     fn what_is_refused_in_a_column_is_named_by_its_index() {
         let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-10);
-        let column = Column { shift: 0.0, slope: false, factor: 1.0 };
+        let column = ScaledIntegral { shift: 0.0, slope: false, factor: 1.0 };
         let mut s: Vec<f64> = (0..3000).map(|k| f64::from(k * 619 % 3000) * 1e-3).collect();
         let mut out = vec![0.0; s.len()];
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2e9] {

@@ -14,7 +14,7 @@ mod table;
 mod weight;
 
 pub use any_scale::AnyScale;
-pub use column::{Column, ColumnAccuracy};
+pub use column::{ArrayAccuracy, ScaledIntegral};
 pub use moments::{Curvature, Moments};
 pub use nearby::Nearby;
 pub use shifted::ShiftedGaussian;

@@ -73,7 +73,7 @@ impl Moments {
         if s >= DEEP || self.value < self.sizes[0] || error <= asked * usual {
             return Ok(());
         }
-        Err(QuadratureError::NotConverged { reached: error / usual, asked, evaluations: 0 })
+        Err(QuadratureError::missed(error / usual, asked, 0))
     }
 
     #[inline]

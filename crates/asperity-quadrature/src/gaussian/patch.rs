@@ -1,6 +1,7 @@
 //! A short range of s, and of scales, and the integral sampled there.
 
 use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use crate::chebyshev::extent;
 use crate::chebyshev::polynomial::Chebyshev;
 use crate::{Density, Goal, PointMasses, QuadratureError};
 
@@ -9,14 +10,14 @@ const LANES: usize = 4;
 
 /// Where an integral is asked for: at s, and at a scale of `ratio` times that of the points t.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct Argument {
     s: f64,
     ratio: f64,
     /// 1 over the ratio.
     inverse: f64,
 }
 
-impl Place {
+impl Argument {
     #[inline]
     pub(crate) fn at(s: f64) -> Self {
         Self { s, ratio: 1.0, inverse: 1.0 }
@@ -84,13 +85,13 @@ impl Patch {
     /// x²/(2r²) below 0: x is the difference of keys, times r² below 0, and y is t, or the middle
     /// key plus t.
     #[inline(always)]
-    fn x(&self, Place { s, ratio, .. }: Place) -> f64 {
+    fn x(&self, Argument { s, ratio, .. }: Argument) -> f64 {
         if s < 0.0 { ratio * (s - ratio * self.centre) } else { s * ratio - self.centre }
     }
 
     /// The variables in [-1, 1], and the factor that was taken out.
     #[inline(always)]
-    pub(crate) fn variables(&self, place: Place, tilt: Option<Tilt>) -> ((f64, f64), f64) {
+    pub(crate) fn variables(&self, place: Argument, tilt: Option<Tilt>) -> ((f64, f64), f64) {
         let x = self.x(place);
         let factor = tilt.map_or(1.0, |tilt| tilt.factor(x, place.ratio));
         let u = (self.slopes.0 * x + self.half) / (x + self.pole);
@@ -102,12 +103,12 @@ impl Patch {
         (self.pole * u - self.half) / (self.slopes.0 - u)
     }
 
-    fn middle(&self) -> Place {
-        Place::at(self.centre)
+    fn middle(&self) -> Argument {
+        Argument::at(self.centre)
     }
 
     /// Corners, just inside, so that none changes its sign at 0.
-    fn corners(&self) -> Vec<Place> {
+    fn corners(&self) -> Vec<Argument> {
         let (low, high) = self.keys;
         let inset = 1e-9 * (high - low);
         let ratios = if self.unstretched() {
@@ -118,16 +119,14 @@ impl Patch {
         let at = |key: f64, ratio: f64| if key < 0.0 { key * ratio } else { key / ratio };
         let along = |ratio: f64| {
             [low + inset, high - inset]
-                .map(|key| Place::at_scale(at(key, ratio), ratio, ratio.recip()))
+                .map(|key| Argument::at_scale(at(key, ratio), ratio, ratio.recip()))
         };
         ratios.into_iter().flat_map(along).collect()
     }
 
     /// What the rounding of place and scale does to samples.
     pub(crate) fn rounding(&self, samples: &[f64], tilt: Option<Tilt>) -> f64 {
-        let (least, most) = samples
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), f| (l.min(*f), m.max(*f)));
+        let (least, most) = extent(samples.iter().copied());
         let key = self.keys.0.abs().max(self.keys.1.abs());
         // Both are divided by a scale, which is rounded, and s itself is not.
         let (moved, scaled) = if self.unstretched() { (0.0, 0.0) } else { (2.0 * key, 2.0) };
@@ -175,7 +174,7 @@ impl Masses {
         tolerance: f64,
     ) -> Result<Self, QuadratureError> {
         let from = scale * density.begin();
-        let weight = |place: &Place| Weight::new(place.s, place.ratio * from);
+        let weight = |place: &Argument| Weight::new(place.s, place.ratio * from);
         // Each in units of its largest value where the density is, with its ratio.
         let corners: Vec<(Weight, f64)> =
             patch.corners().iter().map(|corner| (weight(corner), corner.ratio)).collect();

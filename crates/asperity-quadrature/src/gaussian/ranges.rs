@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::nearby::Nearby;
-use super::patch::{Patch, Place};
+use super::patch::{Argument, Patch};
 use super::segment::Segment;
 use super::weight::{HIGHEST, LOWEST};
 use crate::{Density, QuadratureError};
@@ -15,7 +15,7 @@ const NEGATIVE: usize = 64;
 const POSITIVE: usize = 112;
 
 /// The rule of one range of s, if it has been built.
-type Cell = OnceLock<Result<Box<Segment>, QuadratureError>>;
+type BuiltSegment = OnceLock<Result<Box<Segment>, QuadratureError>>;
 
 /// What an integral is of, and how well it is wanted.
 #[derive(Debug)]
@@ -52,7 +52,7 @@ pub(crate) struct Rules {
     inverse: f64,
     /// Scales are `scale` over 1 - stretch to 1 + stretch.
     stretch: f64,
-    segments: Box<[Cell]>,
+    segments: Box<[BuiltSegment]>,
 }
 
 impl Rules {
@@ -67,14 +67,14 @@ impl Rules {
     }
 
     #[inline]
-    pub(crate) fn place(&self, s: f64, scale: f64) -> Place {
+    pub(crate) fn place(&self, s: f64, scale: f64) -> Argument {
         // Neither waits for the other.
-        Place::at_scale(s, scale * self.inverse, self.scale / scale)
+        Argument::at_scale(s, scale * self.inverse, self.scale / scale)
     }
 
     /// The rule for a place, if it has been built: all there is to do, nearly always.
     #[inline(always)]
-    pub(crate) fn ready(&self, place: Place) -> Option<&Segment> {
+    pub(crate) fn ready(&self, place: Argument) -> Option<&Segment> {
         let built = self.segments.get(locate(place.key()))?.get()?;
         built.as_ref().ok().map(Box::as_ref)
     }
@@ -83,7 +83,7 @@ impl Rules {
     #[cold]
     pub(crate) fn at(
         &self,
-        place: Place,
+        place: Argument,
         task: &Task,
     ) -> Result<Option<&Segment>, QuadratureError> {
         let index = locate(place.key());

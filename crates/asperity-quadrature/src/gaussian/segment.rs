@@ -1,6 +1,7 @@
 //! The integral on a short range of s, and of scales: sampled once, then a polynomial.
 
-use super::patch::{Masses, Patch, Place, Tilt};
+use super::patch::{Argument, Masses, Patch, Tilt};
+use crate::chebyshev::extent;
 use crate::chebyshev::polynomial::{Chebyshev, Series};
 use crate::{Density, QuadratureError};
 
@@ -45,12 +46,8 @@ impl Segment {
             u += usize::from(!resolved[0]);
             v += usize::from(!resolved[1]);
             if u.max(v) == ladder.len() {
-                let (reached, evaluations) = (segment.error[0], masses.evaluations);
-                return Err(QuadratureError::NotConverged {
-                    reached,
-                    asked: tolerance,
-                    evaluations,
-                });
+                let [reached, _] = segment.error;
+                return Err(QuadratureError::missed(reached, tolerance, masses.evaluations));
             }
         }
     }
@@ -92,17 +89,12 @@ impl Segment {
             || sizes[1].iter().zip(&sizes[0]).map(|(slope, size)| slope / size).fold(0.0, f64::max),
             |growth| growth[0],
         );
-        let extent = |samples: &[f64]| {
-            samples
-                .iter()
-                .fold((f64::INFINITY, 0.0), |(l, m): (f64, f64), f| (l.min(*f), m.max(*f)))
-        };
         let extents = [0, 1, 2].map(|k| match segment.growth {
             Some(growth) if k > 0 => {
-                let (least, most) = extent(&sizes[0]);
+                let (least, most) = extent(sizes[0].iter().copied());
                 (growth[k - 1] * least, growth[k - 1] * most)
             }
-            _ => extent(&sizes[k]),
+            _ => extent(sizes[k].iter().copied()),
         });
         let base = extents.map(|(least, _)| least);
         // Far below 0 the slope is much smaller than its size, and is wanted as well.
@@ -137,7 +129,7 @@ impl Segment {
 
     /// The value and its size.
     #[inline(always)]
-    pub(crate) fn value(&self, place: Place) -> (f64, f64) {
+    pub(crate) fn value(&self, place: Argument) -> (f64, f64) {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let value = factor * self.power[0].at(at);
         let size = self.size.as_ref().map_or(value, |size| factor * size[0].at(at));
@@ -146,7 +138,7 @@ impl Segment {
 
     /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
     #[inline(always)]
-    pub(crate) fn with_power(&self, place: Place, k: usize) -> [(f64, f64); 2] {
+    pub(crate) fn with_power(&self, place: Argument, k: usize) -> [(f64, f64); 2] {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let of = |series: &Series| factor * series.at(at);
         let (value, power) = (of(&self.power[0]), of(&self.power[k]));

@@ -4,10 +4,10 @@ use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
 use super::moments::{Curvature, Moments, ln_scale};
-use super::patch::Place;
+use super::patch::Argument;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
-use super::table::Table;
+use super::table::StepTable;
 use crate::{Density, QuadratureError};
 
 /// The integral of one density at one scale c against φ(s + t), for all s.
@@ -17,7 +17,7 @@ pub struct ShiftedGaussian {
     scale: f64,
     rules: Rules,
     /// For arrays.
-    table: OnceLock<Box<Table>>,
+    table: OnceLock<Box<StepTable>>,
 }
 
 impl ShiftedGaussian {
@@ -36,7 +36,7 @@ impl ShiftedGaussian {
     /// [`QuadratureError::OutOfRange`] for any other s.
     #[inline(always)]
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let place = Place::at(s);
+        let place = Argument::at(s);
         match self.rules.ready(place) {
             Some(segment) => Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0])),
             None => self.anew(s, 1).map(|(pair, error)| Moments::new(pair, s, error)),
@@ -49,7 +49,7 @@ impl ShiftedGaussian {
     /// Those of [`at`](Self::at).
     #[inline(always)]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let place = Place::at(s);
+        let place = Argument::at(s);
         match self.rules.ready(place) {
             Some(segment) => Ok(Moments::of_value(segment.value(place), s, segment.error[0])),
             None => self.anew(s, 1).map(|([value, _], error)| Moments::of_value(value, s, error)),
@@ -70,7 +70,7 @@ impl ShiftedGaussian {
     /// built first or from none.
     #[cold]
     fn anew(&self, s: f64, k: usize) -> Result<([(f64, f64); 2], f64), QuadratureError> {
-        let place = Place::at(s);
+        let place = Argument::at(s);
         match self.rules.at(place, &self.task)? {
             Some(segment) => Ok((segment.with_power(place, k), segment.error[k - 1])),
             None => self.task.directly(s, self.scale, k as i32),
@@ -78,7 +78,7 @@ impl ShiftedGaussian {
     }
 
     /// Polynomials for many values.
-    pub(crate) fn table(&self) -> &Table {
+    pub(crate) fn table(&self) -> &StepTable {
         self.table.get_or_init(Box::default)
     }
 
@@ -87,7 +87,7 @@ impl ShiftedGaussian {
     /// # Errors
     /// Those of [`at`](Self::at).
     pub fn terms(&self, s: f64) -> Result<usize, QuadratureError> {
-        Ok(self.rules.at(Place::at(s), &self.task)?.map_or(0, Segment::terms))
+        Ok(self.rules.at(Argument::at(s), &self.task)?.map_or(0, Segment::terms))
     }
 
     /// How often the density has been sampled so far, over all rules built.

@@ -6,7 +6,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use fearless_simd::{Simd, SimdBase, SimdSplit, f64x4};
 
-use super::column::{Column, ColumnAccuracy, ROUNDED};
+use super::column::{ArrayAccuracy, ROUNDED, ScaledIntegral};
 use super::moments::Moments;
 use crate::chebyshev::polynomial::powers;
 use crate::{chebyshev_roots, chebyshev_terms};
@@ -63,9 +63,9 @@ type Integral<'i> = dyn Fn(f64) -> Option<Moments> + 'i;
 
 /// The units of values and of slopes, made when they are first needed.
 #[derive(Debug)]
-pub(crate) struct Table([[OnceLock<Box<Unit>>; UNITS]; 2]);
+pub(crate) struct StepTable([[OnceLock<Box<Unit>>; UNITS]; 2]);
 
-impl Default for Table {
+impl Default for StepTable {
     fn default() -> Self {
         Self([const { [const { OnceLock::new() }; UNITS] }; 2])
     }
@@ -107,21 +107,26 @@ impl Unit {
     }
 
     /// Bounds for the steps of this unit that have been `used`, with the rounding of s + shift.
-    pub(crate) fn accuracy(&self, unit: usize, used: &[bool], column: Column) -> ColumnAccuracy {
-        let mut all = ColumnAccuracy::NONE;
+    pub(crate) fn accuracy(
+        &self,
+        unit: usize,
+        used: &[bool],
+        column: ScaledIntegral,
+    ) -> ArrayAccuracy {
+        let mut all = ArrayAccuracy::NONE;
         for (k, known) in self.accuracies.iter().enumerate().filter(|(k, _)| used[*k]) {
             let seen = centre(unit * STEPS + k);
             let rounding = column.rounding(seen.abs() + 1.0, known.steepness);
             let error = known.error + rounding * known.condition;
             let lowest = seen - 0.5 / STEPS as f64;
             all =
-                all.and(ColumnAccuracy { error, condition: known.condition, normal: true, lowest });
+                all.and(ArrayAccuracy { error, condition: known.condition, normal: true, lowest });
         }
         all
     }
 }
 
-impl Table {
+impl StepTable {
     /// A unit of values or slopes, made if need be; none outside of the table.
     pub(crate) fn unit(&self, unit: usize, slope: bool, integral: &Integral<'_>) -> Option<&Unit> {
         let cell = self.0[usize::from(slope)].get(unit)?;
@@ -180,7 +185,7 @@ fn unit_vector<const N: usize>(k: usize) -> [f64; N] {
 /// numbers of one sign.
 fn through(centre: f64, slope: bool, integral: &Integral<'_>) -> Option<(Step, StepAccuracy)> {
     let Sampling { points, terms, powers } = &*SAMPLING;
-    let column = Column { shift: 0.0, slope, factor: 1.0 };
+    let column = ScaledIntegral { shift: 0.0, slope, factor: 1.0 };
     let mut samples = [0.0; POINTS];
     let mut known = StepAccuracy { error: 0.0, condition: 1.0, steepness: 0.0 };
     let (mut least, mut mildest) = (f64::INFINITY, f64::INFINITY);

@@ -105,14 +105,7 @@ pub fn gauss_kronrod(
                 panels.push(panel(&mut f, middle, high));
                 evaluations += 42;
             }
-            _ => {
-                let reached = error / value.abs();
-                return Err(QuadratureError::NotConverged {
-                    reached,
-                    asked: tolerance,
-                    evaluations,
-                });
-            }
+            _ => return Err(QuadratureError::missed(error / value.abs(), tolerance, evaluations)),
         }
     }
 }

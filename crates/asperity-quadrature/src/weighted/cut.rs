@@ -18,7 +18,7 @@ const ENOUGH: usize = 1_000_000;
 
 /// A place as z and as x: kinks are exact in x.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct CutPoint {
     z: f64,
     x: f64,
 }
@@ -27,18 +27,18 @@ impl<'a> Run<'a> {
     /// Cuts a panel at the kinks of the density.
     pub(super) fn panel(&mut self, panel: &'a Panel) -> Result<(), QuadratureError> {
         let begin = if panel.low >= self.start {
-            Place { z: panel.low, x: self.x(panel.low) }
+            CutPoint { z: panel.low, x: self.x(panel.low) }
         } else {
-            Place { z: self.start, x: self.integrand.kinks[0] }
+            CutPoint { z: self.start, x: self.integrand.kinks[0] }
         };
-        let end = Place { z: panel.high, x: self.x(panel.high) };
+        let end = CutPoint { z: panel.high, x: self.x(panel.high) };
         let integrand = self.integrand;
         let from = integrand.kinks.partition_point(|kink| *kink <= begin.x);
         let inside = integrand.kinks[from..].iter().take_while(|kink| **kink < end.x);
         let gentle = panel.is_gentle();
         let mut left = begin;
         for &x in inside {
-            let right = Place { z: self.view.d + x * self.view.unit, x };
+            let right = CutPoint { z: self.view.d + x * self.view.unit, x };
             self.piece(panel, left, right, gentle)?;
             left = right;
         }
@@ -49,8 +49,8 @@ impl<'a> Run<'a> {
     fn piece(
         &mut self,
         panel: &'a Panel,
-        left: Place,
-        right: Place,
+        left: CutPoint,
+        right: CutPoint,
         gentle: bool,
     ) -> Result<(), QuadratureError> {
         if right.z <= left.z {
@@ -65,7 +65,7 @@ impl<'a> Run<'a> {
         // Far out: the larger part first; negligible parts are left out.
         let mut parts = vec![(left, right)];
         while let Some((left, right)) = parts.pop() {
-            let middle = Place { z: 0.5 * (left.z + right.z), x: 0.5 * (left.x + right.x) };
+            let middle = CutPoint { z: 0.5 * (left.z + right.z), x: 0.5 * (left.x + right.x) };
             let ln = [left, middle, right].map(|place| panel.ln(panel.distance(place.z)));
             let most = ln.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let least = ln.iter().copied().fold(f64::INFINITY, f64::min);
@@ -74,14 +74,14 @@ impl<'a> Run<'a> {
             }
             let (mut scratch, mut q) = ([0.0; 2], [0.0; 2]);
             let x = [middle.x, middle.x + 0.5 * (right.x - middle.x)];
-            self.evaluations +=
+            self.found.evaluations +=
                 self.integrand.density.sample((left.x, right.x), &x, &mut scratch, &mut q)?;
             let q = q[0].abs().max(q[1].abs());
             let left_over = most - self.view.ln_scale + (q * (right.z - left.z)).ln();
-            if self.sizes[0] > 0.0 && left_over < self.sizes[0].ln() + LN_NOTHING {
+            if self.found.sizes[0] > 0.0 && left_over < self.found.sizes[0].ln() + LN_NOTHING {
                 continue;
             }
-            if self.evaluations > ENOUGH {
+            if self.found.evaluations > ENOUGH {
                 return Err(self.weight.source.fault(WeightFault::Wild { at: middle.z }));
             }
             let divisible = middle.z > left.z && middle.z < right.z;
@@ -97,7 +97,12 @@ impl<'a> Run<'a> {
     }
 
     /// Strips with maps for the powers that panel and density have at their ends.
-    fn ends(&mut self, panel: &'a Panel, left: Place, right: Place) -> Result<(), QuadratureError> {
+    fn ends(
+        &mut self,
+        panel: &'a Panel,
+        left: CutPoint,
+        right: CutPoint,
+    ) -> Result<(), QuadratureError> {
         let View { d, unit, .. } = self.view;
         let width = right.z - left.z;
         let density = &self.integrand.density;
@@ -114,7 +119,7 @@ impl<'a> Run<'a> {
             if panel.side < 0.0 {
                 if to_begin < FAR * width && panel.distance(right.z) < FAR * width {
                     // Powers at both ends.
-                    let middle = Place { z: left.z + 0.5 * width, x: 0.5 * (left.x + right.x) };
+                    let middle = CutPoint { z: left.z + 0.5 * width, x: 0.5 * (left.x + right.x) };
                     if middle.z > left.z && middle.z < right.z && to_begin < 0.5 * width {
                         let smooth = Map {
                             x: begin,
@@ -164,8 +169,8 @@ impl<'a> Run<'a> {
         panel: &'a Panel,
         anchor: f64,
         power: f64,
-        left: Place,
-        right: Place,
+        left: CutPoint,
+        right: CutPoint,
     ) -> Result<(), QuadratureError> {
         let span = panel.distance(left.z);
         let map = Map { x: anchor, u: 0.0, side: -1.0, span, power, smooth: true };
@@ -188,7 +193,7 @@ impl<'a> Run<'a> {
             place(above).unwrap_or(f64::INFINITY),
         );
         let mut strip = Strip::new(panel, map, (low, 1.0), ends, around);
-        self.evaluations += strip.sample(&self.view)?;
+        self.found.evaluations += strip.sample(&self.view)?;
         self.nonzero |= strip.nonzero;
         self.count(&strip, 1.0);
         self.add_sampled(&[ends.0, ends.1]);

@@ -2,6 +2,7 @@
 
 use super::panel::{Panel, RANGE, Series, Shape, end_shares};
 use super::source::Source;
+use crate::chebyshev::extent;
 use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
 use crate::{QuadratureError, WeightFault};
 
@@ -48,7 +49,7 @@ pub(crate) struct Fitter<'s> {
 }
 
 /// Samples on a panel, with their series.
-struct Fit {
+struct PanelFit {
     low: f64,
     high: f64,
     samples: Samples,
@@ -60,7 +61,7 @@ struct Fit {
     steep: bool,
 }
 
-impl Fit {
+impl PanelFit {
     /// The logarithm at a place.
     fn ln(&self, z: f64) -> f64 {
         self.series.ln((z - self.low) / (self.high - self.low))
@@ -210,9 +211,7 @@ impl<'s> Fitter<'s> {
         let width = (far - end).abs();
         let place = 4e3 * f64::EPSILON * end.abs() / width * series.power.abs();
         let smooth = |k: usize| samples[k] - series.power * end_shares()[k].ln();
-        let all = (0..NODES).map(smooth);
-        let (least, most) =
-            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
+        let (least, most) = extent((0..NODES).map(smooth));
         let largest = samples.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let allowed = 10.0 * GOOD + place + ROUNDED * f64::EPSILON * largest;
         // A negligible mass matters only where the density sees nothing else; its error is kept.
@@ -234,7 +233,7 @@ impl<'s> Fitter<'s> {
     }
 
     /// Samples of a panel and their series; beside an end, infinite samples are accepted.
-    fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<Fit, QuadratureError> {
+    fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<PanelFit, QuadratureError> {
         let mut samples = [0.0; NODES];
         for (sample, share) in samples.iter_mut().zip(&lobatto().nodes) {
             let at = low + (high - low) * share;
@@ -259,11 +258,11 @@ impl<'s> Fitter<'s> {
         let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
         let resolved = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
         let steep = self.near && most - least > RANGE && most > self.peak - SMALL;
-        Ok(Fit { low, high, samples, series, error, resolved, steep })
+        Ok(PanelFit { low, high, samples, series, error, resolved, steep })
     }
 
     /// A panel without a power at its ends, halved until it is resolved.
-    fn plain(&mut self, fit: Fit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
+    fn plain(&mut self, fit: PanelFit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
         let width = fit.high - fit.low;
         let (least, most) = range(&fit.samples);
         let small = fit.error < NOISE || most < self.peak - FAINT;
@@ -336,6 +335,5 @@ impl Nearest {
 }
 
 fn range(samples: &Samples) -> (f64, f64) {
-    let ends = (f64::INFINITY, f64::NEG_INFINITY);
-    samples.iter().fold(ends, |(least, most), s| (least.min(*s), most.max(*s)))
+    extent(samples.iter().copied())
 }

@@ -27,7 +27,7 @@ pub struct Overlap {
 
 /// I(d) = sums\[0\]·exp(`ln_scale`) and -dI/dd = sums\[1\]·exp(`ln_scale`), with the integrals of
 /// absolute values and the errors.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sums {
     pub(crate) sums: [f64; 2],
     pub(crate) sizes: [f64; 2],
@@ -97,7 +97,7 @@ impl Overlap {
         if reached <= self.integrand.tolerance.max(ATTAINABLE) {
             return Ok(());
         }
-        Err(QuadratureError::NotConverged { reached, asked: self.integrand.tolerance, evaluations })
+        Err(QuadratureError::missed(reached, self.integrand.tolerance, evaluations))
     }
 
     /// The d above which the integral is 0: the top of the weight is below the density's beginning.
@@ -116,47 +116,31 @@ impl Overlap {
         slope: bool,
     ) -> Result<Sums, QuadratureError> {
         let start = d + self.first() * self.integrand.unit;
-        let mut found = Sums {
-            sums: [0.0; 2],
-            sizes: [0.0; 2],
-            ln_scale: 0.0,
-            errors: [0.0; 2],
-            inputs: [0.0; 2],
-            evaluations: 0,
-        };
         if start >= weight.top() || self.integrand.density.pieces.is_empty() {
-            return Ok(found);
+            return Ok(Sums::default());
         }
         if let Some(above) = weight.faint.filter(|faint| start >= *faint) {
             return Err(weight.source.fault(WeightFault::Faint { above }));
         }
         let peak = weight.peak_above(start)?;
-        if peak.abs() > SCALED && peak.is_finite() {
-            found.ln_scale = peak;
-        }
-        let view = View {
-            density: &self.integrand.density,
-            d,
-            unit: self.integrand.unit,
-            ln_scale: found.ln_scale,
-        };
+        let ln_scale = if peak.abs() > SCALED && peak.is_finite() { peak } else { 0.0 };
+        let Integrand { density, unit, .. } = &self.integrand;
+        let view = View { density, d, unit: *unit, ln_scale };
         let mut run = Run::new(&self.integrand, weight, view, start);
         run.everything()?;
         let places = self.jumps_over(weight, d, &mut run)?;
         run.refine(slope)?;
-        let unknown = run.sizes[0] == 0.0 || run.errors[0] > 0.5 * run.sizes[0];
+        let mut found = Sums { ln_scale, ..run.found };
+        let unknown = found.sizes[0] == 0.0 || found.errors[0] > 0.5 * found.sizes[0];
         if unknown && run.nonzero && weight.top() == f64::INFINITY {
             return Err(weight.source.fault(WeightFault::Faint { above: start }));
         }
-        let relative = |n: usize, error: f64| {
-            if run.sizes[n] > 0.0 { error / run.sizes[n] } else { 0.0 }
-        };
-        (found.sums, found.sizes, found.evaluations) = (run.sums, run.sizes, run.evaluations);
-        found.errors = [0, 1].map(|n| relative(n, run.errors[n]));
+        let sizes = found.sizes;
+        let relative = |n: usize, error: f64| if sizes[n] > 0.0 { error / sizes[n] } else { 0.0 };
+        found.errors = [0, 1].map(|n| relative(n, found.errors[n]));
         // The rounding of places acts as a shift of the density.
-        let distance = if run.sizes[1] > 0.0 { run.sizes[0] / run.sizes[1] } else { 0.0 };
-        let shift = f64::EPSILON * (d.abs() + 2.0 * distance);
-        let steepness = relative(0, run.sizes[1]);
+        let shift = f64::EPSILON * (d.abs() + 2.0 * relative(1, sizes[0]));
+        let steepness = relative(0, sizes[1]);
         let own = self.integrand.density.relative_error(&run.sampled);
         found.inputs = [0, 1].map(|_| 4.0 * shift * steepness + ROUNDING + own);
         found.inputs[1] += relative(1, places);
@@ -186,8 +170,8 @@ impl Overlap {
             let g = |z: f64| weight.at(z, run.view.ln_scale);
             let near = 2.0 * f64::EPSILON * z.abs().max(d.abs());
             let (here, below, above) = (g(z)?, g(z - near)?, g(z + near)?);
-            run.sums[1] += jump * here;
-            run.sizes[1] += (jump * here).abs();
+            run.found.sums[1] += jump * here;
+            run.found.sizes[1] += (jump * here).abs();
             rounding += jump.abs() * (above - here).abs().max((here - below).abs());
         }
         Ok(rounding)

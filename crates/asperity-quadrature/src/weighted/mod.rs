@@ -8,17 +8,17 @@
 //! ([`Weight`]). A group of panels far from the kinks of q counts as twenty points ([`Overlap`]):
 //! a table of a thousand panels costs three times one of ten. For many d, Chebyshev series
 //! represent the integral itself, between the d at which a break of g meets a kink of q
-//! ([`Cells`]).
+//! ([`OverlapSeries`]).
 //!
 //! Adaptive discretisation of q g for each d was measured as an alternative: two to sixty times
 //! the time on the same panels, seven to two hundred without panels, and wrong at poles.
 
-mod cells;
 mod cut;
 mod fit;
 mod follow;
 mod integral;
 mod integrand;
+mod overlap_series;
 mod panel;
 mod run;
 mod slope;
@@ -27,6 +27,6 @@ mod strip;
 mod tree;
 mod weight;
 
-pub use cells::Cells;
 pub use integral::Overlap;
+pub use overlap_series::OverlapSeries;
 pub use weight::Weight;

@@ -1,6 +1,7 @@
 //! One integral: groups far from the kinks of the density first, then strips, refined together.
 
 use super::fit::FAINT;
+use super::integral::Sums;
 use super::integrand::Integrand;
 use super::slope::{DERIVED, Slopes};
 use super::strip::{Strip, View};
@@ -37,12 +38,10 @@ pub(crate) struct Run<'a> {
     pub(crate) view: View<'a>,
     /// The lower end of the integral.
     pub(super) start: f64,
-    pub(crate) sums: [f64; 2],
-    pub(crate) sizes: [f64; 2],
-    pub(crate) errors: [f64; 2],
+    /// The sums so far, with errors that are not yet relative.
+    pub(crate) found: Sums,
     /// Whether a sample of the density was not zero.
     pub(crate) nonzero: bool,
-    pub(crate) evaluations: usize,
     /// Ends of the sampled ranges, if the error of the density depends on them.
     pub(crate) sampled: Vec<f64>,
     approximate: bool,
@@ -58,21 +57,16 @@ impl<'a> Run<'a> {
         view: View<'a>,
         start: f64,
     ) -> Self {
-        let approximate = integrand.density.relative_error(&[]) > 0.0;
-        let noise = LN_ROUNDING * f64::EPSILON * view.ln_scale.abs();
         Self {
             integrand,
             weight,
-            view,
             start,
-            sums: [0.0; 2],
-            sizes: [0.0; 2],
-            errors: [0.0; 2],
+            found: Sums::default(),
             nonzero: false,
-            evaluations: 0,
             sampled: vec![],
-            approximate,
-            noise,
+            approximate: integrand.density.relative_error(&[]) > 0.0,
+            noise: LN_ROUNDING * f64::EPSILON * view.ln_scale.abs(),
+            view,
             strips: vec![],
         }
     }
@@ -139,7 +133,7 @@ impl<'a> Run<'a> {
         let rule = lobatto();
         let x = rule.nodes.map(|v| low + width * v);
         let (mut scratch, mut q, mut slope) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
-        self.evaluations += density.sample((low, high), &x, &mut scratch, &mut q)?;
+        self.found.evaluations += density.sample((low, high), &x, &mut scratch, &mut q)?;
         let largest = q.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
         let mass: f64 = weights.iter().sum();
         let tail = rule.tail(&q);
@@ -170,9 +164,9 @@ impl<'a> Run<'a> {
             let sum = scale * dot(weights, samples);
             let size = scale * dot(weights, &samples.map(f64::abs));
             let size = size.abs().max(sum.abs());
-            self.sums[n] += sum;
-            self.sizes[n] += size;
-            self.errors[n] += scale * errors[n] + node.error * size;
+            self.found.sums[n] += sum;
+            self.found.sizes[n] += size;
+            self.found.errors[n] += scale * errors[n] + node.error * size;
             if !size.is_finite() {
                 return Err(QuadratureError::NotFinite { at: low, value: size });
             }
@@ -190,7 +184,7 @@ impl<'a> Run<'a> {
 
     pub(super) fn count(&mut self, strip: &Strip<'_>, sign: f64) {
         for n in [0, 1] {
-            self.sizes[n] += sign * strip.sizes[n];
+            self.found.sizes[n] += sign * strip.sizes[n];
         }
     }
 
@@ -211,15 +205,15 @@ impl<'a> Run<'a> {
             if high <= self.start {
                 continue;
             }
-            let so_far = self.sizes[0];
+            let so_far = self.found.sizes[0];
             for panel in panels {
                 if panel.high > self.start {
                     self.panel(panel)?;
                 }
             }
-            let added = self.sizes[0] - so_far;
-            nothing = if added <= NOTHING * self.sizes[0] { nothing + 1 } else { 0 };
-            if nothing >= 2 && self.sizes[0] > 0.0 {
+            let added = self.found.sizes[0] - so_far;
+            nothing = if added <= NOTHING * self.found.sizes[0] { nothing + 1 } else { 0 };
+            if nothing >= 2 && self.found.sizes[0] > 0.0 {
                 return Ok(());
             }
             as_much = if added >= before && added > 0.0 { as_much + 1 } else { 0 };
@@ -228,7 +222,7 @@ impl<'a> Run<'a> {
                 break;
             }
         }
-        if self.sizes[0] == 0.0 {
+        if self.found.sizes[0] == 0.0 {
             return Ok(());
         }
         Err(weight.source.fault(WeightFault::Diverges))
@@ -242,24 +236,25 @@ impl<'a> Run<'a> {
         let count = strips.len().max(1) as f64;
         while let Some(strip) = strips.pop() {
             let allowed = [0, 1].map(|n| {
-                let share = (aim / count).max(1e-17) * self.sizes[n];
+                let share = (aim / count).max(1e-17) * self.found.sizes[n];
                 share.max(self.noise * strip.sizes[n])
             });
             let resolved = strip.errors[0] <= allowed[0]
                 && (!slope || strip.errors[1] <= allowed[1] || strip.errors[1] <= strip.floor);
-            let given_up =
-                strip.depth >= DEEPEST || strip.stalled >= STALLED || self.evaluations >= MOST;
+            let given_up = strip.depth >= DEEPEST
+                || strip.stalled >= STALLED
+                || self.found.evaluations >= MOST;
             if resolved || given_up {
                 for n in [0, 1] {
-                    self.sums[n] += strip.sums[n];
-                    self.errors[n] += strip.errors[n] + strip.panel.error * strip.sizes[n];
+                    self.found.sums[n] += strip.sums[n];
+                    self.found.errors[n] += strip.errors[n] + strip.panel.error * strip.sizes[n];
                 }
                 continue;
             }
             self.count(&strip, -1.0);
             let mut halves = strip.halves();
             for half in &mut halves {
-                self.evaluations += half.sample(&self.view)?;
+                self.found.evaluations += half.sample(&self.view)?;
                 self.count(half, 1.0);
             }
             let excess = |strip: &Strip<'_>| {

@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use super::panel::Panel;
 use super::slope::{DERIVED, Slopes};
+use crate::chebyshev::extent;
 use crate::discretise::panel::hidden;
 use crate::rules::legendre::{INSET, legendre};
 use crate::{Density, QuadratureError};
@@ -187,13 +188,10 @@ impl<'a> Strip<'a> {
         self.errors[0] += hidden(rule, &samples[0], ends);
         // The derivative of samples is noisy; a tail above the noise is an error. At a jump of the
         // law, the error is at most the jump times the change of the weight over the strip.
-        let extent = |f: &mut dyn Iterator<Item = f64>| {
-            f.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), f| (l.min(f), m.max(f)))
-        };
-        let mut weights = mass.iter().zip(&dz).filter(|(_, dz)| **dz > 0.0).map(|(m, dz)| m / dz);
-        let (q_range, g_range) = (extent(&mut q.iter().copied()), extent(&mut weights));
+        let weights = mass.iter().zip(&dz).filter(|(_, dz)| **dz > 0.0).map(|(m, dz)| m / dz);
+        let (q_range, g_range) = (extent(q.into_iter()), extent(weights));
         let largest = |(l, m): (f64, f64)| l.abs().max(m.abs());
-        let second = extent(&mut samples[1].iter().copied());
+        let second = extent(samples[1].into_iter());
         if rule.tail(&samples[1]) > NOISE * largest(second) {
             let jump = 4.0 * (q_range.1 - q_range.0) * (g_range.1 - g_range.0);
             self.errors[1] = rule.error(&samples[1]).min(jump);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity_quadrature::{
-    Cells, Density, Moments, Overlap, Piece, QuadratureError, Weight, gauss_kronrod,
+    Density, Moments, Overlap, OverlapSeries, Piece, QuadratureError, Weight, gauss_kronrod,
 };
 
 /// x^p from 0 on.
@@ -43,7 +43,7 @@ fn undeclared_kinks_are_found_next_to_the_ends_too() {
         };
         let weight = Arc::new(Weight::new("triangle", ln, (0.0, 1.0), &[], 0.0).unwrap());
         let overlap = Arc::new(Overlap::new(power(1.0), 1.0, 1e-10));
-        let cells = Cells::new(overlap.clone(), weight.clone());
+        let cells = OverlapSeries::new(overlap.clone(), weight.clone());
         for d in [-3.0, -0.7, 0.0, 0.31, 0.93, 0.995] {
             let (below, above): (f64, f64) = (m - d, 1.0 - d);
             let exact = if d <= 0.0 {
@@ -122,7 +122,7 @@ fn the_upper_end_of_a_table_is_reached_with_few_samples() {
         let weight = Arc::new(Weight::new("table", ln, (-end, end), &breaks, 0.0).unwrap());
         for unit in [1.3e-8, 1e-5] {
             let overlap = Arc::new(Overlap::new(power(1.5), unit, 1e-10));
-            let cells = Cells::new(overlap.clone(), weight.clone());
+            let cells = OverlapSeries::new(overlap.clone(), weight.clone());
             for share in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-16] {
                 let d = if share > 1e-16 { end * (1.0 - share) } else { end.next_down() };
                 let left = end - d;

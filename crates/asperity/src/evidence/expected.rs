@@ -7,7 +7,7 @@
 use serde::Serialize;
 
 use crate::evidence::case::Compared;
-use crate::evidence::place::{Place, SurfaceShape, gradient};
+use crate::evidence::coordinates::{Coordinates, SurfaceShape, gradient};
 use crate::evidence::{Evidence, Ratio};
 use crate::{ContactError, Scene, short};
 
@@ -148,7 +148,7 @@ impl Evidence {
         pressure: f64,
         contacts: Option<f64>,
     ) -> Result<ExpectedContact, ContactError> {
-        let mut place = Place::of_scene(scene, shape, pressure)?;
+        let mut place = Coordinates::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
             return Err(Self::none(format!("less than one asperity touches ({})", short(few))));
         }
@@ -212,8 +212,8 @@ impl Evidence {
         })
     }
 
-    fn surfaces_near(&self, place: &Place) -> usize {
-        let away = |other: &Place| {
+    fn surfaces_near(&self, place: &Coordinates) -> usize {
+        let away = |other: &Coordinates| {
             let skewness = other.shape.skewness - place.shape.skewness;
             let slopes = (other.shape.slope_ratio / place.shape.slope_ratio).ln();
             (other.alpha / place.alpha).ln().hypot(skewness).hypot(slopes)

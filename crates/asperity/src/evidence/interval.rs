@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::evidence::case::{Compared, EvidenceCase};
-use crate::evidence::place::Place;
+use crate::evidence::coordinates::Coordinates;
 use crate::evidence::process::{ELASTIC, Process, SolvedValue, Spread};
 
 /// Half width of an interval that holds nine of ten values, in standard deviations.
@@ -28,7 +28,7 @@ const MERGED: f64 = 0.02;
 
 impl Evidence {
     /// The dimensionless value of a quantity and its interval.
-    pub(crate) fn interval(&self, quantity: Compared, place: &Place) -> Option<[f64; 3]> {
+    pub(crate) fn interval(&self, quantity: Compared, place: &Coordinates) -> Option<[f64; 3]> {
         let [middle, deviation] = self.process(quantity)?.at(place);
         let half = COVERAGE * deviation.hypot(sample(quantity, place));
         (half <= WIDEST).then_some(
@@ -80,7 +80,7 @@ fn spread(quantity: Compared) -> Spread {
 
 /// Standard deviation of the logarithm for a surface with so many contacts. Those of a lay come in
 /// rows: areas of surfaces with a ratio of slopes of 3 scattered as those of half the contacts.
-fn sample(quantity: Compared, place: &Place) -> f64 {
+fn sample(quantity: Compared, place: &Coordinates) -> f64 {
     let all = (place.contacts * place.surfaces / place.shape.slope_ratio).sqrt();
     let [area, others] = SCATTER;
     match quantity {
@@ -90,7 +90,11 @@ fn sample(quantity: Compared, place: &Place) -> f64 {
 }
 
 /// A case as a value for the process, with an error that includes what few contacts do.
-fn solved_value(quantity: Compared, place: &Place, case: &EvidenceCase) -> Option<SolvedValue> {
+fn solved_value(
+    quantity: Compared,
+    place: &Coordinates,
+    case: &EvidenceCase,
+) -> Option<SolvedValue> {
     let (value, error) = (case.bem.value(quantity)?, case.bem.error(quantity)?);
     let [value, error] = match quantity {
         Compared::MeanGap => [value, error],
@@ -106,7 +110,7 @@ fn solved_value(quantity: Compared, place: &Place, case: &EvidenceCase) -> Optio
 }
 
 /// What the process gives, as a dimensionless value.
-fn of_logarithm(quantity: Compared, place: &Place, found: f64) -> f64 {
+fn of_logarithm(quantity: Compared, place: &Coordinates, found: f64) -> f64 {
     match quantity {
         Compared::MeanGap => found,
         _ => scale(quantity, place) * found.exp(),
@@ -115,7 +119,7 @@ fn of_logarithm(quantity: Compared, place: &Place, found: f64) -> f64 {
 
 /// The larger part of the change with load and hardness: areas between the elastic one, in
 /// proportion to p/(E g), and p/H; stiffnesses in proportion to p/(E g).
-fn scale(quantity: Compared, place: &Place) -> f64 {
+fn scale(quantity: Compared, place: &Coordinates) -> f64 {
     match quantity {
         Compared::Area => place.load * (1.0 + (place.strain / ELASTIC).powi(4)).powf(0.25),
         _ => place.load,

@@ -3,6 +3,8 @@
 mod case;
 #[cfg(feature = "evidence")]
 mod contacts;
+#[cfg(feature = "evidence")]
+mod coordinates;
 mod csv;
 #[cfg(feature = "evidence")]
 mod expected;
@@ -11,8 +13,6 @@ mod interval;
 #[cfg(feature = "evidence")]
 mod of_model;
 #[cfg(feature = "evidence")]
-mod place;
-#[cfg(feature = "evidence")]
 mod process;
 #[cfg(feature = "evidence")]
 mod ratio;
@@ -20,7 +20,7 @@ mod ratio;
 use std::sync::OnceLock;
 
 #[cfg(feature = "evidence")]
-use place::Place;
+use coordinates::Coordinates;
 #[cfg(feature = "evidence")]
 use process::Process;
 
@@ -32,9 +32,9 @@ pub(crate) use of_model::{Lacking, compile, compile_known};
 use crate::ContactError;
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
 #[cfg(feature = "evidence")]
-pub use crate::evidence::expected::{Estimate, ExpectedContact};
+pub use crate::evidence::coordinates::SurfaceShape;
 #[cfg(feature = "evidence")]
-pub use crate::evidence::place::SurfaceShape;
+pub use crate::evidence::expected::{Estimate, ExpectedContact};
 #[cfg(feature = "evidence")]
 pub use crate::evidence::ratio::Ratio;
 
@@ -53,7 +53,7 @@ pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
     #[cfg(feature = "evidence")]
-    places: Vec<Place>,
+    places: Vec<Coordinates>,
     /// Through the cases, one for each of [`Compared::ALL`], made at first use.
     #[cfg(feature = "evidence")]
     processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
@@ -103,7 +103,7 @@ impl Evidence {
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
         Ok(Self {
             #[cfg(feature = "evidence")]
-            places: cases.iter().map(Place::of_case).collect::<Result<_, _>>()?,
+            places: cases.iter().map(Coordinates::of_case).collect::<Result<_, _>>()?,
             #[cfg(feature = "evidence")]
             processes: Default::default(),
             cases,

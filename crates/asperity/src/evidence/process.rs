@@ -4,7 +4,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use crate::evidence::place::Place;
+use crate::evidence::coordinates::Coordinates;
 
 /// Standard deviation of the constant.
 const CONSTANT: f64 = 2.0;
@@ -36,7 +36,7 @@ type Input = [f64; 5];
 /// A value at a place of the table with its standard error.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SolvedValue {
-    pub(crate) place: Place,
+    pub(crate) place: Coordinates,
     pub(crate) value: f64,
     pub(crate) error: f64,
 }
@@ -53,7 +53,7 @@ pub(crate) struct Spread {
 
 impl Spread {
     /// Between families of the bandwidth of this place.
-    fn of_family(self, place: &Place) -> f64 {
+    fn of_family(self, place: &Coordinates) -> f64 {
         FAMILY.hypot(self.spectrum * (place.alpha / NARROWEST).ln())
     }
 }
@@ -82,7 +82,7 @@ impl Process {
     }
 
     /// The value at a place and its standard deviation.
-    pub(crate) fn at(&self, place: &Place) -> [f64; 2] {
+    pub(crate) fn at(&self, place: &Coordinates) -> [f64; 2] {
         let here = input(place);
         let of = |input: &Input| covariance(&here, input, self.spread.amplitude);
         let shared = DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(of));
@@ -97,12 +97,12 @@ impl Process {
 }
 
 /// Standard deviation between families of this skewness.
-fn of_skewness(place: &Place) -> f64 {
+fn of_skewness(place: &Coordinates) -> f64 {
     let (skewness, [peaks, heavy]) = (place.shape.skewness, PEAKS);
     SKEWED * skewness.abs() + peaks * skewness.max(0.0) * (heavy / place.load).ln().max(0.0)
 }
 
-fn input(place: &Place) -> Input {
+fn input(place: &Coordinates) -> Input {
     // 0, elastic, and the logarithm of E g/H where contacts are fully plastic.
     let plastic = 0.25 * (place.strain / ELASTIC).powi(4).ln_1p();
     [place.load.ln(), place.alpha.ln(), plastic, place.shape.skewness, place.shape.slope_ratio.ln()]
@@ -135,7 +135,7 @@ mod tests {
     fn solved_value(alpha: f64, load: f64, value: f64) -> SolvedValue {
         let shape = SurfaceShape::default();
         let (contacts, surfaces) = (100.0, 4.0);
-        let place = Place { alpha, shape, index: 0.0, strain: 0.0, load, contacts, surfaces };
+        let place = Coordinates { alpha, shape, index: 0.0, strain: 0.0, load, contacts, surfaces };
         SolvedValue { place, value, error: 0.01 }
     }
 

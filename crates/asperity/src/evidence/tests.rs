@@ -196,7 +196,7 @@ fn separations_are_interpolated_up_to_most_of_the_hardness() {
 #[test]
 fn families_left_out_lie_in_their_interval() {
     let evidence = Evidence::committed().unwrap();
-    let mut families: Vec<Place> = vec![];
+    let mut families: Vec<Coordinates> = vec![];
     for place in &evidence.places {
         if !families.iter().any(|family| family.same_family(place)) {
             families.push(*place);
@@ -205,7 +205,7 @@ fn families_left_out_lie_in_their_interval() {
     let [mut rows, mut answered, mut inside] = [0.0; 3];
     let mut halves: Vec<f64> = vec![];
     for family in &families {
-        let other = |(_, place): &(&EvidenceCase, &Place)| !place.same_family(family);
+        let other = |(_, place): &(&EvidenceCase, &Coordinates)| !place.same_family(family);
         let cases = evidence.cases.iter().zip(&evidence.places).filter(other);
         let others = Evidence::of_cases(cases.map(|(case, _)| case.clone()).collect()).unwrap();
         let [mut here, mut inside_here] = [0.0; 2];
@@ -272,7 +272,7 @@ fn the_unloading_stiffness_is_at_least_the_tangent() {
                 assert!(tangent.value <= unloading.value, "{tangent:?} {unloading:?}");
                 assert!(tangent.low <= unloading.low && tangent.high <= unloading.high);
                 compared += 1;
-                let mut place = Place::of_scene(&scene, None, load * unit()).unwrap();
+                let mut place = Coordinates::of_scene(&scene, None, load * unit()).unwrap();
                 place.contacts = f64::INFINITY;
                 let [tangent, unloading] = both.map(|q| evidence.interval(q, &place).unwrap());
                 crossed += usize::from(unloading.iter().zip(tangent).any(|(u, t)| *u < t));

@@ -6,7 +6,8 @@ mod overlap;
 mod slope;
 
 use asperity_quadrature::{
-    Column, ColumnAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian,
+    ArrayAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ScaledIntegral,
+    ShiftedGaussian,
 };
 
 use crate::engine::onset::Onset;
@@ -40,48 +41,42 @@ impl HeightIntegral {
         let height_std = scene.surface.asperity_height_std;
         let interference_unit = law.interference_unit;
         let scale = interference_unit / height_std;
-        let over = match &scene.heights {
-            HeightDistribution::Gaussian => {
+        let over = match scene.heights.sampled(height_std) {
+            Some((heights, height_std_there)) => {
+                let unit = interference_unit / (height_std / height_std_there);
+                HeightKind::Other(Other {
+                    integral: OverlapIntegral::new(Overlap::new(density, unit, tolerance)),
+                    height_std: height_std_there,
+                    heights: heights.clone(),
+                    tolerance,
+                })
+            }
+            None if matches!(scene.heights, HeightDistribution::Exponential) => {
+                HeightKind::Exponential(Exponential::new(density, scale, tolerance))
+            }
+            None => {
                 let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
                 HeightKind::Gaussian(Gaussian { integral, density, scale, tolerance })
             }
-            HeightDistribution::Exponential => {
-                HeightKind::Exponential(Exponential::new(density, scale, tolerance))
-            }
-            HeightDistribution::Weibull(heights) => HeightKind::Other(Other {
-                integral: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
-                height_std: 1.0,
-                error: heights.sampled.heights().error(),
-                heights: heights.sampled.clone(),
-                tolerance,
-            }),
-            HeightDistribution::Other(heights) => HeightKind::Other(Other {
-                integral: OverlapIntegral::new(Overlap::new(density, interference_unit, tolerance)),
-                height_std,
-                heights: heights.clone(),
-                tolerance,
-                error: heights.heights().error(),
-            }),
         };
         Self { onset: Onset(law.onset * scale), over }
     }
 
+    fn gaussian(&self) -> Option<&ShiftedGaussian> {
+        match &self.over {
+            HeightKind::Gaussian(Gaussian { integral, .. }) => Some(integral),
+            HeightKind::Exponential(_) | HeightKind::Other(_) => None,
+        }
+    }
+
     /// Terms of the polynomial for s; `None` where there is none.
     pub(crate) fn terms(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
-        match &self.over {
-            HeightKind::Gaussian(heights) => {
-                heights.integral.terms(self.onset.shifted(s)).map(Some)
-            }
-            _ => Ok(None),
-        }
+        self.gaussian().map(|integral| integral.terms(self.onset.shifted(s))).transpose()
     }
 
     /// Number of samples of the density for rules.
     pub(crate) fn samples(&self) -> usize {
-        match &self.over {
-            HeightKind::Gaussian(heights) => heights.integral.evaluations(),
-            _ => 0,
-        }
+        self.gaussian().map_or(0, ShiftedGaussian::evaluations)
     }
 
     /// I(s), without the slope if that saves work.
@@ -98,17 +93,16 @@ impl HeightIntegral {
     pub(crate) fn fill(
         &self,
         s: &[f64],
-        column: Column,
+        column: ScaledIntegral,
         out: &mut [f64],
-    ) -> Option<ColumnAccuracy> {
-        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        integral.fill(s, Column { shift: self.onset.0, ..column }, out).ok()
+    ) -> Option<ArrayAccuracy> {
+        self.gaussian()?.fill(s, ScaledIntegral { shift: self.onset.0, ..column }, out).ok()
     }
 
     /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as
     /// long: `None` for heights where that saves nothing, or if any s is refused.
     pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
-        let HeightKind::Gaussian(_) = &self.over else { return None };
+        self.gaussian()?;
         for (s, out) in s.iter().zip(out) {
             *out = if slopes { self.at(*s) } else { self.value(*s) }.ok()?;
         }
@@ -117,8 +111,7 @@ impl HeightIntegral {
 
     /// d²I/ds², for Gaussian heights.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        let found = integral.curvature(self.onset.shifted(s));
+        let found = self.gaussian()?.curvature(self.onset.shifted(s));
         Some(found.map(|found| self.onset.widened_curvature(s, found)))
     }
 

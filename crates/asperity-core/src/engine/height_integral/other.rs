@@ -14,14 +14,13 @@ pub(super) struct Other {
     /// σ_z in the unit of the heights.
     pub(super) height_std: f64,
     pub(super) heights: Arc<OtherHeights>,
-    pub(super) error: f64,
     pub(super) tolerance: f64,
 }
 
 impl Other {
     pub(super) fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(&self.heights.weight()?, s * self.height_std, extent)?;
-        let error = found.error + self.error;
+        let error = found.error + self.heights.heights().error();
         // Far out, the logarithm of a density that falls as steeply as exp(-z^30) has no digits.
         if error.is_infinite() {
             let (asked, evaluations) = (self.tolerance, 0);

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use asperity_quadrature::{Cells, Moments, Overlap, QuadratureError, Weight};
+use asperity_quadrature::{Moments, Overlap, OverlapSeries, QuadratureError, Weight};
 
 /// The extent of a request to an integral.
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +16,7 @@ pub(super) struct Extent {
 #[derive(Debug)]
 pub(super) struct OverlapIntegral {
     pub(super) overlap: Arc<Overlap>,
-    cells: OnceLock<Cells>,
+    cells: OnceLock<OverlapSeries>,
 }
 
 impl OverlapIntegral {
@@ -32,7 +32,7 @@ impl OverlapIntegral {
     ) -> Result<Moments, QuadratureError> {
         let Extent { slope, many } = extent;
         if many {
-            let make = || Cells::new(self.overlap.clone(), weight.clone());
+            let make = || OverlapSeries::new(self.overlap.clone(), weight.clone());
             self.cells.get_or_init(make).at(d, slope)
         } else {
             self.overlap.at(weight, d, slope)

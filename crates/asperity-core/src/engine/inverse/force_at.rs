@@ -9,7 +9,7 @@ use crate::engine::inverse::interval::{Level, Sample};
 use crate::engine::inverse::variation::Variation;
 use crate::error::integral_failed;
 use crate::request::separation::LOWEST;
-use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
+use crate::{ContactError, HeightDistribution, Law, OtherHeights, Quantity, Scene, Tolerance};
 
 /// Tolerance of the variation; bounds include its error.
 const ENOUGH: f64 = 1e-8;
@@ -32,13 +32,13 @@ pub(crate) struct Falls {
     /// Force and variation to less, for their slopes.
     rough: [HeightIntegral; 2],
     /// Where force or slope may have kinks, and between them: descending.
-    places: Vec<Place>,
+    landmarks: Vec<Landmark>,
 }
 
-/// A separation, and the samples there, made once for all loads.
+/// A separation to look at first, and the sample there, made once for all loads.
 #[derive(Debug)]
-struct Place {
-    s: f64,
+pub(crate) struct Landmark {
+    pub(crate) s: f64,
     sample: OnceLock<Result<Sample, ContactError>>,
     /// ln of what the integral of the force exceeds here and everywhere below, if it is positive.
     ln_floor: Option<f64>,
@@ -74,8 +74,8 @@ impl Falls {
             let least = if x > 0.0 { variation.least_from(law, x) } else { None };
             least.filter(|least| *least > 0.0).map(f64::ln)
         };
-        let place = |s: f64| Place { s, sample: OnceLock::new(), ln_floor: floor(s) };
-        let places = places.into_iter().map(place).collect();
+        let landmark = |s: f64| Landmark { s, sample: OnceLock::new(), ln_floor: floor(s) };
+        let landmarks = places.into_iter().map(landmark).collect();
         let unseen = heights.high - first - law.onset * scale;
         let (turns, enough) = (knots.len(), tolerance.relative().max(ENOUGH));
         let [of_force, of_variation] = [law.density(), variation.density(law)];
@@ -84,7 +84,7 @@ impl Falls {
         let rough = [&of_force, &of_variation].map(|of| integral(of, ROUGH));
         let variation = integral(&of_variation, enough);
         let force = integral(&of_force, tolerance.relative());
-        Some(Self { unseen, variation, turns, force, rough, places })
+        Some(Self { unseen, variation, turns, force, rough, landmarks })
     }
 
     /// The integral of the force, with its slope also where that misses the tolerance.
@@ -122,27 +122,16 @@ fn with_slope(found: Moments, rough: &HeightIntegral, s: f64) -> Moments {
     }
 }
 
-/// One of the places to look at first, with its sample.
-pub(crate) struct Landmark {
-    pub(crate) s: f64,
-    pub(crate) sample: Result<Sample, ContactError>,
-    ln_floor: Option<f64>,
-}
-
 impl Landmark {
+    pub(crate) fn sample(&self, force: &ForceAt<'_>) -> Result<Sample, ContactError> {
+        self.sample.get_or_init(|| force.sample(self.s)).clone()
+    }
+
     /// Whether the force is above the level here and everywhere below: all heights are pressed by
     /// so much that no single one carries less.
     pub(crate) fn stays_above(&self, level: Level) -> bool {
         // The law is known between its samples only nearly.
         self.ln_floor.is_some_and(|floor| level.sign <= 0.0 || floor > level.ln + 0.01)
-    }
-}
-
-impl Landmark {
-    /// Whether hardly any height is left here, below a place where none is.
-    pub(crate) fn is_faint(&self, high: Sample) -> bool {
-        let refused = matches!(self.sample, Err(ContactError::Integral { .. }));
-        refused && self.s > 0.0 && high.is_nothing()
     }
 }
 
@@ -162,13 +151,9 @@ impl ForceAt<'_> {
         Ok(Sample { s, force: self.force(s)?, variation: self.variation(s)? })
     }
 
-    /// Landmarks below a place, descending.
-    pub(crate) fn landmarks(&self, below: f64) -> impl Iterator<Item = Landmark> {
-        self.falls.places.iter().filter(move |place| place.s < below).map(|place| Landmark {
-            s: place.s,
-            sample: place.sample.get_or_init(|| self.sample(place.s)).clone(),
-            ln_floor: place.ln_floor,
-        })
+    /// Landmarks below a separation, descending.
+    pub(crate) fn landmarks(&self, below: f64) -> impl Iterator<Item = &Landmark> {
+        self.falls.landmarks.iter().filter(move |landmark| landmark.s < below)
     }
 }
 
@@ -186,13 +171,10 @@ const HEAVIEST: f64 = 24.0;
 
 /// The height \[σ_z\] beyond which, seen from their mean, nothing counts.
 fn highest(scene: &Scene) -> f64 {
-    match &scene.heights {
-        HeightDistribution::Gaussian => GAUSSIAN,
-        HeightDistribution::Other(other) => {
-            other.heights().support().1 / scene.surface.asperity_height_std
-        }
-        _ => f64::INFINITY,
-    }
+    let end = |(heights, unit): (&Arc<OtherHeights>, f64)| heights.heights().support().1 / unit;
+    let sampled = scene.heights.sampled(scene.surface.asperity_height_std);
+    let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
+    sampled.map_or(if gaussian { GAUSSIAN } else { f64::INFINITY }, end)
 }
 
 /// exp(-14²/2) is 3e-43, far below the last digit of what lies nearer.
@@ -208,12 +190,10 @@ struct Marks {
 
 impl Marks {
     fn new(scene: &Scene) -> Self {
-        let (high, middle) = (highest(scene), vec![0.0]);
-        let (other, unit) = match &scene.heights {
-            HeightDistribution::Gaussian => return Self { low: -GAUSSIAN, high, kinks: middle },
-            HeightDistribution::Exponential => return Self { low: 0.0, high, kinks: middle },
-            HeightDistribution::Weibull(weibull) => (&weibull.sampled, 1.0),
-            HeightDistribution::Other(other) => (other, scene.surface.asperity_height_std),
+        let high = highest(scene);
+        let Some((other, unit)) = scene.heights.sampled(scene.surface.asperity_height_std) else {
+            let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
+            return Self { low: if gaussian { -GAUSSIAN } else { 0.0 }, high, kinks: vec![0.0] };
         };
         let (low, end) = other.heights().support();
         // Those that were declared, and those that were found.
@@ -228,21 +208,19 @@ impl Marks {
 
 /// Where the law of a force falls, kept for other loads and scenes.
 #[derive(Debug, Default)]
-pub(crate) struct KnownFalls {
+pub(crate) struct CachedFalls {
     /// The range that was searched, and what was found there.
     variation: Option<((f64, f64), Arc<Variation>)>,
     /// Those on the last scene.
     on_scene: Option<(Scene, Option<Arc<Falls>>)>,
 }
 
-impl KnownFalls {
+impl CachedFalls {
     /// The variation of the law on a range, at least.
     fn variation(&mut self, law: &Law, (least, most): (f64, f64)) -> Arc<Variation> {
-        if let Some(((from, to), known)) = &self.variation
-            && *from <= least
-            && *to >= most
-        {
-            return known.clone();
+        let serves = |(range, _): &&((f64, f64), _)| range.0 <= least && range.1 >= most;
+        if let Some((_, cached)) = self.variation.as_ref().filter(serves) {
+            return cached.clone();
         }
         // Whole octaves serve the loads and scenes nearby as well.
         let least = self.variation.as_ref().map_or(least, |(range, _)| range.0.min(least));

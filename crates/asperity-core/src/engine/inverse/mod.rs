@@ -5,7 +5,8 @@ use asperity_quadrature::Moments;
 use crate::ContactError;
 use crate::engine::inverse::force_at::ForceAt;
 use crate::engine::inverse::interval::Level;
-use crate::request::separation::{HIGHEST, LOWEST, Place};
+use crate::error::{positive, require};
+use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 
 pub(crate) mod force_at;
 pub(crate) mod interval;
@@ -35,7 +36,7 @@ impl<F: FnMut(f64) -> Result<Moments, ContactError>> ForceCurve for F {
 
 /// A load to be carried.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Target {
+pub(crate) struct CarriedLoad {
     /// \[N\]; below 0 for a tension.
     pub(crate) load: f64,
     /// The factor of the integral \[N\].
@@ -48,22 +49,19 @@ pub(crate) fn check_load(
     value: f64,
     adhesive: bool,
 ) -> Result<f64, ContactError> {
-    if value != 0.0 && value.abs() < f64::MIN_POSITIVE {
-        let required = "one that a double holds to all digits (2.2e-308 and more)";
-        return Err(ContactError::OutOfRange { field, value, required });
-    }
+    let subnormal = value != 0.0 && value.abs() < f64::MIN_POSITIVE;
+    require(!subnormal, field, value, "one that a double holds to all digits (2.2e-308 and more)")?;
     let required = "a finite number other than 0 (below it for tensions)";
     match adhesive {
-        true if value.is_finite() && value != 0.0 => Ok(value),
-        true => Err(ContactError::OutOfRange { field, value, required }),
-        false => crate::positive(field, value),
+        true => require(value.is_finite() && value != 0.0, field, value, required),
+        false => positive(field, value),
     }
 }
 
-impl Target {
+impl CarriedLoad {
     /// Where a force that need not fall everywhere first carries the load: on approach at the
     /// largest separation, and in tension, pulled from contact, at the smallest.
-    pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<Place, ContactError> {
+    pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<SeparationInSigma, ContactError> {
         let pulled = self.load < 0.0;
         let found = self.crossings(force, !pulled)?;
         let first = if pulled { found.last() } else { found.first() };
@@ -121,9 +119,9 @@ impl Target {
 }
 
 /// The separation of the force, with the error that follows from the force's.
-fn place(s: f64, moments: &Moments) -> Place {
+fn place(s: f64, moments: &Moments) -> SeparationInSigma {
     let error = moments.error * moments.sizes[0] / moments.slope.abs();
-    Place { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
+    SeparationInSigma { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
 }
 
 #[cfg(test)]

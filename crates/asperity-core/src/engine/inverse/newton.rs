@@ -2,14 +2,14 @@
 
 use asperity_quadrature::Moments;
 
-use crate::engine::inverse::{ALL_TOUCH, ForceCurve, Target, place};
-use crate::request::separation::{HIGHEST, LOWEST, Place};
+use crate::engine::inverse::{ALL_TOUCH, CarriedLoad, ForceCurve, place};
+use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError};
 
 /// Newton's steps end after about five; bracketed ones, at the worst, after about sixty.
 const MOST: usize = 200;
 
-impl Target {
+impl CarriedLoad {
     /// ln of an integral over the load, and its fall with s.
     fn measure(&self, moments: &Moments) -> (f64, f64) {
         let Moments { value, slope, ln_scale, .. } = *moments;
@@ -23,7 +23,10 @@ impl Target {
 
     /// The root of a positive integral. In the tail its logarithm is concave, so that Newton's
     /// steps come down from the right; elsewhere brackets guard them.
-    pub(crate) fn newton(&self, curve: &mut impl ForceCurve) -> Result<Place, ContactError> {
+    pub(crate) fn newton(
+        &self,
+        curve: &mut impl ForceCurve,
+    ) -> Result<SeparationInSigma, ContactError> {
         let mut s = self.guess(&curve.at(0.0)?);
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         // Far below 0, integrals below this are refused.
@@ -100,7 +103,7 @@ impl Target {
             }
             last = if inside { step } else { f64::INFINITY };
         }
-        Ok(Place { s, rounding: high - low })
+        Ok(SeparationInSigma { s, rounding: high - low })
     }
 
     /// From the value and the slope at 0: exp(-a s - s²/2) above, a power of the overlap below.

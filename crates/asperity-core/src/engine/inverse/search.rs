@@ -25,37 +25,44 @@ impl ForceAt<'_> {
         first_only: bool,
     ) -> Result<Vec<f64>, ContactError> {
         let mut found = vec![];
-        let mut high = self.highest(top)?;
-        for landmark in self.landmarks(high.s) {
-            if landmark.is_faint(high) {
-                continue;
-            }
-            let above = landmark.stays_above(level);
-            let (low, last) = self.down_to(landmark, high)?;
-            self.within(Interval { low, high }, level, first_only, &mut found)?;
-            high = low;
-            if first_only && !found.is_empty() || last || above {
-                found.dedup_by(|a, b| (*a - *b).abs() <= TOUCH * (1.0 + a.abs()));
-                return Ok(found);
-            }
-        }
-        match high.s <= LOWEST {
-            true => Ok(found),
-            false => Err(unresolved(LOWEST, high.s)),
-        }
+        let mut enough = |interval, landmark: &Landmark| {
+            self.within(interval, level, first_only, &mut found)?;
+            Ok(first_only && !found.is_empty() || landmark.stays_above(level))
+        };
+        self.walk(self.highest(top)?, &mut enough)?;
+        found.dedup_by(|a, b| (*a - *b).abs() <= TOUCH * (1.0 + a.abs()));
+        Ok(found)
     }
 
-    /// The sample at a landmark, or where integrals end on the way down to it; whether it is the
-    /// last one.
-    fn down_to(&self, landmark: Landmark, high: Sample) -> Result<(Sample, bool), ContactError> {
-        match landmark.sample {
-            Err(ContactError::Integral { .. }) if landmark.s < ALL_TOUCH => {
-                Ok((self.last(landmark.s, high)?, true))
+    /// Shows the intervals between landmarks from `high` on down, until `enough` or to the last.
+    fn walk(
+        &self,
+        mut high: Sample,
+        enough: &mut dyn FnMut(Interval, &Landmark) -> Result<bool, ContactError>,
+    ) -> Result<(), ContactError> {
+        for landmark in self.landmarks(high.s) {
+            let (low, last) = match landmark.sample(self) {
+                // Hardly any height is left here, below a place where none is.
+                Err(ContactError::Integral { .. }) if landmark.s > 0.0 && high.is_nothing() => {
+                    continue;
+                }
+                // Integrals end on the way down.
+                Err(ContactError::Integral { .. }) if landmark.s < ALL_TOUCH => {
+                    (self.last(landmark.s, high)?, true)
+                }
+                // The variation of a law that turns all the time cannot be integrated.
+                Err(ContactError::Integral { .. }) => return Err(unresolved(LOWEST, high.s)),
+                // Landmarks next to the lowest separation stand for it.
+                other => (other?, landmark.s <= LOWEST * (1.0 - 1e-8)),
+            };
+            if enough(Interval { low, high }, landmark)? || last {
+                return Ok(());
             }
-            // The variation of a law that turns all the time cannot be integrated.
-            Err(ContactError::Integral { .. }) => Err(unresolved(LOWEST, high.s)),
-            // Landmarks next to the lowest separation stand for it.
-            other => Ok((other?, landmark.s <= LOWEST * (1.0 - 1e-8))),
+            high = low;
+        }
+        match high.s <= LOWEST {
+            true => Ok(()),
+            false => Err(unresolved(LOWEST, high.s)),
         }
     }
 
@@ -67,7 +74,7 @@ impl ForceAt<'_> {
             other => return other,
         };
         let mut below = self.landmarks(top).take_while(|landmark| landmark.s >= 0.0);
-        let answered = below.find_map(|landmark| landmark.sample.ok()).ok_or(error)?;
+        let answered = below.find_map(|landmark| landmark.sample(self).ok()).ok_or(error)?;
         self.last(top, answered)
     }
 
@@ -183,25 +190,13 @@ impl ForceAt<'_> {
             }
             _ => least,
         };
-        let mut high = self.highest(HIGHEST)?;
-        let (mut best, mut open, mut all) = (high, vec![], false);
-        for landmark in self.landmarks(high.s) {
-            if landmark.is_faint(high) {
-                continue;
-            }
-            let above = sign < 0.0 && landmark.stays_above(least);
-            let (low, last) = self.down_to(landmark, high)?;
-            best = larger(best, low, sign);
-            open.push(Interval { low, high });
-            high = low;
-            all = last || above;
-            if all {
-                break;
-            }
-        }
-        if !all {
-            return Err(unresolved(LOWEST, high.s));
-        }
+        let high = self.highest(HIGHEST)?;
+        let (mut best, mut open) = (high, vec![]);
+        self.walk(high, &mut |interval, landmark| {
+            best = larger(best, interval.low, sign);
+            open.push(interval);
+            Ok(sign < 0.0 && landmark.stays_above(least))
+        })?;
         for _ in 0..MOST {
             let Some(interval) = open.pop() else { return Ok(best) };
             let level = to_exceed(&best);

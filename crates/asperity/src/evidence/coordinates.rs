@@ -79,7 +79,7 @@ impl SurfaceShape {
 
 /// A surface, a material and a load in the coordinates of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct Coordinates {
     /// m₀ m₄/m₂².
     pub(crate) alpha: f64,
     pub(crate) shape: SurfaceShape,
@@ -95,7 +95,7 @@ pub(crate) struct Place {
     pub(crate) surfaces: f64,
 }
 
-impl Place {
+impl Coordinates {
     /// The place of a scene at a mean pressure \[Pa\]; without a shape heights must be Gaussian.
     pub(crate) fn of_scene(
         scene: &Scene,
@@ -147,79 +147,44 @@ impl Place {
 
 impl Evidence {
     /// Refuses a place outside the solved cases, with the property and its range.
-    pub(crate) fn check(&self, place: &Place) -> Result<(), ContactError> {
-        let outside_by = |beyond: f64, field: &str, value: f64, [low, high]: [f64; 2]| {
-            let (least, most) = (low / beyond, high * beyond);
-            (value > 0.0 && !(least..=most).contains(&value)).then(|| {
-                let plain = |x: f64| match x {
-                    small if small < 0.1 => format!("{small:.1e}"),
-                    below_one if below_one < 1.0 => format!("{below_one:.2}"),
-                    large if large >= 1e4 => short(large),
-                    usual => format!("{usual:.1}"),
-                };
-                let solved = match low > 0.0 {
-                    true => format!(
-                        "solved range {} to {}, used from {} to {}",
-                        plain(low),
-                        plain(high),
-                        plain(least),
-                        plain(most)
-                    ),
-                    false => {
-                        format!("solved up to {}, used up to {}", plain(high), plain(most))
-                    }
-                };
-                Self::none(format!("{field} = {}; {solved}", plain(value)))
-            })
+    pub(crate) fn check(&self, place: &Coordinates) -> Result<(), ContactError> {
+        let range = |of: fn(&Coordinates) -> f64| {
+            let solved = self.places.iter().map(of);
+            solved.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
         };
-        let outside = |field: &str, value: f64, range| outside_by(BEYOND, field, value, range);
-        let range = |of: fn(&Place) -> f64| {
-            let known = self.places.iter().map(of);
-            known.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
-        };
-        let up_to = |high: f64| [0.0, high];
         // Of skewed surfaces and those with a lay, fewer materials are solved.
-        let plain = |place: &Place| place.shape == SurfaceShape::default();
-        let like = |other: &&Place| plain(place) || !plain(other);
+        let plain = |place: &Coordinates| place.shape == SurfaceShape::default();
+        let like = |other: &&Coordinates| plain(place) || !plain(other);
         let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
-        let plasticity = match plain(place) {
-            true => "plasticity_index".into(),
-            false => {
-                format!(
-                    "plasticity_index of a surface with {}",
-                    place.shape.differences().join(" and ")
-                )
-            }
+        let of_shape = match plain(place) {
+            true => String::new(),
+            false => format!(" of a surface with {}", place.shape.differences().join(" and ")),
         };
-        let [_, hardness] = range(Place::of_hardness);
-        let [lightest, load] = range(|place| place.load);
-        let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
-            // Smaller indices are nearly elastic, and lighter loads have constant ratios.
-            .or_else(|| outside_by(BEYOND_INDEX, &plasticity, place.index, up_to(index)))
-            .or_else(|| outside("p/(E g)", place.load, up_to(load)))
-            .or_else(|| outside("p/H", place.of_hardness(), up_to(hardness)))
-            .or_else(|| {
-                let ratio = place.shape.slope_ratio;
-                outside("the ratio of slopes", ratio, range(|place| place.shape.slope_ratio))
-            });
-        if place.load * LIGHTER < lightest {
-            let reason = format!(
+        let plasticity = format!("plasticity_index{of_shape}");
+        let ([lightest, load], [_, hardness]) =
+            (range(|place| place.load), range(Coordinates::of_hardness));
+        let SurfaceShape { skewness, slope_ratio, .. } = place.shape;
+        let reason = (place.load * LIGHTER < lightest).then(|| {
+            format!(
                 "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
                 place.load
-            );
-            return Err(Self::none(reason));
-        }
-        let [low, high] = range(|place| place.shape.skewness);
-        let skewness = place.shape.skewness;
-        let solved = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
-        match found {
-            Some(refused) => Err(refused),
-            None if solved.contains(&skewness) => Ok(()),
-            None => {
-                let found = format!("skewness = {skewness:.1}; solved range {low} to {high}");
-                Err(Self::none(found))
-            }
-        }
+            )
+        });
+        let ranges = [
+            ("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha), BEYOND),
+            // Smaller indices are nearly elastic, and lighter loads have constant ratios.
+            (&plasticity, place.index, [0.0, index], BEYOND_INDEX),
+            ("p/(E g)", place.load, [0.0, load], BEYOND),
+            ("p/H", place.of_hardness(), [0.0, hardness], BEYOND),
+            ("the ratio of slopes", slope_ratio, range(|place| place.shape.slope_ratio), BEYOND),
+        ];
+        let reason = reason.or_else(|| ranges.into_iter().find_map(outside)).or_else(|| {
+            let [low, high] = range(|place| place.shape.skewness);
+            let used = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
+            let reason = || format!("skewness = {skewness:.1}; solved range {low} to {high}");
+            (!used.contains(&skewness)).then(reason)
+        });
+        reason.map_or(Ok(()), |reason| Err(Self::none(reason)))
     }
 
     /// The error for a scene without evidence, for this reason.
@@ -232,6 +197,26 @@ impl Evidence {
 /// g, the root mean square gradient.
 pub(crate) fn gradient(moments: &ProfileMoments) -> f64 {
     (2.0 * moments.m2).sqrt()
+}
+
+/// The reason why a value above 0 has no evidence, outside a range by more than this factor.
+fn outside((field, value, [low, high], beyond): (&str, f64, [f64; 2], f64)) -> Option<String> {
+    let (least, most) = (low / beyond, high * beyond);
+    if value <= 0.0 || (least..=most).contains(&value) {
+        return None;
+    }
+    let [value, low, high, from, to] = [value, low, high, least, most].map(|x| match x {
+        small if small < 0.1 => format!("{small:.1e}"),
+        below_one if below_one < 1.0 => format!("{below_one:.2}"),
+        large if large >= 1e4 => short(large),
+        usual => format!("{usual:.1}"),
+    });
+    Some(match least > 0.0 {
+        true => {
+            format!("{field} = {value}; solved range {low} to {high}, used from {from} to {to}")
+        }
+        false => format!("{field} = {value}; solved up to {high}, used up to {to}"),
+    })
 }
 
 /// E g/H of a solved surface: its material has ν = 0.3, on which ψ depends through S.

@@ -20,7 +20,7 @@ const NARROW: f64 = 1e-12;
 /// The largest width of a cell, as a share of the weight's width; outside the weight, the distance
 /// to it is added.
 const WIDE: f64 = 0.3;
-/// Cells reach this number of widths of the weight beyond it; farther out, there is an integral for
+/// OverlapSeries reach this number of widths of the weight beyond it; farther out, there is an integral for
 /// each d.
 const REACH: f64 = 64.0;
 
@@ -29,7 +29,7 @@ const REACH: f64 = 64.0;
 ///
 /// A cell is made when a d first falls into it, by bisection, with an error measured against the
 /// integral itself; cells are shared by all threads.
-pub struct Cells {
+pub struct OverlapSeries {
     overlap: Arc<Overlap>,
     weight: Arc<Weight>,
     /// The d at which breaks and kinks meet, ascending.
@@ -38,9 +38,9 @@ pub struct Cells {
     root: Node,
 }
 
-impl fmt::Debug for Cells {
+impl fmt::Debug for OverlapSeries {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Cells").field("range", &self.range).finish_non_exhaustive()
+        f.debug_struct("OverlapSeries").field("range", &self.range).finish_non_exhaustive()
     }
 }
 
@@ -89,11 +89,11 @@ struct Series {
 struct Map {
     low: f64,
     high: f64,
-    kind: Kind,
+    spacing: Spacing,
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Kind {
+enum Spacing {
     Linear,
     /// The distance to the lower end is v².
     Low,
@@ -103,35 +103,35 @@ enum Kind {
 
 impl Map {
     fn new(range: &Range) -> Self {
-        let kind = match range.sharp {
-            [true, false] => Kind::Low,
-            [false, true] => Kind::High,
-            _ => Kind::Linear,
+        let spacing = match range.sharp {
+            [true, false] => Spacing::Low,
+            [false, true] => Spacing::High,
+            _ => Spacing::Linear,
         };
-        Self { low: range.low, high: range.high, kind }
+        Self { low: range.low, high: range.high, spacing }
     }
 
     fn d(&self, v: f64) -> f64 {
         let width = self.high - self.low;
-        match self.kind {
-            Kind::Linear => self.low + width * v,
-            Kind::Low => self.low + width * v * v,
-            Kind::High => self.high - width * v * v,
+        match self.spacing {
+            Spacing::Linear => self.low + width * v,
+            Spacing::Low => self.low + width * v * v,
+            Spacing::High => self.high - width * v * v,
         }
     }
 
     fn v(&self, d: f64) -> f64 {
         let width = self.high - self.low;
-        match self.kind {
-            Kind::Linear => (d - self.low) / width,
-            Kind::Low => ((d - self.low) / width).sqrt(),
-            Kind::High => ((self.high - d) / width).sqrt(),
+        match self.spacing {
+            Spacing::Linear => (d - self.low) / width,
+            Spacing::Low => ((d - self.low) / width).sqrt(),
+            Spacing::High => ((self.high - d) / width).sqrt(),
         }
     }
 }
 
-impl Cells {
-    /// Cells for all separations, none of them made yet.
+impl OverlapSeries {
+    /// OverlapSeries for all separations, none of them made yet.
     #[must_use]
     pub fn new(overlap: Arc<Overlap>, weight: Arc<Weight>) -> Self {
         let (low, high) = weight.bulk();

@@ -1,0 +1,109 @@
+//! A model of one asperity averaged over the heights of a scene, for callers: prepared for many
+//! places.
+
+use asperity_quadrature::Curvature;
+
+use crate::engine::arrays::{self, FillReport};
+use crate::engine::averages::{
+    all_separations_of_load, separation_at, separation_of_load, separation_of_pull_off,
+};
+use crate::engine::list::{answer_prepared, shares_at};
+use crate::engine::plan::plan;
+use crate::engine::prepared::Prepared;
+use crate::engine::row_integrals::RowIntegrals;
+use crate::error::integral_failed;
+use crate::response::Response;
+use crate::{
+    At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
+    Share,
+};
+
+impl Contact for Prepared {
+    fn model(&self) -> &str {
+        &self.facts.model
+    }
+
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        &self.facts.quantities
+    }
+
+    fn is_adhesive(&self) -> bool {
+        self.facts.laws.adhesive
+    }
+
+    fn notes(&self) -> &[Finding] {
+        &self.facts.notes
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        self.facts.check_requested(quantity)?;
+        let separation = separation_at(&mut &*self, &at)?;
+        // A reference of its own, which no search has seen: it stays in a register.
+        let (mut averages, slopes) = (self, separation.rounding > 0.0);
+        RowIntegrals::<_, 0>::with(&mut averages, (separation, &at), slopes, []).unchecked(quantity)
+    }
+
+    fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
+        let mut averages = self;
+        let mut row = RowIntegrals::<_, 1>::new(&mut averages, &[Quantity::Tangent], &at)?;
+        Ok((row.unchecked(Quantity::Force)?, row.unchecked(Quantity::Tangent)?))
+    }
+
+    fn fill(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<FillReport, ContactError> {
+        arrays::fill(self, Some(self), quantities, separations, columns)
+    }
+
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        let found = all_separations_of_load(&mut &*self, load)?;
+        Ok(found.into_iter().map(Separation::sigmas).collect())
+    }
+
+    fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
+        Ok(Separation::sigmas(separation_of_load(&mut &*self, ("load", load), 1.0)?.s))
+    }
+
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        Ok(separation_of_pull_off(&mut &*self)?.map(Separation::sigmas))
+    }
+
+    fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
+        shares_at(&self.facts, &mut &*self, quantity, &at)
+    }
+
+    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        self.facts.check_requested(quantity)?;
+        let s = separation_at(&mut &*self, &at)?.s;
+        let none = || self.unsupported(&format!("a second derivative of the {quantity}"));
+        // Slopes, ratios and multiples have no channel of their own.
+        let channel = self.channel(quantity).map_err(|_| none())?;
+        let found = channel.total.curvature(s).ok_or_else(none)?;
+        let Curvature { value, size: integral, ln_scale, error } =
+            found.map_err(integral_failed(quantity, &at))?;
+        let height_std = self.scene.surface.asperity_height_std;
+        // Divided twice, so that no square of a small number underflows.
+        let [scaled, size] =
+            [value, integral].map(|x| x * channel.units.factor / height_std / height_std);
+        Evaluation { scaled, ln_scale, size, error }.held(integral, quantity)
+    }
+
+    fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
+        plan(self, request)
+    }
+
+    fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
+        self.facts.on(scene)
+    }
+
+    fn respond(&self, request: &Request) -> Response {
+        answer_prepared(self, request)
+    }
+}
