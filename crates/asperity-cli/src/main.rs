@@ -53,7 +53,7 @@ fn main() -> ExitCode {
     if let Some((name, given)) = arguments.subcommand()
         && let Some(used) = program.find_subcommand(name)
     {
-        input::list_notes::note_lists(used, given);
+        input::ambiguous::note_lists(used, given);
     }
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,

@@ -1,8 +1,7 @@
 //! Evidence from boundary elements for a scene: its scan has a skewness and a lay.
 
 use asperity::{
-    ContactError, Evidence, Model, Recommendation, Request, SurfaceShape, Truth, beside_table,
-    recommend_among, usual_reference,
+    ContactError, Evidence, Model, Recommendation, Request, SurfaceShape, recommend_among,
 };
 use asperity_topography::{PowerLaw, Spectra, Statistics};
 
@@ -64,20 +63,6 @@ impl SceneFile {
             Some(PowerLaw::fit(&radial?).ok()?.hurst)
         };
         *self.hurst.get_or_init(fit)
-    }
-
-    /// [`beside_table`] for the usual reference model: how far it is from boundary elements on the
-    /// scan of the scene, and whether solved surfaces would have said the same. Empty if the scene
-    /// does not allow that model.
-    #[must_use]
-    pub fn beside_table(&self, found: &[Truth]) -> Vec<String> {
-        let Ok(model) = self.model(usual_reference(&self.scene)) else { return vec![] };
-        match self.surface_shape() {
-            Ok(shape) => beside_table(found, &self.scene, shape, &model).unwrap_or_else(|reason| {
-                vec![format!("the solved surfaces were not compared: {reason}")]
-            }),
-            Err(reason) => vec![reason.to_string()],
-        }
     }
 }
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use asperity::{
     At, Compared, Described, Finding, Findings, Quantity, Request, Severity, nearest_to_bem,
-    unranked,
 };
+use asperity_answer::unranked;
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
@@ -58,7 +58,7 @@ impl OnScreen {
         let codes = self.notes.iter().map(String::as_str).collect();
         match unranked(&[codes]) {
             Some(why) => {
-                found.push(format!("{here}, these deviations are uncertain: {}", why.reason()));
+                found.push(format!("{here}, these deviations are uncertain: {}", why));
             }
             None => found.splice(0..0, self.verdict(ignoring)).for_each(drop),
         }

@@ -8,8 +8,6 @@ mod ranking;
 #[cfg(feature = "evidence")]
 mod recommend;
 mod registry;
-#[cfg(all(feature = "bem", feature = "evidence"))]
-mod truth;
 
 #[doc = include_str!("../DEFINITIONS.md")]
 pub mod definitions {}
@@ -51,5 +49,3 @@ pub use recommend::{
     usual_reference,
 };
 pub use registry::Model;
-#[cfg(all(feature = "bem", feature = "evidence"))]
-pub use truth::{ContactState, Truth, Unranked, beside_table, compare_with_bem, summary, unranked};

@@ -7,13 +7,11 @@ use asperity::Quantity;
 use asperity::bem::{Bem, Continuation, LoadCase};
 use asperity_answer::{AnswerError, Press, Sheet, rounded, truth};
 use asperity_plot::{draw_map, map_png};
-use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{
-    OutputArgs, is_png, listed_model_id, npy_file, refuse_same_place, svg_or_png_file,
-};
+use crate::input::args::{OutputArgs, file_ending, listed_model_id, refuse_same_place};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
@@ -78,15 +76,18 @@ pub struct BemCommand {
     #[arg(long)]
     refine: bool,
     /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
-    #[arg(long, value_name = "FILE.npy", value_parser = PathBufValueParser::new().try_map(npy_file))]
+    #[arg(long, value_name = "FILE.npy", value_parser = file_ending(&["npy"], NPY))]
     map: Option<PathBuf>,
     /// Draw a map of the contact pressure at one load; png is the map without labels
     #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = PathBufValueParser::new().try_map(svg_or_png_file))]
+    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png"))]
     picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,
 }
+
+/// How maps are written.
+const NPY: &str = "matrices are written in NumPy format";
 
 /// The loads or gaps to solve.
 #[derive(Debug, Args)]
@@ -251,7 +252,7 @@ fn end_if_stopped(sheet: &Sheet, all: usize) {
 
 /// Writes a map as svg or, without labels, as png.
 fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
-    if !is_png(path) {
+    if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
         return output::write_text(Some(path), &draw_map(map)?);
     }
     let png = map_png(map)?;

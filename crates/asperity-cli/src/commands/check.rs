@@ -8,7 +8,7 @@ use asperity_answer::{Cell, Sheet};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id, separation_unit};
-use crate::input::distances::{Distance, warn_unit};
+use crate::input::distances::{Length, warn_unit};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
 use crate::output::table::{self, Format};
@@ -43,7 +43,7 @@ pub struct Check {
     pressure: Option<f64>,
     /// Separation, in units of asperity_height_std (sigma), or with a unit, for example 2um
     #[arg(long, value_name = "D", group = "place")]
-    separation: Option<Distance>,
+    separation: Option<Length<f64>>,
     /// Unit of a separation given without one: sigma (asperity_height_std) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separation")]
@@ -55,7 +55,7 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::open(&self.scene)?;
-        let separation = |distance: Distance| {
+        let separation = |distance: Length<f64>| {
             let unit = distance.unit(self.unit);
             let height_std = scene.file.scene.surface.asperity_height_std;
             warn_unit("separation", &[distance.value], unit, height_std);

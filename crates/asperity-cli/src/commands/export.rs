@@ -10,7 +10,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
 use crate::input::args::{one_model_id, separation_unit};
-use crate::input::distances::{DistanceSpan, warn_unit};
+use crate::input::distances::{Length, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{error_below_1, friction, load, pressure};
 use crate::output::{self, Terminal};
@@ -82,7 +82,7 @@ struct Ends {
     /// Range of separations with N nodes, in units of asperity_height_std (sigma), or with a unit,
     /// for example 0:3um
     #[arg(long, value_name = "A:B[:N]")]
-    separation: Option<DistanceSpan>,
+    separation: Option<Length<Span>>,
     /// Range of loads, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B[:N]", value_parser = range(load))]
     load: Option<Span>,
@@ -115,7 +115,7 @@ impl ExportCommand {
     pub fn run(self) -> Result<()> {
         let Ends { separation, load, pressure } = self.ends;
         let span =
-            separation.map(|s| s.span).or(load).or(pressure).context("a range was required")?;
+            separation.map(|s| s.value).or(load).or(pressure).context("a range was required")?;
         if span.count.is_none() && self.max_error.is_none() {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);

@@ -7,7 +7,6 @@ use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
 use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Role, rank};
 use asperity_inputs::{Free, SceneError, read_measurements};
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
@@ -89,7 +88,7 @@ pub struct FitCommand {
     #[command(flatten)]
     output: OutputArgs,
     /// Also plot data and fitted models, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     plot: Option<PathBuf>,
 }
 

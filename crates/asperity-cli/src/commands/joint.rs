@@ -147,9 +147,9 @@ impl Place {
         {
             let Some(list) = list else { continue };
             let unit = list.unit(plain);
-            warn_unit(name, &list.values, unit, height_std);
+            warn_unit(name, &list.value, unit, height_std);
             let place = |value: &f64| At::from(scene.file.separation(*value, unit));
-            places.extend(list.values.iter().map(place));
+            places.extend(list.value.iter().map(place));
         }
         let loads = [&self.load, &self.history_load].into_iter().flatten().flat_map(|list| &list.0);
         places.extend(loads.copied().map(At::Load));
@@ -200,7 +200,7 @@ impl Joint {
             usage_error(command, ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref();
-        let retreats = retreats.map(|list| (&list.values[..], list.unit(self.unit)));
+        let retreats = retreats.map(|list| (&list.value[..], list.unit(self.unit)));
         if is_scan {
             let watch = terminal()?;
             let fill =

@@ -40,7 +40,7 @@ pub struct Scales {
     model: Option<String>,
     /// Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales,
     /// its table
-    #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     plot: Option<PathBuf>,
 }
 

@@ -1,12 +1,21 @@
 //! Commas in numbers of the command line: of lists, decimals or thousands.
 
 use asperity_inputs::{notation_hint, with_decimal_point, without_thousands};
+use clap::{ArgMatches, Command};
+
+use crate::input::distances::Distances;
+use crate::input::lists::Numbers;
+use crate::output::print_always;
 
 /// Refuses lists that are rather one number, such as 1,5e6, 1,5kN or 1,000,000.
 pub fn refuse_one_number(text: &str) -> Result<(), String> {
-    refuse_thousands(text)?;
+    let thousand = without_thousands(text);
+    // No value of a list begins with two zeros.
+    if let Some(hint) = notation_hint(text).filter(|_| text.contains(",0") && thousand.is_some()) {
+        return Err(format!("{text} {hint}"));
+    }
     let parts = with_decimal_point(text).zip(text.trim().split_once(','));
-    let Some((one, (first, second))) = parts else { return refuse_one_with_unit(text) };
+    let Some((one, (first, second))) = parts else { return Ok(()) };
     let ends = |c: char| c.is_alphabetic() || c == '\u{b5}';
     let (mantissa, unit) = second.split_at(second.find(ends).unwrap_or(second.len()));
     let is_exponent = unit.trim_start_matches(['e', 'E']).parse::<i32>().is_ok();
@@ -17,38 +26,8 @@ pub fn refuse_one_number(text: &str) -> Result<(), String> {
         false if !unit.is_empty() => format!("{first}{unit},{second}"),
         _ => return Ok(()),
     };
-    let thousand = without_thousands(text).map(|same| format!(" or {same}")).unwrap_or_default();
+    let thousand = thousand.map(|same| format!(" or {same}")).unwrap_or_default();
     Err(format!("{text} is ambiguous; write {one}{thousand} for one value, or {two} for two"))
-}
-
-/// Refuses groups of three digits with a unit behind the last, such as 1.500,5 N.
-fn refuse_one_with_unit(text: &str) -> Result<(), String> {
-    let same = without_thousands(text).filter(|same| same.contains(char::is_alphabetic));
-    let first = text.split(',').next().unwrap_or_default();
-    let is_list = !text.contains(',') || first.contains(char::is_alphabetic);
-    // 0,100nm,200nm begins a list.
-    match same.filter(|same| !(is_list || same.contains(',') || same.starts_with('0'))) {
-        Some(same) => Err(format!(
-            "{text} is ambiguous; write {same} for one value, or give every value a unit"
-        )),
-        None => Ok(()),
-    }
-}
-
-/// Refuses groups of three digits, of which one begins with a 0, as no value of a list does.
-fn refuse_thousands(text: &str) -> Result<(), String> {
-    let is_number = text.contains(",0") && without_thousands(text).is_some();
-    if let Some(hint) = notation_hint(text).filter(|_| is_number) {
-        return Err(format!("{text} {hint}"));
-    }
-    let is_digits = |part: &&str| part.len() == 3 && part.chars().all(|c| c.is_ascii_digit());
-    let has_group = text.split(',').skip(1).any(|part| is_digits(&part) && part.starts_with('0'));
-    match has_group && !text.starts_with("0,") {
-        true => Err(format!(
-            "{text} has thousands separators; write each number without them, for example 1000"
-        )),
-        false => Ok(()),
-    }
 }
 
 /// Why a number with a comma is refused where one value is taken.
@@ -58,12 +37,39 @@ pub fn one_value_only(text: &str) -> Option<String> {
 }
 
 /// The single numbers that a list of plain values may be: 1500 and 1.500 for 1,500.
-pub fn single_values(text: &str) -> Vec<String> {
+fn single_values(text: &str) -> Vec<String> {
     let is_plain = |same: &String| same.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
     let thousands = without_thousands(text)
         .filter(|same| is_plain(same) && !same.trim_start_matches(['-', '+']).starts_with('0'));
     let decimal = with_decimal_point(text).filter(is_plain);
     thousands.into_iter().chain(decimal).collect()
+}
+
+/// Prints a note for each list of values whose digits may be one number.
+pub fn note_lists(command: &Command, arguments: &ArgMatches) {
+    for argument in command.get_arguments() {
+        let id = argument.get_id().as_str();
+        let is_list = arguments.try_get_many::<Numbers>(id).is_ok()
+            || arguments.try_get_many::<Distances>(id).is_ok();
+        let Some(name) = argument.get_long().filter(|_| is_list) else { continue };
+        let given = arguments.get_raw(id).into_iter().flatten();
+        for text in given.filter_map(|text| text.to_str()) {
+            let single = single_values(text).join(" or ");
+            if !single.is_empty() {
+                let values: Vec<&str> = text.split(',').map(str::trim).collect();
+                let (last, others) = values.split_last().unwrap_or((&text, &[]));
+                let count = if values.len() == 2 { "two".into() } else { values.len().to_string() };
+                let others = others.join(", ");
+                // Also where other notes are left out, as results may be those of other loads.
+                print_always(
+                    "note",
+                    &format!(
+                        "--{name} {text} is read as {count} values, {others} and {last}; a single value is written {single}"
+                    ),
+                );
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -126,19 +132,6 @@ mod tests {
         assert_eq!(load("0,125kN").unwrap_err(), one("0,125kN", "0.125kN"));
         let either = load("1,500").unwrap_err();
         assert_eq!(either, "\"1,500\" is ambiguous; write 1.500 or 1500");
-    }
-
-    #[test]
-    fn one_number_with_separators_and_a_unit_is_refused() {
-        for (text, one) in [("1.500,5 N", "1500.5 N"), ("1,234.5 kN", "1234.5 kN")] {
-            let wanted = format!(
-                "{text} is ambiguous; write {one} for one value, or give every value a unit"
-            );
-            assert_eq!(all(load)(text), Err(wanted));
-        }
-        assert_eq!(all(load)("1.5N,2.5N").unwrap().0, [1.5, 2.5]);
-        let nanometres = |text: &str| number(text.trim_end_matches("nm"));
-        assert_eq!(all(nanometres)("0,100nm,200nm").unwrap().0, [0.0, 100.0, 200.0]);
     }
 
     #[test]

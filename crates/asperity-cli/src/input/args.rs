@@ -74,7 +74,7 @@ pub struct DrawnArgs {
     #[command(flatten)]
     output: OutputArgs,
     /// Also plot the result, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     plot: Option<PathBuf>,
 }
 
@@ -83,7 +83,7 @@ impl ModelArgs {
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
         for list in &self.separations {
             let height_std = scene.scene.surface.asperity_height_std;
-            warn_unit("separation", &list.values, list.unit(self.unit), height_std);
+            warn_unit("separation", &list.value, list.unit(self.unit), height_std);
         }
         let at = self.at(scene, separations);
         let quantities = match (&self.quantities[..], &at[..], usual) {
@@ -106,7 +106,7 @@ impl ModelArgs {
         let flat = |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
         let separations = self.separations.iter().flat_map(|list| {
             let unit = list.unit(self.unit);
-            list.values.iter().map(move |value| separation(*value, unit))
+            list.value.iter().map(move |value| separation(*value, unit))
         });
         let loads = flat(&self.loads).into_iter().map(At::Load);
         let pressures = flat(&self.pressures).into_iter().map(At::Pressure);
@@ -235,34 +235,26 @@ pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
     })
 }
 
+/// The name of a file that ends so, or `-` for standard output; `what` is written so.
+pub fn file_ending(
+    ends: &'static [&'static str],
+    what: &'static str,
+) -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(move |name: PathBuf| {
+        let is_one = name
+            .extension()
+            .is_some_and(|end| ends.iter().any(|one| end.eq_ignore_ascii_case(one)));
+        let dotted = ends.iter().map(|end| format!(".{end}")).collect::<Vec<_>>().join(" or ");
+        match is_one || output::is_standard(Some(&name)) {
+            true => Ok(name),
+            false => Err(format!("{what}; choose a name that ends in {dotted}")),
+        }
+    })
+}
+
 /// The name of a plot.
-pub fn svg_file(name: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_svg = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg"));
-    match is_svg || output::is_standard(Some(&name)) {
-        true => Ok(name),
-        false => Err("plots are written as svg; choose a name that ends in .svg"),
-    }
-}
-
-/// The name of a map, svg or png.
-pub fn svg_or_png_file(name: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_png = is_png(&name);
-    svg_file(name.clone())
-        .or(if is_png { Ok(name) } else { Err(()) })
-        .map_err(|()| "maps are written as svg or png; choose a name that ends in .svg or .png")
-}
-
-pub fn is_png(name: &Path) -> bool {
-    name.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"))
-}
-
-/// The name of a matrix.
-pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_npy = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy"));
-    match is_npy || output::is_standard(Some(&name)) {
-        true => Ok(name),
-        false => Err("matrices are written in NumPy format; choose a name that ends in .npy"),
-    }
+pub fn svg_file() -> impl TypedValueParser<Value = PathBuf> {
+    file_ending(&["svg"], "plots are written as svg")
 }
 
 /// A relative tolerance.

@@ -6,53 +6,29 @@ use asperity::SeparationUnit;
 use asperity_answer::unit_warning;
 
 use crate::input::ambiguous::one_value_only;
-use crate::input::lists::{Numbers, Span, have_units, refuse_repeated};
+use crate::input::lists::{Numbers, ReadNumber, Span, have_units, refuse_repeated};
 use crate::input::numbers::{number, of_unit};
 use crate::output::show;
 
-/// The values of one `--separation`: plain numbers in the unit of the command, or metres.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Distances {
-    pub values: Vec<f64>,
-    metres: bool,
-}
-
-/// A single separation.
+/// Separations of one option: plain numbers in the unit of the command, or metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Distance {
-    pub value: f64,
+pub struct Length<T> {
+    pub value: T,
     metres: bool,
 }
 
-/// A range of separations.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DistanceSpan {
-    pub span: Span,
-    metres: bool,
-}
+/// A list or a range with its values.
+pub type Distances = Length<Vec<f64>>;
 
-fn unit_of(metres: bool, plain: SeparationUnit) -> SeparationUnit {
-    if metres { SeparationUnit::Metres } else { plain }
-}
-
-impl Distances {
-    /// The unit of the values; `plain` is that of plain numbers.
-    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
-        unit_of(self.metres, plain)
-    }
-}
-
-impl Distance {
+impl<T> Length<T> {
     /// The unit of the value; `plain` is that of plain numbers.
     pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
-        unit_of(self.metres, plain)
+        if self.metres { SeparationUnit::Metres } else { plain }
     }
-}
 
-impl DistanceSpan {
-    /// The unit of the value; `plain` is that of plain numbers.
-    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
-        unit_of(self.metres, plain)
+    fn read(text: &str, read: fn(&str, ReadNumber) -> Result<T, String>) -> Result<Self, String> {
+        let metres = have_units(text, metre)?;
+        Ok(Self { value: read(text, if metres { metre } else { number })?, metres })
     }
 }
 
@@ -60,13 +36,11 @@ impl FromStr for Distances {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let metres = have_units(text, metre)?;
-        let Numbers(values) = Numbers::read(text, if metres { metre } else { number })?;
-        Ok(Self { values, metres })
+        Self::read(text, |text, number| Ok(Numbers::read(text, number)?.0))
     }
 }
 
-impl FromStr for Distance {
+impl FromStr for Length<f64> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -74,29 +48,23 @@ impl FromStr for Distance {
             true => Err(one_value_only(text).unwrap_or_else(|| {
                 format!("{text:?} is more than one value; write one, for example 2um")
             })),
-            false => {
-                let metres = have_units(text, metre)?;
-                let value = if metres { metre(text)? } else { number(text)? };
-                Ok(Self { value, metres })
-            }
+            false => Self::read(text, |text, number| number(text)),
         }
     }
 }
 
-impl FromStr for DistanceSpan {
+impl FromStr for Length<Span> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let metres = have_units(text, metre)?;
-        let span = Span::even(text, if metres { metre } else { number })?;
-        Ok(Self { span, metres })
+        Self::read(text, Span::even)
     }
 }
 
 /// Separations at which a joint turns.
 pub fn turning_separations(text: &str) -> Result<Distances, String> {
     let found: Distances = text.parse()?;
-    refuse_repeated(text, &found.values, "separations")?;
+    refuse_repeated(text, &found.value, "separations")?;
     Ok(found)
 }
 
@@ -119,13 +87,13 @@ mod tests {
         let read = |text: &str| text.parse::<Distances>();
         let sigma = SeparationUnit::Sigma;
         let plain = read("-1:4:11").unwrap();
-        assert_eq!((plain.values[0], plain.unit(sigma)), (-1.0, sigma));
+        assert_eq!((plain.value[0], plain.unit(sigma)), (-1.0, sigma));
         for (text, last) in
             [("0:2um:5", 2e-6), ("-10 nm,0,500nm", 500e-9), ("1nm:1um:4:log", 1e-6), ("3um", 3e-6)]
         {
             let found = read(text).unwrap();
             assert_eq!(found.unit(sigma), SeparationUnit::Metres, "{text}");
-            assert!((found.values.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
+            assert!((found.value.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
         }
         for (bad, part) in [
             ("1,2um", "write 1.2um for one value"),
@@ -142,13 +110,13 @@ mod tests {
         ] {
             assert_eq!(turning_separations(same).unwrap_err(), wanted);
         }
-        assert_eq!(turning_separations("2,1,2").unwrap().values, [2.0, 1.0, 2.0]);
-        let one: Distance = "-0.5um".parse().unwrap();
+        assert_eq!(turning_separations("2,1,2").unwrap().value, [2.0, 1.0, 2.0]);
+        let one: Length<f64> = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
-        let two = "2um,3um".parse::<Distance>().unwrap_err();
+        let two = "2um,3um".parse::<Length<f64>>().unwrap_err();
         assert_eq!(two, "\"2um,3um\" is more than one value; write one, for example 2um");
-        assert!("1,2".parse::<Distance>().is_err() && "1um,2um".parse::<Distance>().is_err());
-        let span: DistanceSpan = "0:3um".parse().unwrap();
-        assert!(span.span.last < 1e-5 && "0:3um:4:log".parse::<DistanceSpan>().is_err());
+        assert!("1,2".parse::<Length<f64>>().is_err() && "1um,2um".parse::<Length<f64>>().is_err());
+        let span: Length<Span> = "0:3um".parse().unwrap();
+        assert!(span.value.last < 1e-5 && "0:3um:4:log".parse::<Length<Span>>().is_err());
     }
 }

@@ -4,7 +4,6 @@ pub mod ambiguous;
 pub mod args;
 pub mod blanks;
 pub mod distances;
-pub mod list_notes;
 pub mod lists;
 pub mod numbers;
 pub mod target;

@@ -33,14 +33,10 @@ pub fn length(text: &str) -> Result<f64, String> {
 
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
-    // The text for an option of another unit.
-    let of = |unit| match asperity_inputs::quantity(text, unit) {
-        Ok(_) => Some(text.to_string()),
-        Err(_) => asperity_inputs::converted(text, unit).map(|same| same.replace(' ', "")),
-    };
+    let is = |unit| asperity_inputs::quantity(text, unit).is_ok();
     let other_option = || match si {
-        "N" => Some(format!("{text} is a pressure; use --pressure {}", of("Pa")?)),
-        "Pa" => Some(format!("{text} is a load; use --load {}", of("N")?)),
+        "N" if is("Pa") => Some(format!("{text} is a pressure; use --pressure {text}")),
+        "Pa" if is("N") => Some(format!("{text} is a load; use --load {text}")),
         _ => None,
     };
     let value = asperity_inputs::quantity(text, si);
@@ -165,8 +161,6 @@ mod tests {
     fn mistaken_options_are_named() {
         assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
         assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
-        assert_eq!(load("5 kN/cm2").unwrap_err(), "5 kN/cm2 is a pressure; use --pressure 50MPa");
-        assert_eq!(pressure("10 lbf").unwrap_err(), "10 lbf is a load; use --load 44.48N");
         assert_eq!(friction("45\u{b0}").map(f64::to_bits), Ok(45f64.to_radians().tan().to_bits()));
         assert_eq!([friction("20%"), friction("0.2")], [Ok(0.2), Ok(0.2)]);
         assert!(friction("11,5\u{b0}").unwrap_err().contains("write 11.5\u{b0}"));

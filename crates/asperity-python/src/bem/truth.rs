@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactState, Described, Findings, Model, Truth};
+use asperity::{Described, Findings, Model};
+use asperity_answer::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use pyo3::prelude::*;
 use serde_json::json;
 
@@ -17,13 +18,8 @@ use crate::scene::SceneFile;
 type Sentences = (Option<String>, Vec<String>);
 /// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
 /// and the boundary.
-type Truths<'py> = (
-    Bound<'py, PyAny>,
-    Sentences,
-    BTreeMap<String, String>,
-    BTreeMap<usize, String>,
-    &'static str,
-);
+type Truths<'py> =
+    (Bound<'py, PyAny>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -50,9 +46,7 @@ pub(crate) fn truth<'py>(
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
         let found = run_interruptible(py, None, |stop| {
-            asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| {
-                continue_unless(stop)
-            })
+            compare_with_bem(&scene.scene, bem, &pressures, models, |_| continue_unless(stop))
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();
         let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
@@ -106,7 +100,7 @@ pub(crate) fn truth<'py>(
         rows.extend(half.iter().map(|half| row(truth, "bem-half-grid", &half.bem)));
         rows.extend(truth.models.iter().map(|(model, found)| row(truth, model.id(), found)));
     }
-    let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
-    let sentences = (nearest, py.detach(|| scene.beside_table(&found)));
+    let nearest = (!models.is_empty() && !found.is_empty()).then(|| summary(&found));
+    let sentences = (nearest, py.detach(|| beside_table(scene, &found)));
     Ok((object(py, &rows)?, sentences, refused, failures, bem.continuation().name()))
 }

@@ -1,15 +1,17 @@
 //! Every model compared with boundary elements on the same scan.
 
 mod sentences;
+mod sheet;
 
 use std::ops::ControlFlow;
 
-use crate::bem::{Bem, BemError, LoadCase, Progress, Solution};
-use crate::{
+use asperity::bem::{Bem, BemError, LoadCase, Progress, Solution};
+use asperity::{
     At, Check, Contact, ContactError, ContactModel, Datum, Finding, Model, Quantity, Request,
     Scene, SeparationUnit,
 };
-pub use sentences::{Unranked, beside_table, summary, unranked};
+pub use sentences::{beside_table, summary, unranked};
+pub use sheet::truth;
 
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]
@@ -63,25 +65,6 @@ impl Truth {
 /// at the same pressures. `progress` is called at every iteration and may stop the run: the
 /// pressures solved by then are kept.
 ///
-/// ```
-/// use std::ops::ControlFlow;
-///
-/// use asperity::bem::{Bem, Continuation, RandomSurface};
-/// use asperity::{Interface, Model, Scene, Surface, compare_with_bem};
-///
-/// let rough = RandomSurface::new(2.0, 2.0, 16.0)?.side(1e-4)?.gradient(0.05)?;
-/// let interface = Interface::new(116e9, 0.3, 7e9);
-/// let scene = Scene::new(interface, Surface::from_moments(&rough.moments())?, 1e-8);
-/// let bem = Bem::new(rough.heights(128)?, Some(Continuation::Periodic), true);
-/// let models = ["gw".parse::<Model>()?, "ke".parse()?];
-/// let found = compare_with_bem(&scene, &bem, &[1e7, 1e8], &models, |_| ControlFlow::Continue(()))?;
-/// let heavy = found[1].as_ref().map_err(Clone::clone)?;
-/// let deviation = heavy.deviation(&heavy.models[0].1);
-/// // One map is one realisation: its deviations hold for it, others differ by some per cent.
-/// assert!(deviation.area_fraction.is_some_and(|d| d.abs() < 0.2), "{deviation:?}");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
 /// # Errors
 /// [`ContactError`] naming the input of the scene that is out of range or missing. What a single
 /// pressure lacks stands in its place.
@@ -92,7 +75,7 @@ pub fn compare_with_bem(
     models: &[Model],
     progress: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Vec<Result<Truth, BemError>>, ContactError> {
-    crate::positive("nominal_area", scene.nominal_area)?;
+    asperity::positive("nominal_area", scene.nominal_area)?;
     let elements = bem.elements(&scene.interface)?;
     let around = |p: &f64| {
         let [lighter, heavier] = elements.pressures_around(*p);
@@ -180,9 +163,10 @@ fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) 
 
 #[cfg(test)]
 mod tests {
+    use asperity::bem::RandomSurface;
+    use asperity::{Described, Interface, Surface};
+
     use super::*;
-    use crate::bem::RandomSurface;
-    use crate::{Interface, Surface};
 
     const GO_ON: ControlFlow<()> = ControlFlow::Continue(());
 

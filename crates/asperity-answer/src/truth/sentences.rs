@@ -1,11 +1,18 @@
 //! Models beside boundary elements on a scan, in sentences.
 
-use crate::evidence::{NONE, compile};
-use crate::recommend::evidence_of;
-use crate::{
+use asperity::{
     At, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request, Scene,
-    SurfaceShape, Truth, ranking,
+    SurfaceShape, nearest_to_bem, recommend_among, usual_reference,
 };
+use asperity_inputs::SceneFile;
+
+use super::Truth;
+
+/// Number of models listed.
+const MOST_LISTED: usize = 3;
+/// The quantities in which models are ranked, with their names: known of every scan that is solved.
+const RANKED: [(Compared, &str); 2] =
+    [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
 
 /// Codes of notes on loads that few pixels or patches carry.
 const FEW: [&str; 2] = ["few-pixels", "few-patches"];
@@ -27,42 +34,23 @@ impl Truth {
             Compared::Area => off.area_fraction.map(|off| Ratio::exactly(1.0 + off)),
             Compared::Stiffness => off.stiffness.map(|off| Ratio::exactly(1.0 + off)),
             Compared::MeanGap => off.mean_gap.map(Ratio::exactly),
-            Compared::UnloadingStiffness => None,
+            _ => None,
         }
     }
 }
 
-/// Why models are not ranked on solutions of a scan.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Unranked {
-    /// The grid is too coarse for the shortest waves.
-    CoarseGrid,
-    /// Too few pixels or patches are in contact at every load.
-    FewInContact,
-}
-
-impl Unranked {
-    /// The reason, and what to do.
-    #[must_use]
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::CoarseGrid => {
-                "the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels"
-            }
-            Self::FewInContact => "too few pixels or patches are in contact; increase the load",
-        }
-    }
-}
-
-/// Whether models are not ranked on solutions of a scan whose notes have these codes, a list a
-/// load.
+/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load;
+/// `None` where they are.
 #[must_use]
-pub fn unranked(codes: &[Vec<&str>]) -> Option<Unranked> {
+pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
     match codes {
-        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(Unranked::CoarseGrid),
-        _ if codes.iter().all(|codes| has(&FEW, codes)) => Some(Unranked::FewInContact),
+        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
+            "the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels",
+        ),
+        _ if codes.iter().all(|codes| has(&FEW, codes)) => {
+            Some("too few pixels or patches are in contact; increase the load")
+        }
         _ => None,
     }
 }
@@ -74,7 +62,7 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<Unranked> {
 pub fn summary(found: &[Truth]) -> String {
     let codes = |truth: &Truth| truth.notes.iter().map(|note| note.code).collect();
     if let Some(why) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
-        return format!("models are not ranked: {}", why.reason());
+        return format!("models are not ranked: {why}");
     }
     let resolved = || found.iter().filter(|truth| !truth.has_note(&FEW));
     let count = resolved().count();
@@ -83,8 +71,17 @@ pub fn summary(found: &[Truth]) -> String {
         let of = |truth: &Truth| Some(truth.ratio(id, quantity)?.deviation(quantity));
         resolved().map(of).collect()
     };
-    let ids = models.iter().map(|(model, _)| model.id());
-    let nearest = ranking::nearest_in_each(ids, off, &ranking::NAMES[..2]).join("; ");
+    let nearest = |(quantity, name): &(Compared, &str)| {
+        let ids = models.iter().map(|(model, _)| model.id());
+        nearest_to_bem(name, ids.map(|id| (id, off(id, *quantity))), MOST_LISTED)
+    };
+    let nearest = match RANKED.iter().filter_map(nearest).collect::<Vec<_>>() {
+        none if none.is_empty() => {
+            let names = RANKED.map(|(_, name)| name).join(" or ");
+            format!("no model can be compared with boundary elements in {names} everywhere")
+        }
+        found => found.join("; "),
+    };
     match found.len() {
         all if all == count => format!("over these loads, {nearest}"),
         all => format!(
@@ -93,13 +90,22 @@ pub fn summary(found: &[Truth]) -> String {
     }
 }
 
-/// How far a model is from boundary elements on this scan, and whether that lies in the interval
-/// of the solved surfaces, a line for each quantity; or why there is no interval. Loads that few
-/// pixels or patches carry do not count.
-///
-/// # Errors
-/// Those of the model on the scene.
-pub fn beside_table(
+/// How far the usual reference model is from boundary elements on the scan of the scene, and whether
+/// that lies in the interval of the solved surfaces, a line for each quantity; or why there is no
+/// interval. Loads that few pixels or patches carry do not count. Empty if the scene does not allow
+/// that model.
+#[must_use]
+pub fn beside_table(file: &SceneFile, found: &[Truth]) -> Vec<String> {
+    let Ok(model) = file.model(usual_reference(&file.scene)) else { return vec![] };
+    match file.surface_shape() {
+        Ok(shape) => lines(found, &file.scene, shape, &model).unwrap_or_else(|reason| {
+            vec![format!("the solved surfaces were not compared: {reason}")]
+        }),
+        Err(reason) => vec![reason.to_string()],
+    }
+}
+
+fn lines(
     found: &[Truth],
     scene: &Scene,
     shape: Option<SurfaceShape>,
@@ -112,8 +118,7 @@ pub fn beside_table(
     }
     let loads: Vec<At> = resolved.iter().map(|truth| At::Pressure(truth.pressure)).collect();
     let request = Request::new([Quantity::Area]).at(loads);
-    let contact = compile(model, scene, &request)?;
-    let table = evidence_of(model, &*contact, shape, &request)?;
+    let table = recommend_among(vec![], scene, shape, &request, model, 1.0)?.evidence;
     let covered = |place: &EvidenceAt| -> Option<&Truth> {
         let here = |truth: &&&Truth| At::Pressure(truth.pressure) == place.at;
         resolved.iter().find(here).copied().filter(|_| place.expected.is_ok())
@@ -123,7 +128,7 @@ pub fn beside_table(
     let Some((_, EvidenceAt { expected: Ok(first), .. })) = covered.first() else {
         let reason = table.iter().find_map(|place| place.expected.as_ref().err());
         let reason = reason.map_or_else(String::new, ToString::to_string);
-        let reason = reason.trim_start_matches(NONE).trim_start_matches(": ");
+        let (_, reason) = reason.split_once(": ").unwrap_or(("", &reason));
         return Ok(vec![format!("the solved surfaces do not cover this scan: {reason}")]);
     };
     let line = |quantity: Compared| {

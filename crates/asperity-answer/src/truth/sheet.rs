@@ -4,11 +4,10 @@ use std::mem::discriminant;
 use std::ops::ControlFlow;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{
-    ContactError, ContactState, Described, Finding, Model, Truth, compare_with_bem, summary,
-};
+use asperity::{ContactError, Described, Finding, Model};
 use asperity_inputs::SceneFile;
 
+use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use crate::models::{by_reason, models_beside_bem, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -75,7 +74,7 @@ pub fn truth(
         sheet.warn("no-value", text);
     }
     sheet.note("nearest", summary(&found));
-    for line in file.beside_table(&found) {
+    for line in beside_table(file, &found) {
         sheet.note("evidence", line);
     }
     for (truth, half) in found.iter().zip(&half) {
