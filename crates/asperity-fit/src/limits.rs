@@ -1,6 +1,6 @@
 //! Limits at which parameters stop: bounds, and the ends of the range where values exist.
 
-use asperity_core::{ContactError, short};
+use asperity_core::{AsWritten, ContactError, Dialect, short};
 
 use crate::Parameter;
 use crate::problem::{Minimum, Problem};
@@ -58,6 +58,7 @@ fn limit(
 fn plain(reason: &ContactError) -> String {
     match reason {
         ContactError::OutOfRange { field, value, required } => {
+            let required = AsWritten.say(required);
             format!("{field} would be {}: {required} is required", short(*value))
         }
         other => other.to_string(),

@@ -9,8 +9,8 @@ use asperity::{
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
+use crate::dialect::{quantity_name, said};
 use crate::message::OnScreen;
-use crate::names::{quantity_name, readable};
 use crate::press;
 use crate::refusal::Refusal;
 
@@ -141,7 +141,7 @@ pub(crate) fn advise(
         summary.push(format!("{verdict}{fitted}"));
     }
     summary.extend(lines);
-    Ok(Advice { summary: summary.iter().map(|line| readable(line)).collect() })
+    Ok(Advice { summary: summary.iter().map(|line| said(line)).collect() })
 }
 
 /// The models on the page that ignore yielding where it matters.

@@ -8,8 +8,8 @@ use asperity::{
 };
 use asperity_inputs::SceneFile;
 
+use crate::dialect::said;
 use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
-use crate::names::readable;
 use crate::possible::impossible;
 use crate::refusal::Refusal;
 use crate::shown::shown;
@@ -84,7 +84,7 @@ impl Compiled {
         had.retain(|quantity| match compile(&[*quantity]) {
             Ok(_) => true,
             Err(reason) => {
-                refused.insert(*quantity, reason.to_string());
+                refused.insert(*quantity, reason.marked());
                 false
             }
         });
@@ -109,15 +109,15 @@ impl Compiled {
     pub(crate) fn row(&self, file: &SceneFile, id: &str, at: At) -> (AnswerRow, Vec<Finding>) {
         let response = self.respond(&[at]);
         let separation = self.separation(file, at);
-        let separation = cell(SEPARATION, "m", separation.map_err(|e| e.to_string()), None);
+        let separation = cell(SEPARATION, "m", separation.map_err(|e| e.marked()), None);
         let value = |quantity: &Quantity| -> Result<Evaluation, String> {
             if let Some(reason) = self.refused.get(quantity) {
                 return Err(reason.clone());
             }
-            let column = response.column(*quantity).map_err(|error| error.to_string())?;
+            let column = response.column(*quantity).map_err(|error| error.marked())?;
             match column.rows.first() {
                 Some(Ok(value)) => Ok(*value),
-                Some(Err(reason)) => Err(reason.to_string()),
+                Some(Err(reason)) => Err(reason.marked()),
                 None => Err("no value".into()),
             }
         };
@@ -184,7 +184,7 @@ pub(crate) fn cell(
             let digits = Some(shortest_digits(value));
             AnswerCell { quantity, digits, bound, shown: shown(value, unit) }
         }
-        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: readable(&reason) },
+        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: said(&reason) },
     }
 }
 

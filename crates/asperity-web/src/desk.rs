@@ -13,7 +13,7 @@ use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
-    advice, code, fields, law, link, names, picture, read_scene, scan_report, span, surface_keys,
+    advice, code, dialect, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -142,7 +142,7 @@ impl Desk {
             Message::Check { models, load } => {
                 let file = self.scene()?;
                 let found = advice::check(file, &models, span::load(&load, &file.scene)?.0)?;
-                json(names::findings(&found, file))
+                json(dialect::findings(&found, file))
             }
             Message::Advise { load, solved } => {
                 let file = self.scene()?;
@@ -189,7 +189,7 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
-        let findings = names::findings(&findings, file);
+        let findings = dialect::findings(&findings, file);
         let head = answer::head(file).join(",");
         Ok(Answer { load, views: answer::views(file), head, rows, findings })
     }

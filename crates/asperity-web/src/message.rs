@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use asperity::Quantity;
 use serde::{Deserialize, Serialize};
 
+use crate::dialect::{FindingShown, said};
 use crate::link::PageState;
-use crate::names::{FindingShown, readable};
 use crate::random::{RandomKeys, RandomTyped};
 use crate::refusal::Refusal;
 
@@ -211,7 +211,7 @@ pub(crate) struct AnswerRow {
 impl AnswerRow {
     /// The row of a model that cannot answer.
     pub(crate) fn without_values(id: &str, reason: &str) -> Self {
-        Self { model: id.into(), cells: vec![], reason: Some(readable(reason)), mark: None }
+        Self { model: id.into(), cells: vec![], reason: Some(said(reason)), mark: None }
     }
 }
 

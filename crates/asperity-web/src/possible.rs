@@ -3,7 +3,7 @@
 use asperity::{At, Check, Model, Severity};
 use asperity_inputs::SceneFile;
 
-use crate::names::readable;
+use crate::dialect::PAGE;
 
 /// Why the real over nominal area of a model at a load is that of no contact; nothing for a scene
 /// with an error, of which it may be a consequence.
@@ -16,7 +16,7 @@ pub(crate) fn impossible(
     let pressure = at.pressure(&file.scene)?;
     let found = Check::impossible(model, &file.scene, pressure, area_fraction?)?;
     let valid = file.findings().at_least(Severity::Error).is_empty();
-    valid.then(|| readable(&found.message()))
+    valid.then(|| found.say(&PAGE))
 }
 
 #[cfg(test)]

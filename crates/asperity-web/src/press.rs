@@ -9,9 +9,9 @@ use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 use crate::answer::{cell, quantities};
+use crate::dialect::{FindingShown, PAGE};
 use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
-use crate::names::FindingShown;
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
@@ -144,7 +144,7 @@ impl Event {
         let gap = Separation::metres(solution.mean_gap).from_surface_mean();
         let from = file.separation_from;
         let separation = gap.measured_in(SeparationUnit::Metres, from, &file.scene);
-        let separation = separation.map(|found| found.value).map_err(|error| error.to_string());
+        let separation = separation.map(|found| found.value).map_err(|error| error.marked());
         let load = pressure * file.scene.nominal_area;
         let cell = |quantity: &str, unit: &str, value: f64| cell(quantity, unit, Ok(value), None);
         let shown = shown(load, "N");
@@ -192,7 +192,7 @@ impl Event {
             points,
             svg,
             readings,
-            notes: solution.notes.iter().map(FindingShown::from).collect(),
+            notes: solution.notes.iter().map(|note| PAGE.finding(note)).collect(),
         }
     }
 }

@@ -76,7 +76,7 @@ impl Surface {
         let worst = slips.into_iter().flatten().max_by(|a, b| distance(a).total_cmp(&distance(b)));
         worst.map(|found| match within(found.value, found.usual) {
             true => {
-                let fact = format!("{} is {} {}, ", found.field, short(found.value), found.unit);
+                let fact = format!("`{}` is {} {}, ", found.field, short(found.value), found.unit);
                 found.fact(fact + &self.together())
             }
             false => found,
@@ -120,7 +120,7 @@ impl Surface {
             .usual(HEIGHT_STD)
             .severity(severity)
             .fact(format!(
-                "asperity_height_std is {} m, asperity_radius {} m",
+                "`asperity_height_std` is {} m, `asperity_radius` {} m",
                 short(std),
                 short(self.asperity_radius)
             ))
@@ -136,7 +136,7 @@ impl Surface {
     fn criteria(&self) -> [(&'static str, f64, [f64; 2], &'static str, &'static str); 6] {
         let ratio = self.asperity_height_std / self.asperity_radius;
         let beta = self.roughness_parameter();
-        let together = "one of asperity_density, asperity_radius and asperity_height_std is wrong, or the scan is noisy or too coarse";
+        let together = "one of `asperity_density`, `asperity_radius` and `asperity_height_std` is wrong, or the scan is noisy or too coarse";
         [
             ("asperity_height_std", self.asperity_height_std, HEIGHT_STD, "m", CHECK_UNIT),
             ("asperity_radius", self.asperity_radius, RADIUS, "m", CHECK_UNIT),
@@ -181,7 +181,7 @@ impl Surface {
             beta if within(beta, Self::USUAL_ASPERITY_ROUGHNESS) => {
                 ("the rms slope", self.rms_slope(), [0.0, 1.0])
             }
-            beta => ("density x radius x height_std", beta, Self::USUAL_ASPERITY_ROUGHNESS),
+            beta => ("density x radius x `height_std`", beta, Self::USUAL_ASPERITY_ROUGHNESS),
         };
         let value = short(value);
         format!("which makes {name} {value} (usual: {} to {})", short(from), short(to))

@@ -133,8 +133,8 @@ impl RowCheck {
         let each = |text: &dyn Fn(&Seen) -> String, by: &str| {
             small().map(text).collect::<Vec<_>>().join(by)
         };
-        let names = each(&|seen| seen.quantity.to_string(), ", ");
-        let logarithms = each(&|seen| format!("{:.6} of {}", seen.value, seen.quantity), ", ");
+        let names = each(&|seen| format!("`{}`", seen.quantity), ", ");
+        let logarithms = each(&|seen| format!("{:.6} of `{}`", seen.value, seen.quantity), ", ");
         let (verb, values) = match small().count() {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
@@ -156,7 +156,7 @@ impl Seen {
         let negative = || {
             let one = |seen: &Self| {
                 let (name, unit) = (seen.quantity, seen.quantity.unit());
-                format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
+                format!("`{name}` is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
             };
             match self.kind {
                 Kind::Adhesion => one(self),
@@ -188,12 +188,12 @@ impl Seen {
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
                 .advice(format!(
-                    "models of independent asperities do not hold there; use {WHOLE_SURFACE}"
+                    "models of independent asperities do not hold there; use `{WHOLE_SURFACE}`"
                 )),
             Kind::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
-                .fact(format!("positive and negative parts of the {quantity} cancel"))
+                .fact(format!("positive and negative parts of the `{quantity}` cancel"))
                 .advice(self.accuracy()),
             Kind::NoContact | Kind::Underflow => Finding::warning("no-contact", "contacts", value)
                 .usual([f64::MIN_POSITIVE, f64::INFINITY])

@@ -97,7 +97,7 @@ impl Surface {
         let bandwidth = moments.bandwidth();
         if bandwidth < 1.5 {
             // β of 0.02493, and σ_z² is 0.402 σ² there.
-            let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
+            let required = "at least 1.5, as of every isotropic Gaussian surface (`asperity_density` times `asperity_radius` times `asperity_height_std` of at least 0.0158),";
             let field = "bandwidth (m0 m4/m2^2)";
             return Err(ContactError::OutOfRange { field, value: bandwidth, required });
         }

@@ -183,10 +183,10 @@ impl Evidence {
         let like = |other: &&Place| plain(place) || !plain(other);
         let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
         let plasticity = match plain(place) {
-            true => "plasticity_index".into(),
+            true => "`plasticity_index`".into(),
             false => {
                 format!(
-                    "plasticity_index of a surface with {}",
+                    "`plasticity_index` of a surface with {}",
                     place.shape.differences().join(" and ")
                 )
             }
