@@ -5,7 +5,10 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactError, ContactState, Described, Model, Truth, compare_with_bem, summary};
+use asperity::{
+    AsWritten, ContactError, ContactState, Described, Dialect, Model, Truth, compare_with_bem,
+    summary,
+};
 use clap::{ArgAction, Args};
 
 use crate::commands::bem::Way;
@@ -124,7 +127,9 @@ impl TruthCommand {
                 missing.push((model.id().into(), why.clone()));
             }
         }
-        by_reason(&missing).iter().for_each(|text| print_message("warning", text));
+        for text in by_reason(&missing) {
+            print_message("warning", &AsWritten.say(&text));
+        }
         print_message("note", &summary(&found));
         scene.file.beside_table(&found).iter().for_each(|line| print_message("note", line));
         let mut table = table(&found, &half, area);
