@@ -6,6 +6,7 @@ use asperity::{
     At, Compared, Described, Finding, Findings, Quantity, Request, Severity, nearest_to_bem,
     unranked,
 };
+use asperity_answer::Asked;
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
@@ -88,18 +89,22 @@ impl OnScreen {
 }
 
 /// Findings about the scene and about these models at a load.
-pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Findings, Refusal> {
+pub(crate) fn check(
+    file: &SceneFile,
+    models: &[(&str, Result<&Asked, &String>)],
+    at: At,
+) -> Findings {
     let mut found: Findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    let valid = !found.iter().any(|found| found.severity == Severity::Error);
-    if valid {
-        for id in ids {
-            let model = file.model(id)?;
-            found.extend(file.findings_at(&model, &[at]));
-        }
+    if found.iter().all(|found| found.severity != Severity::Error) {
+        let answering = models.iter().filter_map(|(_, asked)| asked.ok());
+        found.extend(answering.flat_map(|asked| {
+            let [found, _] = asked.findings(file, &[at]);
+            found
+        }));
     }
     // The table of values marks it at each model.
     let unmarked = |found: &Finding| found.code != "beyond-full-contact";
-    Ok(file.accepted(found.into_iter().filter(unmarked).collect()))
+    file.accepted(found.into_iter().filter(unmarked).collect())
 }
 
 /// Compares the models that the scene allows with boundary elements on its scan, if the load was

@@ -17,7 +17,6 @@ mod map_readings;
 mod message;
 mod model_sentence;
 mod picture;
-mod possible;
 mod press;
 mod random;
 mod read_scene;

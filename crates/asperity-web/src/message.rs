@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use asperity::Quantity;
 use serde::{Deserialize, Serialize};
 
-use crate::dialect::{FindingShown, said};
+use crate::dialect::FindingShown;
 use crate::link::PageState;
 use crate::random::{RandomKeys, RandomTyped};
 use crate::refusal::Refusal;
@@ -211,7 +211,7 @@ pub(crate) struct AnswerRow {
 impl AnswerRow {
     /// The row of a model that cannot answer.
     pub(crate) fn without_values(id: &str, reason: &str) -> Self {
-        Self { model: id.into(), cells: vec![], reason: Some(said(reason)), mark: None }
+        Self { model: id.into(), cells: vec![], reason: Some(reason.into()), mark: None }
     }
 }
 

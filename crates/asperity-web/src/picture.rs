@@ -252,7 +252,7 @@ pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::Compiled;
+    use crate::answer::{compile, rows};
 
     fn file() -> SceneFile {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
@@ -262,8 +262,7 @@ mod tests {
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
-        let rows =
-            ["gw", "ke"].map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &pressures));
+        let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
@@ -290,7 +289,7 @@ mod tests {
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let rows = ["persson-fudge", "gw"]
-            .map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &[1e5, 1e6, 1e7]));
+            .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
         let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[]).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
         assert_eq!(refused.field.as_deref(), Some("view"));

@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         numbers: vec![],
         models: vec![],
         usual: "",
-        views: answer::usual_views(),
+        views: answer::views(None),
         scan: None,
     };
     if text.len() > MOST_TEXT {
@@ -49,7 +49,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
     }
     let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
     found.findings = dialect::findings(&file.accepted(findings), &file);
-    (found.models, found.views) = (models(&file), answer::views(&file));
+    (found.models, found.views) = (models(&file), answer::views(Some(&file)));
     found.usual = asperity::usual_reference(&file.scene);
     found.scan = press::scan(&file);
     (found, Some(file))
