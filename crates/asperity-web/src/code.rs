@@ -1,4 +1,4 @@
-//! The calculation of the page as lines for a shell, Python and Rust, and as tables.
+//! The calculation of the page as lines for a shell and Python, and as tables.
 
 use asperity::{At, ContactTable, Quantity, TableFormat, Tolerance, UnitSystem};
 use asperity_inputs::SceneFile;
@@ -17,50 +17,27 @@ const TABLE_ERROR: f64 = 0.01;
 pub(crate) struct Code {
     pub(crate) shell: String,
     pub(crate) python: String,
-    pub(crate) rust: String,
 }
 
 /// The same models at the same load.
 pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown)) -> Code {
     let names: Vec<String> = quantities(file).iter().map(Quantity::to_string).collect();
-    let variants: Vec<String> =
-        quantities(file).iter().map(|quantity| format!("Quantity::{quantity:?}")).collect();
     let (option, number) = match at {
         At::Pressure(_) => ("pressure", load.pascals),
         _ => ("load", load.newtons),
     };
-    let number = format!("{number:?}");
-    let (ids, words) = (ids.join(","), quoted(ids));
-    let place = match at {
-        At::Pressure(_) => format!("At::Pressure({number})"),
-        _ => format!("At::Load({number})"),
-    };
     Code {
         shell: format!(
-            "asperity curve scene.toml --model {ids} --{option} {number} \\\n  --quantity {} --errors --format json\n",
+            "asperity curve scene.toml --model {} --{option} {number:?} \\\n  --quantity {} --errors --format json\n",
+            ids.join(","),
             names.join(",")
         ),
         python: format!(
-            "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in [{words}]:\n    \
-             answer = asperity.model(name).solve(scene, {option}={number}, quantities=[\"area-fraction\", \"tangent\"])\n    \
+            "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in {ids:?}:\n    \
+             answer = asperity.model(name).solve(scene, {option}={number:?}, quantities=[\"area-fraction\", \"tangent\"])\n    \
              print(name, answer.area_fraction, answer.tangent)\n"
         ),
-        rust: format!(
-            "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
-             fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
-             let file = asperity_inputs::load(\"scene.toml\")?;\n    \
-             let quantities = [\n        {},\n    ];\n    \
-             let request = Request::new(quantities).at([{place}]);\n    \
-             for id in [{words}] {{\n        \
-             println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
-             }}\n    Ok(())\n}}\n",
-            variants.join(",\n        "),
-        ),
     }
-}
-
-fn quoted(ids: &[String]) -> String {
-    ids.iter().map(|id| format!("{id:?}")).collect::<Vec<_>>().join(", ")
 }
 
 /// A file to take away.
@@ -88,27 +65,17 @@ pub(crate) fn table(
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
     let [low, high] = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let (scene, tolerance) = (&file.scene, Tolerance::default());
-    let within = |error| {
-        let range = (low, high, 2);
-        ContactTable::within(&model, scene, tolerance, range, error, format.interpolation())
+    let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
+    let within = |error| -> Result<String, Refusal> {
+        let (range, way) = ((low, high, 2), format.interpolation());
+        let table = ContactTable::within(&model, scene, tolerance, range, error, way)?;
+        Ok(table.text((format, units), scene, file.separation_from, &title)?)
     };
+    let mut text = within(TABLE_ERROR);
     // COMBIN39 takes few nodes.
-    let errors = [TABLE_ERROR, 0.03, 0.1, 0.3];
-    let mut table = within(errors[0]);
-    let mut text = Err(Refusal::new("no table"));
-    for error in errors {
-        if error > errors[0] {
-            table = within(error);
-        }
-        let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        text = match &table {
-            Ok(table) => table
-                .text((format, units), scene, file.separation_from, &title)
-                .map_err(Refusal::from),
-            Err(error) => Err(Refusal::new(error)),
-        };
-        if text.is_ok() || form != "ansys" {
-            break;
+    for error in [0.03, 0.1, 0.3] {
+        if form == "ansys" && text.is_err() {
+            text = within(error);
         }
     }
     Ok(TableFile { name: format!("{id}-{form}.{extension}"), text: text? })
@@ -136,6 +103,6 @@ mod tests {
         let code = code(&file, &["ke".into(), "jg".into()], (at, &load));
         assert!(code.shell.contains("--model ke,jg --load 1500.0"), "{}", code.shell);
         assert!(code.python.contains("load=1500.0"), "{}", code.python);
-        assert!(code.rust.contains("[\"ke\", \"jg\"]"), "{}", code.rust);
+        assert!(code.python.contains("for name in [\"ke\", \"jg\"]:"), "{}", code.python);
     }
 }

@@ -120,7 +120,6 @@ impl Desk {
                 json(usable(&name, bytes, kept.as_deref())?)
             }
             Message::Admit { name, size } => json(admit(&name, size)?),
-            Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {
                 let (name, bytes) = (keys.name(), keys.file()?);
                 let checksum = link::checksum(&bytes);

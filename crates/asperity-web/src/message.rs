@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dialect::FindingShown;
 use crate::link::PageState;
-use crate::random::{RandomKeys, RandomTyped};
+use crate::random::RandomKeys;
 use crate::refusal::Refusal;
 
 /// What the page asks.
@@ -33,8 +33,6 @@ pub(crate) enum Message {
     /// Whether a file that was handed over can be the surface of a scene, in place of the scan of
     /// the scene `kept`, if that has values.
     Usable { name: String, kept: Option<String> },
-    /// The keys of a random surface from texts as typed.
-    RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
     /// The values of models at one load.
@@ -51,7 +49,7 @@ pub(crate) enum Message {
     Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// The same calculation in a shell, in Python and in Rust.
+    /// The same calculation in a shell and in Python.
     Code { models: Vec<String>, load: LoadKeys },
     /// The law of one asperity.
     Law { model: String },
