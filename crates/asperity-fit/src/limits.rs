@@ -1,6 +1,6 @@
 //! Limits: parameters at the ends of their ranges, and values that none of them reach.
 
-use asperity_core::{ContactError, Finding, Quantity, Tolerance, short};
+use asperity_core::{AsWritten, ContactError, Dialect, Finding, Quantity, Tolerance, short};
 
 use crate::doubt::{LIMITS, UNREACHABLE, doubt, with_unit};
 use crate::solution::Solution;
@@ -128,6 +128,7 @@ impl Solution<'_> {
 fn plain(reason: &ContactError) -> String {
     match reason {
         ContactError::OutOfRange { field, value, required } => {
+            let required = AsWritten.say(required);
             format!("{field} would be {}: {required} is required", short(*value))
         }
         other => other.to_string(),

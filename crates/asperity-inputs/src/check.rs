@@ -60,9 +60,8 @@ impl SceneFile {
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let of_interface = self.scene.findings().into_iter().map(|found| {
             match ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty() {
-                true => {
-                    found.from_origin(format!("asperities from {}", self.follows_from.join(", ")))
-                }
+                true => found
+                    .from_origin(format!("asperities from `{}`", self.follows_from.join("`, `"))),
                 false => found,
             }
         });
@@ -203,7 +202,7 @@ impl SceneFile {
         let modulus = body.youngs_modulus;
         let finding = Finding::warning("no-hardness", "youngs_modulus", modulus)
             .unit("Pa")
-            .fact(format!("body[{k}] has neither hardness nor yield_strength"))
+            .fact(format!("`body[{k}]` has neither `hardness` nor `yield_strength`"))
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
@@ -231,7 +230,7 @@ impl SceneFile {
         let found = Finding::warning("below-a-pixel", "contact_radius", radius)
             .usual([pixel, f64::INFINITY])
             .fact(format!(
-                "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
+                "`contact_radius` is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
             ))
             .advice("the result depends on roughness below the pixel size; compare cut-offs with `asperity surface --scales`")
             .unit("m");

@@ -222,8 +222,10 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         let at = document.place("options.hurst_exponent");
         let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
         let found = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
-            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
-            .advice("remove hurst_exponent to use the spectrum of the scan");
+            .fact(
+                "`persson` and `persson-fudge` use a power law instead of the spectrum of the scan",
+            )
+            .advice("remove `hurst_exponent` to use the spectrum of the scan");
         warnings.push(found.from_origin(at.to_string()));
     }
     let read = Read::new(document, interface, surface, heights_table.as_ref());

@@ -109,7 +109,7 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
             largest.abs()
         ))
         .advice(
-            "radius, density and kurtosis describe these points, not the surface; despike = true (--despike) replaces them",
+            "radius, density and kurtosis describe these points, not the surface; `despike = true (--despike)` replaces them",
         );
     found.matter().then_some(warning)
 }
@@ -152,7 +152,7 @@ impl Statistics {
         let found = Finding::warning("slope", "measured_slope", slope)
             .severity(severity)
             .usual(SLOPE)
-            .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
+            .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
         (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
     }
 }
