@@ -1,6 +1,7 @@
 //! The list of figures: for each a table of numbers and the description of its picture.
 
 mod angles;
+pub mod captions;
 mod joints;
 mod laws;
 pub mod measured;
@@ -36,7 +37,17 @@ pub struct FigureSpec {
     /// Computes its numbers.
     pub table: fn() -> Result<Table>,
     /// Describes the picture.
-    pub style: Style,
+    style: Style,
+}
+
+impl FigureSpec {
+    /// The picture of a csv, with its title and caption.
+    ///
+    /// # Errors
+    /// Another csv.
+    pub fn picture(&self, csv: &str) -> Result<Figure> {
+        captions::with_caption(self.name, (self.style)(csv)?)
+    }
 }
 
 const fn of(name: &'static str, table: fn() -> Result<Table>, style: Style) -> FigureSpec {
