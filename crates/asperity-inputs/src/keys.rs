@@ -49,7 +49,7 @@ pub enum Of {
 }
 
 /// A key whose number is a field of a struct of the library: functions that read and set it.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Field<T: 'static> {
     /// The key.
     pub name: &'static str,
@@ -58,14 +58,6 @@ pub struct Field<T: 'static> {
     /// Replaces the number.
     pub set: fn(&mut T, f64),
 }
-
-impl<T> Clone for Field<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T> Copy for Field<T> {}
 
 macro_rules! key {
     ($section:literal $of:ident $name:ident $unit:literal $meaning:literal
