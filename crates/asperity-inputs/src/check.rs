@@ -135,23 +135,17 @@ impl SceneFile {
             check.keep_for(model);
         }
         if let Some(Measured { statistics, pixel_size, .. }) = &self.measured {
-            let profile = "of the measured profiles";
-            check.add_number("measured_height_std", statistics.sq, "m", "Sq");
-            check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
-            check.add_number(
-                "measured_kurtosis",
-                statistics.sku,
-                "",
-                "Sku, 3 for Gaussian heights",
-            );
-            check.add_number(
-                "measured_slope",
-                (2.0 * statistics.m2).sqrt(),
-                "",
-                "rms slope of the scan",
-            );
-            check.add_number("measured_bandwidth", statistics.alpha, "", profile);
-            check.add_number("pixel_size", *pixel_size, "m", "of the scan");
+            let slope = (2.0 * statistics.m2).sqrt();
+            for (name, value, unit, meaning) in [
+                ("measured_height_std", statistics.sq, "m", "Sq"),
+                ("measured_skewness", statistics.ssk, "", "Ssk"),
+                ("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights"),
+                ("measured_slope", slope, "", "rms slope of the scan"),
+                ("measured_bandwidth", statistics.alpha, "", "of the measured profiles"),
+                ("pixel_size", *pixel_size, "m", "of the scan"),
+            ] {
+                check.add_number(name, value, unit, meaning);
+            }
             check.extend(self.below_a_pixel(&check, *pixel_size));
         }
         check.findings = self.accepted(check.findings);

@@ -103,6 +103,7 @@ impl Desk {
                 json(text)
             }
             Message::Changed { text } => json(fields::changed(&text)),
+            Message::Form => json(surface_keys::Form::new()),
             Message::Materials => {
                 let all = asperity_inputs::materials().iter();
                 json(all.map(read_scene::material).collect::<Vec<_>>())

@@ -20,6 +20,8 @@ pub(crate) enum Message {
     Changed { text: String },
     /// The text with other values.
     Edit { text: String, changes: Vec<Change> },
+    /// The fields of the form.
+    Form,
     /// The materials of the list.
     Materials,
     /// The text with another material of a body, or with the numbers of its material.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits};
-use asperity_inputs::{HandedFiles, Material, SceneFile, parse_handed};
+use asperity::{Body, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits};
+use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 
 use crate::dialect::{PAGE, model_name, said, symbols};
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
@@ -78,18 +78,12 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
 
 pub(crate) fn material(material: &'static Material) -> MaterialShown {
     let body = &material.body;
-    let numbers = [
-        ("E", Some(body.youngs_modulus), "Pa"),
-        ("ν", Some(body.poissons_ratio), ""),
-        ("H", body.hardness, "Pa"),
-        ("yield", body.yield_strength, "Pa"),
-        ("k", body.thermal_conductivity, "W/(m K)"),
-        ("ρ", body.electrical_resistivity, "Ω m"),
-    ];
-    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
-        value.map(|value| format!("{name} {}", shown(value, unit)))
+    let number = |field: &Field<Body>| {
+        let Key { symbol, unit, .. } = Key::find("body", field.name)?;
+        let value = (field.get)(body)?;
+        Some(format!("{symbol} {}", shown(value, &unit.replace("ohm", "Ω"))))
     };
-    let mut shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    let mut shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
     if let (None, Some(strength)) = (body.hardness, body.yield_strength) {
         let hardness = self::shown(HARDNESS_OVER_YIELD * strength, "Pa");
         shown += &format!(
