@@ -343,6 +343,7 @@ class Contact:
         rtol: _Float,
         separation_unit: str,
     ) -> Contact: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, separation: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -376,6 +377,7 @@ class Unloading:
         rtol: _Float,
         separation_unit: str,
     ) -> Unloading: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, retreat: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -417,6 +419,7 @@ class JointTable:
         tolerance: _Float,
         separation_unit: str,
     ) -> JointTable: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def step(
         self, separation: float, closest: float | None = ...
@@ -435,6 +438,7 @@ class JointTable:
 @final
 class PartialSlip:
     def __new__(cls, unloading: Unloading, friction: _Float) -> PartialSlip: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, shift: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload

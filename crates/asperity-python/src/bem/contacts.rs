@@ -25,8 +25,11 @@ type Contacts<'py> = (
     f64,
 );
 
+/// The name of a number of a solution, and the number.
+type Head = (&'static str, fn(&Solution) -> f64);
+
 /// The numbers of a solution by name; the load still over the area.
-const HEADS: [(&str, fn(&Solution) -> f64); 9] = [
+const HEADS: [Head; 9] = [
     ("load", |s| s.mean_pressure),
     ("pressure", |s| s.mean_pressure),
     ("area_fraction", |s| s.area),
@@ -76,30 +79,36 @@ pub(crate) fn bem<'py>(
                 failed.get_or_insert(error);
             }
         };
-        elements.solve_each(&all, |_| continue_unless(stop), |index, solution| match solution {
-            Ok(solution) => {
-                let (heads, of_joints) = columns.split_at_mut(HEADS.len());
-                for (column, (_, number)) in heads.iter_mut().zip(HEADS) {
-                    column[index] = number(&solution);
-                }
-                heads[0][index] *= area;
-                let summary = (!quantities.is_empty())
-                    .then(|| elements.summary(&solution, &quantities));
-                for (column, &quantity) in of_joints.iter_mut().zip(&quantities) {
-                    match summary.as_ref().map(|summary| summary.evaluate(quantity, &contact)) {
-                        Some(Ok(Some(found))) => column[index] = found.value(),
-                        Some(Err(error)) => fail(index, refused(error.clone()), error.to_string()),
-                        _ => {}
+        elements.solve_each(
+            &all,
+            |_| continue_unless(stop),
+            |index, solution| match solution {
+                Ok(solution) => {
+                    let (heads, of_joints) = columns.split_at_mut(HEADS.len());
+                    for (column, (_, number)) in heads.iter_mut().zip(HEADS) {
+                        column[index] = number(&solution);
                     }
+                    heads[0][index] *= area;
+                    let summary =
+                        (!quantities.is_empty()).then(|| elements.summary(&solution, &quantities));
+                    for (column, &quantity) in of_joints.iter_mut().zip(&quantities) {
+                        match summary.as_ref().map(|summary| summary.evaluate(quantity, &contact)) {
+                            Some(Ok(Some(found))) => column[index] = found.value(),
+                            Some(Err(error)) => {
+                                fail(index, refused(error.clone()), error.to_string())
+                            }
+                            _ => {}
+                        }
+                    }
+                    let kept = maps.iter_mut().flatten();
+                    for (all, map) in kept.zip([&solution.pressures, &solution.gaps]) {
+                        all[index * pixels..][..pixels].copy_from_slice(map);
+                    }
+                    notes.extend(solution.notes);
                 }
-                let kept = maps.iter_mut().flatten();
-                for (all, map) in kept.zip([&solution.pressures, &solution.gaps]) {
-                    all[index * pixels..][..pixels].copy_from_slice(map);
-                }
-                notes.extend(solution.notes);
-            }
-            Err(error) => fail(index, value_error(&error), error.to_string()),
-        });
+                Err(error) => fail(index, value_error(&error), error.to_string()),
+            },
+        );
     })?;
     if let Some(error) = failed {
         return Err(error);

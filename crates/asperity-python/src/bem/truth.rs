@@ -17,13 +17,8 @@ use crate::scene::SceneFile;
 type Sentences = (Option<String>, Vec<String>);
 /// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
 /// and the boundary.
-type Truths<'py> = (
-    Bound<'py, PyAny>,
-    Sentences,
-    BTreeMap<String, String>,
-    BTreeMap<usize, String>,
-    &'static str,
-);
+type Truths<'py> =
+    (Bound<'py, PyAny>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]

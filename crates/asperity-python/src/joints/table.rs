@@ -137,12 +137,10 @@ impl JointTable {
         PyTuple::new(py, given.each(py, usize::MAX, one, raise)?)
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { model, scene, ends, law, tolerance, separation_unit, .. } = slf.get();
-        let arguments = (model, scene, ends, law, tolerance, separation_unit);
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    #[expect(clippy::type_complexity, reason = "the arguments of a call")]
+    fn __getnewargs__(&self) -> (&Py<Engine>, &Py<SceneFile>, (f64, f64), &str, f64, &str) {
+        let Self { model, scene, law, separation_unit, .. } = self;
+        (model, scene, self.ends, law, self.tolerance, separation_unit)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
