@@ -549,7 +549,15 @@ def template() -> str: ...
 def random_surface(
     shape: tuple[int, int],
     pixel_size: _Spacing,
-    wavelengths: tuple[_Float, _Float, _Float],
-    sizes: tuple[_Float | None, _Float | None],
-    options: tuple[_Float, _Float, _Float, _Float | None, int],
+    *,
+    long: _Float,
+    short: _Float,
+    roll_off: _Float | None = None,
+    hurst: _Float = 0.8,
+    sq: _Float | None = None,
+    gradient: _Float | None = None,
+    skewness: _Float | None = None,
+    anisotropy: _Float = 1.0,
+    direction: _Float = 0.0,
+    seed: int = 0,
 ) -> Topography: ...

@@ -264,7 +264,7 @@ class Model(Engine):
         """
         scene = one_scene(scene, "joint_table")
         given = in_si([deepest, open], "m")
-        if given[:] != [deepest, open] and separation_unit != "m":
+        if tuple(given) != (deepest, open) and separation_unit != "m":
             raise ValueError(
                 f"deepest is {deepest!r} and open {open!r}, but separation_unit is {separation_unit!r}: lengths "
                 'with a unit need separation_unit="m"'
