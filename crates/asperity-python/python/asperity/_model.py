@@ -293,16 +293,12 @@ class Model(Engine):
     def __hash__(self) -> int:
         return hash(self._definition)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuild, (self._definition, self._options)
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], Options]:
+        return (self._definition,), self._options
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
         return f"<asperity.Model {self.id!r}{given}: {self._authors}>"
-
-
-def _rebuild(definition: str | LawsOfAsperity, options: Options) -> Model:
-    return Model(definition, **options)
 
 
 def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
