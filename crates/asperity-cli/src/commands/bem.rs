@@ -177,7 +177,7 @@ impl BemCommand {
         if sheet.rows.is_empty() {
             interrupt::end(0, all);
         }
-        self.output.write_sheet(sheet)
+        self.output.write(sheet)
     }
 
     /// Compares models with boundary elements.

@@ -94,7 +94,7 @@ impl Conductance {
             gas: self.gas(),
         };
         let (sheet, ()) = scene.answer(|sheet| Ok(question.answer(&self.places(), sheet)?))?;
-        self.output.write_sheet(&sheet, || picture(&sheet, &scene.file.scene))
+        self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.

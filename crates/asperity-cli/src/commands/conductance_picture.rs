@@ -42,7 +42,7 @@ pub fn picture(sheet: &Sheet, scene: &Scene) -> Result<String> {
         (&*total, "conductance of contacts and gas (W/(m² K))"),
     ];
     let x = plot::fitted(&mut long, Axis::new("pressure_Pa", "pressure (Pa)"));
-    plot::against_alike(&(&long).into(), &x, &columns, &curves)
+    plot::against_alike(&long, &x, &columns, &curves)
 }
 
 /// The name of a correlation where it does not hold, with the reason.

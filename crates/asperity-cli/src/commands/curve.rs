@@ -93,9 +93,8 @@ impl Curve {
         let reference = self.reference.as_deref().map(Some);
         let separations = linspace(0.0, 4.0, 401);
         let (sheet, inquiry) = answer(&scene, &self.asked, &separations, self.beside, reference)?;
-        self.output.write_sheet(&sheet, || {
-            plot::svg(&(&sheet).into(), &inquiry.request, scene.file.separation_from)
-        })
+        self.output
+            .write(&sheet, || plot::svg(&sheet, &inquiry.request, scene.file.separation_from))
     }
 }
 
@@ -121,7 +120,7 @@ impl Solve {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_for(&self.asked.scene, &self.asked.models)?;
         let (sheet, _) = answer(&scene, &self.asked, &[], self.beside, None)?;
-        self.output.write_sheet(&sheet)
+        self.output.write(&sheet)
     }
 }
 
@@ -144,7 +143,7 @@ impl Compare {
         let beside = BesideArgs { all: false, errors: false, corrected: false };
         let reference = Some(self.reference.as_deref());
         let (sheet, _) = answer(&scene, &self.asked, &[2.0], beside, reference)?;
-        self.output.write_sheet(&sheet)
+        self.output.write(&sheet)
     }
 }
 

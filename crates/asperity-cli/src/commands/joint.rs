@@ -193,7 +193,7 @@ impl Joint {
             let (sheet, ()) =
                 scene.answer(|sheet| Ok(history(&subject, &laws, &places, sheet)?))?;
             let from = scene.file.separation_from;
-            return self.output.write_sheet(&sheet, || joint_plots::history(&sheet, from));
+            return self.output.write(&sheet, || joint_plots::history(&sheet, from));
         }
         let [closest] = places[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
@@ -207,11 +207,11 @@ impl Joint {
                 |sheet: &mut Sheet| Ok(unloading_scan(&subject, closest, retreats, sheet, &watch)?);
             let (sheet, ()) = scene.answer(fill)?;
             drop(watch);
-            return self.output.write_sheet(&sheet, || joint_plots::opening(&sheet, &sheet));
+            return self.output.write(&sheet, || joint_plots::opening(&sheet, &sheet));
         }
         let fill = |sheet: &mut Sheet| Ok(unloading(&subject, &laws, closest, retreats, sheet)?);
         let (sheet, ()) = scene.answer(fill)?;
-        self.output.write_sheet(&sheet, || {
+        self.output.write(&sheet, || {
             let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
             let dense = Some((&dense[..], SeparationUnit::Metres));
             unloading(&subject, &laws, closest, dense, &mut smooth)?;
@@ -228,7 +228,7 @@ impl Joint {
         let points = self.points.unwrap_or(POINTS);
         let fill = |sheet: &mut Sheet| Ok(slip.answer(preloads, &amplitudes, points, sheet)?);
         let (sheet, ()) = scene.answer(fill)?;
-        self.output.write_sheet(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
+        self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
     }
 
     fn amplitudes(&self) -> Vec<Amplitude> {

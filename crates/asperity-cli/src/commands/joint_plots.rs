@@ -98,7 +98,7 @@ fn by_law(mut sheet: Sheet, laws: &[String], x: &Axis) -> Result<String> {
         curve
     };
     let curves: Vec<Curve> = laws.iter().enumerate().map(curve).collect();
-    plot::against(&(&sheet).into(), x, &OPENING, &curves)
+    plot::against(&sheet, x, &OPENING, &curves)
 }
 
 /// A loop, or cycles of this amplitude of shift or of tangential forces.
@@ -133,7 +133,7 @@ fn slip_loop(sheet: &Sheet) -> Result<String> {
     }
     let x = Axis::new("shift_m", "shift (nm)").times(1e9);
     let curves = [Curve::new(0, "first", "first shift"), Curve::new(2, "loop", "steady cycle")];
-    plot::against(&(&long).into(), &x, &[("force_N", "tangential force (N)")], &curves)
+    plot::against(&long, &x, &[("force_N", "tangential force (N)")], &curves)
 }
 
 /// The plot of cycles against their loads or forces, a curve for each name.
@@ -154,5 +154,5 @@ fn cycles(
     };
     let curves: Vec<Curve> = names.iter().enumerate().map(curve).collect();
     let x = plot::fitted(&mut long, Axis::new(column, label));
-    plot::against(&(&long).into(), &x, &CYCLES, &curves)
+    plot::against(&long, &x, &CYCLES, &curves)
 }

@@ -93,7 +93,7 @@ impl Like {
     fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
         let narrow = self.output.format == Format::Table;
         let sheet = list(&self.word.unwrap_or_default(), narrow)?;
-        self.output.write_sheet(&sheet)?;
+        self.output.write(&sheet)?;
         output::show(&sheet.findings);
         Ok(())
     }

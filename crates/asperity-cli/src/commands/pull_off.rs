@@ -67,7 +67,7 @@ impl PullOff {
             models.push(named);
         }
         let fill = |sheet: &mut Sheet| Ok(pull_off(&scene.file, &models, self.tolerance, sheet)?);
-        self.output.write_sheet(&scene.answer(fill)?.0)
+        self.output.write(&scene.answer(fill)?.0)
     }
 }
 

@@ -68,7 +68,7 @@ impl Recommend {
         let working = progress("comparing models");
         let (sheet, ()) = scene.answer(|sheet| Ok(asked.answer(&scene.file, sheet)?))?;
         drop(working);
-        self.output.write_sheet(&sheet)
+        self.output.write(&sheet)
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
+use asperity_answer::{Cell, Sheet};
 use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure};
 use asperity_topography::{Estimator, Topography};
@@ -12,7 +13,6 @@ use clap::Args;
 use crate::input::args::{model_id, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
-use crate::output::table::{Cell, Table};
 use crate::output::{self, plot, print_message};
 use crate::scene::LoadedScene;
 
@@ -73,7 +73,7 @@ impl Scales {
         surface: &Topography,
         estimator: Estimator,
         finish: impl Fn(Topography) -> Result<Topography>,
-    ) -> Result<Table> {
+    ) -> Result<Sheet> {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
         let scene = self.with.as_deref().map(LoadedScene::load).transpose()?;
         let asked = match &scene {
@@ -81,10 +81,10 @@ impl Scales {
             None => None,
         };
         let at = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
-        let mut table = Table::new(&[CUTOFF]);
-        table.head.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
+        let mut table = Sheet::new(&[CUTOFF]);
+        table.heads.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
         if asked.is_some() {
-            table.head.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
+            table.heads.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
         // One message for all cut-offs that fail for the same reason.
         let mut failed: Vec<(String, Vec<String>)> = vec![];
@@ -94,20 +94,20 @@ impl Scales {
                 let statistics = smooth.statistics(estimator)?;
                 Ok((smooth, statistics))
             });
-            let mut row = vec![Cell::Number(Some(*cutoff))];
+            let mut row = vec![Cell::from(Some(*cutoff))];
             let numbers = found.as_ref().map_or([None; COLUMNS.len()], |(_, s)| {
                 let slope = (2.0 * s.m2).sqrt();
                 let (radius, density) = (s.asperity_radius, s.asperity_density);
                 [Some(s.alpha), radius, density, s.asperity_height_std, Some(slope)]
             });
-            row.extend(numbers.map(Cell::Number));
+            row.extend(numbers.map(Cell::from));
             let found = found.and_then(|(smooth, statistics)| Ok((smooth, statistics.surface()?)));
             match (&asked, at, &found) {
                 (Some((scene, (id, _))), Some(at), Ok((smooth, asperities))) => {
                     let file = scene.file.with_scan(*asperities, smooth.clone());
                     row.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
-                (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),
+                (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::from(None))),
                 _ => {}
             }
             if let Err(reason) = &found {
@@ -143,16 +143,16 @@ fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Cell>> {
     let request = Request::new(ANSWERS.map(|(quantity, _)| quantity)).at([at]);
     let response = file.model(id)?.solve(&file.scene, &request)?;
     let value = |column: &asperity::Column| column.rows[0].as_ref().ok().map(|v| v.value());
-    Ok(response.columns.iter().map(|column| Cell::Number(value(column))).collect())
+    Ok(response.columns.iter().map(|column| Cell::from(value(column))).collect())
 }
 
 /// A panel for each column, against the cut-off.
-fn picture(table: &Table) -> Result<String> {
+fn picture(table: &Sheet) -> Result<String> {
     let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
     let answers = answers.iter().map(|(name, label)| (name.as_str(), *label));
     let columns: Vec<_> = COLUMNS.into_iter().chain(answers).collect();
     let mut named = table.clone();
-    named.head.insert(0, "curve".into());
+    named.heads.insert(0, "curve".into());
     named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));
     let x = Axis::new(CUTOFF, "short-wavelength cut-off (µm)").times(1e6).log();
     let mut curve = Curve::new(0, "surface", "");

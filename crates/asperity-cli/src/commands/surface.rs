@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
 use asperity::{Findings, Severity};
+use asperity_answer::{Cell, Sheet};
 use asperity_inputs::with_decimal_point;
 use asperity_plot::draw_surface;
 use asperity_topography::{
@@ -20,7 +21,7 @@ use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
 use crate::input::lists::have_units;
 use crate::input::numbers::{length, share_or_0};
-use crate::output::table::{Cell, Format, Table};
+use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
@@ -193,9 +194,9 @@ impl Surface {
             let all = Report { statistics, glance };
             return self.output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
         }
-        let mut table = Table::new(&["name", "value", "unit", "meaning"]);
+        let mut table = Sheet::new(&["name", "value", "unit", "meaning"]);
         let row = |Reported { name, value, unit, meaning }| {
-            vec![name.into(), Cell::Number(value), unit.into(), meaning.as_ref().into()]
+            vec![name.into(), Cell::from(value), unit.into(), meaning.as_ref().into()]
         };
         table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
         self.output.write(&table)
@@ -253,7 +254,7 @@ impl Surface {
     }
 
     /// The surface against the short-wavelength cut-off.
-    fn at_scales(&self) -> Result<Table> {
+    fn at_scales(&self) -> Result<Sheet> {
         let path = self.files.first().context("a file was required")?;
         let (_, surface) = self.levelled(path)?;
         self.scales.table(&surface, self.estimator, |smooth| Ok(self.filtered(smooth)?))

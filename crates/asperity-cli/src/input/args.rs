@@ -17,7 +17,7 @@ use serde::de::value::{Error, StrDeserializer};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
-use crate::output::table::{self, Format, Table};
+use crate::output::table::{self, Format};
 use crate::output::{self, once};
 use crate::scene::ALL_MODELS;
 
@@ -120,11 +120,7 @@ impl ModelArgs {
 }
 
 impl OutputArgs {
-    pub fn write(&self, table: &Table) -> Result<()> {
-        output::write(self.output.as_deref(), |out| table.write(self.format, out))
-    }
-
-    pub fn write_sheet(&self, sheet: &Sheet) -> Result<()> {
+    pub fn write(&self, sheet: &Sheet) -> Result<()> {
         output::write(self.output.as_deref(), |out| table::write(sheet, self.format, out))
     }
 
@@ -149,15 +145,11 @@ impl DrawnArgs {
     }
 
     /// Writes the sheet, and its plot where one is requested.
-    pub fn write_sheet(
-        &self,
-        sheet: &Sheet,
-        picture: impl FnOnce() -> Result<String>,
-    ) -> Result<()> {
+    pub fn write(&self, sheet: &Sheet, picture: impl FnOnce() -> Result<String>) -> Result<()> {
         if self.plot.is_some() {
             output::write_text(self.plot.as_deref(), &picture()?)?;
         }
-        self.output.write_sheet(sheet)
+        self.output.write(sheet)
     }
 }
 

@@ -2,9 +2,9 @@
 
 use anyhow::Result;
 use asperity::fit::{Data, Fitted, Ranking};
+use asperity_answer::{Cell, Sheet};
 use asperity_inputs::Free;
 
-use crate::output::table::{Cell, Table};
 use crate::output::{fit_plot, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -54,12 +54,12 @@ impl Report<'_> {
     }
 
     /// One row for each model and parameter.
-    pub fn table(&self) -> Table {
+    pub fn table(&self) -> Sheet {
         let head = ["model", "parameter", "value", "lower", "upper", "unit", "rms", "bic"];
-        let mut table = Table::new(&head);
+        let mut table = Sheet::new(&head);
         for one in &self.ranking.models {
             for found in &one.parameters {
-                let number = Cell::Number;
+                let number = Cell::from;
                 table.rows.push(vec![
                     one.model.as_str().into(),
                     found.name.as_str().into(),

@@ -2,17 +2,17 @@
 
 use anyhow::{Context, Result};
 use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
-use asperity_answer::Sheet;
+use asperity_answer::{Cell, Sheet};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 
 use crate::output::once;
-use crate::output::table::{Cell, Table};
+use crate::output::table::csv;
 
 /// Up to this many points of a curve, each has a marker; above, a few markers identify the curve.
 pub const MARKED: usize = 12;
 
 /// The picture of a table's quantities against the load or separation, one panel for each.
-pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
+pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
     let mut x = match request.at.first() {
         Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
         Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
@@ -56,9 +56,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     }
     // A line runs from left to right for any order of the rows.
     let mut sorted = table.clone();
-    let k = place(table, &x.column)?;
-    let at = |row: &Vec<Cell>| row[k].number().unwrap_or(f64::NAN);
-    sorted.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
+    put_in_order(&mut sorted, place(table, &x.column)?);
     let mut figure = Figure::new("", &[], panels);
     if !hidden.is_empty() {
         let which = once(&hidden).join(", ");
@@ -68,17 +66,17 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
 }
 
 /// A figure of the rows of a table.
-pub fn drawn(table: &Table, figure: &Figure) -> Result<String> {
-    let mut csv = vec![];
-    table.csv(&mut csv)?;
-    Ok(draw(figure, &String::from_utf8(csv)?)?)
+pub fn drawn(table: &Sheet, figure: &Figure) -> Result<String> {
+    let mut text = vec![];
+    csv(table, &mut text)?;
+    Ok(draw(figure, &String::from_utf8(text)?)?)
 }
 
 /// The picture of some columns against one, with a panel for each that the table has and a curve
 /// for each name in the first column. Over a logarithmic axis, columns that span decades have one
 /// as well.
 pub fn against(
-    table: &Table,
+    table: &Sheet,
     x: &Axis,
     columns: &[(&str, &str)],
     curves: &[Curve],
@@ -88,7 +86,7 @@ pub fn against(
 
 /// [`against`] for columns of one quantity: if one spans decades, all have a logarithmic axis.
 pub fn against_alike(
-    table: &Table,
+    table: &Sheet,
     x: &Axis,
     columns: &[(&str, &str)],
     curves: &[Curve],
@@ -102,19 +100,19 @@ pub fn against_alike(
 
 /// The panels of [`against`].
 pub fn panels(
-    table: &Table,
+    table: &Sheet,
     x: &Axis,
     columns: &[(&str, &str)],
     curves: &[Curve],
 ) -> Result<Vec<Panel>> {
     let mut panels = vec![];
-    for (column, label) in columns.iter().filter(|(c, _)| table.head.iter().any(|h| h == c)) {
+    for (column, label) in columns.iter().filter(|(c, _)| table.column(c).is_some()) {
         let mut y = Axis::new(column, label);
         if x.scale == Scale::Log {
             y.scale = Scale::fitting(&numbers(table, column)?);
         }
         let mut panel = Panel::new(x.clone(), y);
-        panel.curve_column.clone_from(&table.head[0]);
+        panel.curve_column.clone_from(&table.heads[0]);
         panel.curves = curves.to_vec();
         panels.push(panel);
     }
@@ -125,21 +123,24 @@ pub fn panels(
 /// to right.
 pub fn fitted(sheet: &mut Sheet, mut axis: Axis) -> Axis {
     if let Some(k) = sheet.column(&axis.column) {
-        let at = |row: &Vec<asperity_answer::Cell>| row[k].number().unwrap_or(f64::NAN);
-        sheet.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
+        put_in_order(sheet, k);
         let values = sheet.rows.iter().filter_map(|row| row[k].number());
         axis.scale = Scale::fitting(&values.collect::<Vec<_>>());
     }
     axis
 }
 
-/// The place of a column.
-pub fn place(table: &Table, name: &str) -> Result<usize> {
-    let place = table.head.iter().position(|head| head == name);
-    place.with_context(|| format!("the table has no column {name}"))
+fn put_in_order(sheet: &mut Sheet, column: usize) {
+    let at = |row: &Vec<Cell>| row[column].number().unwrap_or(f64::NAN);
+    sheet.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
 }
 
-fn numbers(table: &Table, name: &str) -> Result<Vec<f64>> {
+/// The place of a column.
+pub fn place(table: &Sheet, name: &str) -> Result<usize> {
+    table.column(name).with_context(|| format!("the table has no column {name}"))
+}
+
+fn numbers(table: &Sheet, name: &str) -> Result<Vec<f64>> {
     let k = place(table, name)?;
     Ok(table.rows.iter().filter_map(|row| row[k].number()).collect())
 }

@@ -1,10 +1,9 @@
-//! A table, and its three formats.
+//! A sheet in three formats.
 
 use std::io::{self, Write};
-use std::rc::Rc;
 
 use asperity::shortest_digits;
-use asperity_answer::Sheet;
+use asperity_answer::{Cell, Sheet};
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
@@ -19,66 +18,6 @@ pub enum Format {
     Json,
     /// Aligned columns with six digits.
     Table,
-}
-
-/// Rows under the names of their columns, which end with the unit: `force_N`.
-#[derive(Debug, Clone, Default)]
-pub struct Table {
-    pub head: Vec<String>,
-    pub rows: Vec<Vec<Cell>>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    Text(Rc<str>),
-    Number(Option<f64>),
-}
-
-impl From<&str> for Cell {
-    fn from(text: &str) -> Self {
-        Self::Text(text.into())
-    }
-}
-
-impl Cell {
-    /// The number, where the cell has one.
-    pub fn number(&self) -> Option<f64> {
-        if let Self::Number(number) = self { *number } else { None }
-    }
-}
-
-impl Table {
-    pub fn new(head: &[&str]) -> Self {
-        Self { head: head.iter().map(ToString::to_string).collect(), rows: vec![] }
-    }
-
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        write(&self.sheet(), format, out)
-    }
-
-    pub fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        csv(&self.sheet(), out)
-    }
-
-    fn sheet(&self) -> Sheet {
-        let cell = |cell: &Cell| match cell {
-            Cell::Text(text) => (&**text).into(),
-            Cell::Number(number) => (*number).into(),
-        };
-        let rows = self.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
-        Sheet { heads: self.head.clone(), rows, findings: vec![] }
-    }
-}
-
-impl From<&Sheet> for Table {
-    fn from(sheet: &Sheet) -> Self {
-        let cell = |cell: &asperity_answer::Cell| match cell {
-            asperity_answer::Cell::Text(text) => Cell::from(&**text),
-            other => Cell::Number(other.number()),
-        };
-        let rows = sheet.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
-        Self { head: sheet.heads.clone(), rows }
-    }
 }
 
 /// Writes a sheet in a format.
@@ -110,7 +49,7 @@ fn json(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
-    let texts = |row: &Vec<asperity_answer::Cell>| row.iter().map(|c| text(c, rounded)).collect();
+    let texts = |row: &Vec<Cell>| row.iter().map(|c| text(c, rounded)).collect();
     let lines: Vec<Vec<String>> =
         std::iter::once(sheet.heads.clone()).chain(sheet.rows.iter().map(texts)).collect();
     let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max();
@@ -120,7 +59,7 @@ fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
         for (k, (cell, width)) in line.iter().zip(&widths).enumerate() {
             let gap = if k == 0 { "" } else { "  " };
             match sheet.rows.first().map(|row| &row[k]) {
-                Some(asperity_answer::Cell::Text(_)) | None => {
+                Some(Cell::Text(_)) | None => {
                     all += &format!("{gap}{cell:<width$}");
                 }
                 _ => all += &format!("{gap}{cell:>width$}"),
@@ -131,11 +70,11 @@ fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn text(cell: &asperity_answer::Cell, number: fn(f64) -> String) -> String {
+fn text(cell: &Cell, number: fn(f64) -> String) -> String {
     match cell {
-        asperity_answer::Cell::Text(text) => text.to_string(),
-        asperity_answer::Cell::Number(value) => number(*value),
-        asperity_answer::Cell::Blank(_) => String::new(),
+        Cell::Text(text) => text.to_string(),
+        Cell::Number(value) => number(*value),
+        Cell::Blank(_) => String::new(),
     }
 }
 
@@ -150,7 +89,7 @@ fn quoted(text: String) -> String {
 /// A row as an object with its keys in order.
 struct Row<'t> {
     heads: &'t [String],
-    cells: &'t [asperity_answer::Cell],
+    cells: &'t [Cell],
 }
 
 impl Serialize for Row<'_> {
@@ -164,11 +103,11 @@ mod tests {
     use super::*;
 
     fn text(format: Format) -> String {
-        let mut table = Table::new(&["model", "force_N"]);
-        table.rows.push(vec!["gw".into(), Cell::Number(Some(1e-7 / 3.0))]);
-        table.rows.push(vec!["a, \"b\"".into(), Cell::Number(None)]);
+        let mut sheet = Sheet::new(&["model", "force_N"]);
+        sheet.rows.push(vec!["gw".into(), Cell::Number(1e-7 / 3.0)]);
+        sheet.rows.push(vec!["a, \"b\"".into(), Cell::BLANK]);
         let mut out = vec![];
-        table.write(format, &mut out).unwrap();
+        write(&sheet, format, &mut out).unwrap();
         String::from_utf8(out).unwrap()
     }
 
