@@ -8,6 +8,7 @@ use asperity::{At, ContactModel, Quantity, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet};
 use clap::{ArgGroup, Args};
 
+use crate::commands::pull_off::{PullOff, work};
 use crate::input::args::{DrawnArgs, ModelArgs, OutputArgs, model_id};
 use crate::output::{self, Terminal, plot};
 use crate::scene::LoadedScene;
@@ -29,6 +30,10 @@ Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
 unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
 yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
 describes shear without slip.
+With --pull-off, force_N and pressure_Pa are below 0, or blank where there is no tension;
+jkr means jkr-separation then, the branch on which surfaces separate. dmt is for small,
+hard asperities (tabor_parameter below 0.1), jkr for large, soft ones (above 5); `asperity
+check` prints the tabor_parameter.
 Conductances are of the whole area, or with -per-area per nominal area.
 With --reference, deviations are relative to that model (differences for logarithms and
 shares), and 0 where two values differ by less than their error bounds. At a load, each
@@ -47,7 +52,9 @@ Examples:
   asperity curve scene.toml --model at --load 0.1,1,10 --all
   asperity curve scene.toml --reference jg --load 10,100 --quantity area,mean-pressure
   asperity curve scene.toml --model jg --separation 1um,2um --errors
-  asperity curve scene.toml --model ke --pressure 1e6,1e7,1e8 --corrected"
+  asperity curve scene.toml --model ke --pressure 1e6,1e7,1e8 --corrected
+  asperity curve scene.toml --pull-off --work-of-adhesion 50mJ/m2 --format table
+  asperity curve scene.toml --plan --model ke --load 10:1000:50"
 )]
 pub struct Curve {
     #[command(flatten)]
@@ -62,6 +69,14 @@ pub struct Curve {
     /// terms left out
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference"])]
     plan: bool,
+    /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
+    /// is named), and its separation
+    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
+    #[arg(conflicts_with_all = ["separations", "quantities", "plot"])]
+    pull_off: bool,
+    /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
+    #[arg(long, value_name = "W", value_parser = work, requires = "pull_off")]
+    work_of_adhesion: Option<f64>,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -85,8 +100,11 @@ struct BesideArgs {
 impl Curve {
     pub fn run(self) -> Result<()> {
         if self.plan {
-            let output = self.output.into_output();
+            let output = self.output.output.output;
             return Plan { asked: self.asked, output }.run();
+        }
+        if self.pull_off {
+            return self.pull_off();
         }
         self.output.check("curve");
         let scene = LoadedScene::load_for(&self.asked.scene, &self.asked.models)?;
@@ -95,6 +113,17 @@ impl Curve {
         let (sheet, inquiry) = answer(&scene, &self.asked, &separations, self.beside, reference)?;
         self.output
             .write(&sheet, || plot::svg(&sheet, &inquiry.request, scene.file.separation_from))
+    }
+}
+
+impl Curve {
+    /// Writes the largest tension.
+    fn pull_off(self) -> Result<()> {
+        let ModelArgs { scene, models, tolerance, .. } = self.asked;
+        let adhesive = || ["dmt", "jkr-separation"].map(String::from).into();
+        let models = if models.is_empty() { adhesive() } else { models };
+        let (work_of_adhesion, output) = (self.work_of_adhesion, self.output.output);
+        PullOff { scene, models, work_of_adhesion, tolerance, output }.run()
     }
 }
 

@@ -1,4 +1,5 @@
-//! The largest tension of surfaces with adhesion: the hidden command `pull-off`.
+//! The largest tension of surfaces with adhesion: `curve --pull-off`, and the hidden command
+//! `pull-off`.
 
 use std::path::PathBuf;
 
@@ -14,34 +15,23 @@ use crate::scene::LoadedScene;
 
 /// Largest tension of surfaces with adhesion, and its separation
 #[derive(Debug, Args)]
-#[command(
-    name = "pull-off",
-    after_help = "Columns: model, force_N and pressure_Pa (below 0), separation_over_sigma and
-separation_m there. Blank if there is no tensile force; a note gives the
-reason. jkr means jkr-separation here, the branch on which surfaces separate: contacts
-stay in contact beyond 0. dmt is for small, hard asperities (tabor_parameter below 0.1),
-jkr for large, soft ones (above 5); `asperity check` prints the tabor_parameter.
-
-Examples:
-  asperity pull-off scene.toml --work-of-adhesion 50mJ/m2
-  asperity pull-off scene.toml --work-of-adhesion 0.05 --model jkr --format csv"
-)]
+#[command(name = "pull-off")]
 pub struct PullOff {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
-    scene: PathBuf,
+    pub scene: PathBuf,
     /// Models with adhesion
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     #[arg(default_value = "dmt,jkr-separation")]
-    models: Vec<String>,
+    pub models: Vec<String>,
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
-    work_of_adhesion: Option<f64>,
+    pub work_of_adhesion: Option<f64>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    tolerance: Tolerance,
+    pub tolerance: Tolerance,
     #[command(flatten)]
-    output: OutputArgs,
+    pub output: OutputArgs,
 }
 
 impl PullOff {
@@ -71,6 +61,7 @@ impl PullOff {
     }
 }
 
-fn work(text: &str) -> Result<f64, String> {
+/// A work of adhesion.
+pub fn work(text: &str) -> Result<f64, String> {
     of_unit(text, "J/m^2").and_then(positive)
 }

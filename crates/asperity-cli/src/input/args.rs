@@ -54,7 +54,7 @@ pub struct ModelArgs {
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    tolerance: Tolerance,
+    pub tolerance: Tolerance,
 }
 
 /// Format and destination of a result.
@@ -72,7 +72,7 @@ pub struct OutputArgs {
 #[derive(Debug, Args)]
 pub struct DrawnArgs {
     #[command(flatten)]
-    output: OutputArgs,
+    pub output: OutputArgs,
     /// Also plot the result, one panel for each quantity
     #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     plot: Option<PathBuf>,
@@ -130,11 +130,6 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
-    /// The file to write to, if there is one.
-    pub fn into_output(self) -> Option<PathBuf> {
-        self.output.output
-    }
-
     /// Ends the `command` where plot and data have the same destination.
     pub fn check(&self, command: &str) {
         let texts = [
