@@ -41,10 +41,7 @@ impl Contact for Prepared {
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         self.facts.check_requested(quantity)?;
-        let separation = separation_at(&mut &*self, &at)?;
-        // A reference of its own, which no search has seen: it stays in a register.
-        let (mut averages, slopes) = (self, separation.rounding > 0.0);
-        RowIntegrals::<_, 0>::with(&mut averages, (separation, &at), slopes, []).unchecked(quantity)
+        RowIntegrals::<_, 0>::new(&mut &*self, &[], &at)?.unchecked(quantity)
     }
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {

@@ -2,6 +2,7 @@
 
 pub(crate) mod alone;
 pub(crate) mod arrays;
+pub(crate) mod at_point;
 pub(crate) mod averages;
 pub(crate) mod case;
 pub(crate) mod case_integrals;
