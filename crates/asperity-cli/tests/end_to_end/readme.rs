@@ -1,38 +1,56 @@
-//! The walk-through of the README shows what the program prints. After a change that is meant,
-//! `ASPERITY_BLESS=1 cargo test -p asperity-cli readme` writes it anew.
+//! The README and the walk-throughs show what the program prints. After a change that is meant,
+//! `ASPERITY_BLESS=1 cargo test -p asperity-cli readme` writes them anew.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::bench::Bench;
 use crate::help::sh;
 
-/// Where the walk-through begins, below the root of the repository.
+/// The examples, below the root of the repository.
 const EXAMPLES: &str = "crates/asperity-inputs/examples";
 
 #[test]
-fn the_walk_through_shows_the_real_output() {
+fn the_walk_throughs_show_the_real_output() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let bench = Bench::new();
-    for file in fs::read_dir(folder.join("../..").join(EXAMPLES)).unwrap() {
-        let path = file.unwrap().path();
-        if path.is_file() {
-            fs::copy(&path, bench.folder().join(path.file_name().unwrap())).unwrap();
+    let mut files: Vec<PathBuf> = fs::read_dir(folder.join("tests/walkthrough"))
+        .unwrap()
+        .map(|file| file.unwrap().path())
+        .collect();
+    files.push(folder.join("README.md"));
+    let mut all = String::new();
+    for file in &files {
+        let bench = Bench::new();
+        for example in fs::read_dir(folder.join("../..").join(EXAMPLES)).unwrap() {
+            let path = example.unwrap().path();
+            if path.is_file() {
+                fs::copy(&path, bench.folder().join(path.file_name().unwrap())).unwrap();
+            }
         }
+        let shown = fs::read_to_string(file).unwrap();
+        let real = replayed(&bench, &shown);
+        if env::var_os("ASPERITY_BLESS").is_some() {
+            fs::write(file, &real).unwrap();
+            continue;
+        }
+        let (shown_lines, real_lines) = (shown.lines(), real.lines());
+        for (shown, real) in shown_lines.clone().zip(real_lines.clone()) {
+            assert!(agree(shown, real), "{}\nshown: {shown}\nreal:  {real}", file.display());
+        }
+        assert_eq!(shown_lines.count(), real_lines.count(), "{}", file.display());
+        all += &shown;
     }
-    let shown = include_str!("../../README.md");
-    let real = replayed(&bench, shown);
-    if env::var_os("ASPERITY_BLESS").is_some() {
-        fs::write(folder.join("README.md"), &real).unwrap();
+    let readme = fs::read_to_string(folder.join("README.md")).unwrap();
+    assert!(readme.contains(&format!("cd {EXAMPLES}")));
+    assert!(readme.split_whitespace().count() <= 1200, "the README is for one sitting");
+    for file in &files[..files.len() - 1] {
+        let name = file.file_name().unwrap().to_str().unwrap();
+        assert!(readme.contains(&format!("(tests/walkthrough/{name})")), "{name}");
     }
-    let (shown_lines, real_lines) = (shown.lines(), real.lines());
-    for (shown, real) in shown_lines.clone().zip(real_lines.clone()) {
-        assert!(agree(shown, real), "shown: {shown}\nreal:  {real}");
-    }
-    assert_eq!(shown_lines.count(), real_lines.count());
-    assert!(shown.contains(&format!("cd {EXAMPLES}")));
-    for scene in ["wheel-rail", "bolted-joint", "elastomer-on-glass"] {
-        assert!(shown.contains(&format!(" {scene}.toml")), "{scene}");
+    if env::var_os("ASPERITY_BLESS").is_none() {
+        for scene in ["wheel-rail", "bolted-joint", "elastomer-on-glass"] {
+            assert!(all.contains(&format!(" {scene}.toml")), "{scene}");
+        }
     }
 }
 
