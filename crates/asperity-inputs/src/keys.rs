@@ -15,7 +15,7 @@ pub struct Key {
     /// Its section: `body`, `interface`, `surface`, `options`, or empty for the top of the file.
     pub section: &'static str,
     /// What it describes.
-    pub of: Of,
+    pub subject: Subject,
     /// The SI unit of its number; empty for pure numbers and for texts.
     pub unit: &'static str,
     /// Its unit, and what it is, which needs it or its values, as the template says.
@@ -31,7 +31,7 @@ pub struct Key {
 
 /// What a key of a scene describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Of {
+pub enum Subject {
     /// The contact as a whole.
     Scene,
     /// One body.
@@ -60,13 +60,13 @@ pub struct Field<T: 'static> {
 }
 
 macro_rules! key {
-    ($section:literal $of:ident $name:ident $unit:literal $meaning:literal
+    ($section:literal $subject:ident $name:ident $unit:literal $meaning:literal
         $(also $($other:literal $differs:literal),+)? $(form $label:literal $typed:literal)?
         $(symbol $symbol:literal)?) => {
         Key {
             name: stringify!($name),
             section: $section,
-            of: Of::$of,
+            subject: Subject::$subject,
             unit: $unit,
             meaning: concat!($unit, $meaning),
             also: &[$($(($other, $differs)),+)?],
@@ -80,13 +80,13 @@ macro_rules! key {
 /// with what differs, and its name and a value in a form. Those of `numbers` are fields of a struct
 /// of the library; sweeps and Python list them in this order.
 macro_rules! keys {
-    ($($section:literal $of:ident
+    ($($section:literal $subject:ident
         $(numbers $list:ident in $struct:ident { $($field:ident($($column:tt)+))+ })?
         { $($name:ident($($value:tt)+))* })+) => {
         /// Every key of a scene file.
         pub const KEYS: &[Key] = &[$(
-            $($(key!($section $of $field $($column)+),)+)?
-            $(key!($section $of $name $($value)+),)*
+            $($(key!($section $subject $field $($column)+),)+)?
+            $(key!($section $subject $name $($value)+),)*
         )+];
         $($(
             /// The numbers of this struct.
@@ -261,7 +261,8 @@ impl Key {
 
 /// The names of the keys of a section; those of the second surface describe one surface.
 pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
-    let of_pair = |key: &Key| key.of == Of::Surface || ["files", "aligned"].contains(&key.name);
+    let of_pair =
+        |key: &Key| key.subject == Subject::Surface || ["files", "aligned"].contains(&key.name);
     let is_here = |key: &&Key| match section {
         COUNTERFACE => key.section == "surface" && !of_pair(key),
         section => key.section == section,

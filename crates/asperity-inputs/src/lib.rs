@@ -39,7 +39,7 @@ pub use error::{Needed, Place, SceneError};
 pub use free::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
-pub use keys::{BODY, Field, INTERFACE, KEYS, Key, Of, SURFACE};
+pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject};
 pub use likely::{
     gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point, without_thousands,
 };

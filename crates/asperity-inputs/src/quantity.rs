@@ -67,12 +67,12 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
         return number.map_err(|_| format!("is not a number in {si}: write it in {si}"));
     };
     in_si(text, key, units).map_err(|odd| match odd {
-        Odd::Written(hint) => hint,
-        Odd::SameAs(same) => {
+        Mistyped::Written(hint) => hint,
+        Mistyped::SameAs(same) => {
             let same = same.replace(' ', "");
             format!("is not a number in {si}: write {same}, which is the same")
         }
-        Odd::Unit { near, .. } => {
+        Mistyped::Unit { near, .. } => {
             let (_, example, names) = units;
             let (near, example) = (nearest_hint(near), example.replace(' ', ""));
             let names = list(names);
@@ -82,7 +82,7 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
 }
 
 /// Why a text is not a number with one of the units of its key.
-pub(crate) enum Odd {
+pub(crate) enum Mistyped {
     /// It is written in another way, with this hint.
     Written(String),
     /// Its unit is not read, but that of this number, which is the same.
@@ -91,7 +91,7 @@ pub(crate) enum Odd {
     Unit { near: Option<String>, units: Units },
 }
 
-impl Odd {
+impl Mistyped {
     /// The error for a text in a scene file.
     pub(crate) fn error(self, at: Box<Place>, found: String) -> SceneError {
         match self {
@@ -119,14 +119,14 @@ impl Odd {
 }
 
 /// A number with one of the units of a key.
-pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, Odd> {
+pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, Mistyped> {
     let si = units.0;
     read(text, units).ok_or_else(|| match converted(text, si) {
-        Some(same) => Odd::SameAs(same),
+        Some(same) => Mistyped::SameAs(same),
         None => {
             let hint = if si == "Pa" { hardness(text, key) } else { None };
-            let hint = hint.or_else(|| notation_hint(text)).map(Odd::Written);
-            hint.unwrap_or_else(|| Odd::Unit { near: in_other_case(text, units), units })
+            let hint = hint.or_else(|| notation_hint(text)).map(Mistyped::Written);
+            hint.unwrap_or_else(|| Mistyped::Unit { near: in_other_case(text, units), units })
         }
     })
 }

@@ -94,29 +94,27 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
 const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
 
 /// The error for a scan given instead of a scene file.
-fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
+fn scan_instead_of_scene(path: &Path, mut error: SceneError) -> SceneError {
     let end = path.extension().unwrap_or_default().to_ascii_lowercase();
     if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
         return error;
     }
-    let scan = |reason| {
+    let (SceneError::Syntax { reason, .. } | SceneError::Unreadable { reason, .. }) = &mut error
+    else {
+        return error;
+    };
+    let is_table = std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text));
+    *reason = if is_table {
+        format!(
+            "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
+        )
+    } else {
         let name = path.display();
-        if std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text)) {
-            return format!(
-                "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
-            );
-        }
         format!(
             "the file looks like a scan, not like a scene in TOML ({reason}); create a scene with `asperity surface {name} --scene scene.toml`"
         )
     };
-    match error {
-        SceneError::Syntax { at, reason } => SceneError::Syntax { at, reason: scan(reason) },
-        SceneError::Unreadable { at, reason } => {
-            SceneError::Unreadable { at, reason: scan(reason) }
-        }
-        other => other,
-    }
+    error
 }
 
 /// Reads a scene from its text; relative paths in it are relative to `directory`.

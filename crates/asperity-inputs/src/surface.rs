@@ -5,7 +5,7 @@ use asperity::{Finding, Interface, ProfileMoments, Scene, Surface};
 use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
 use crate::document::Document;
 use crate::heights::HeightsKey;
-use crate::keys::{COUNTERFACE, KEYS, Of};
+use crate::keys::{COUNTERFACE, KEYS, Subject};
 use crate::likely::{Given, OddNumber, likely_angle};
 use crate::measured::{Asked, measured};
 use crate::{Roughness, SceneError, SceneFile};
@@ -129,7 +129,7 @@ fn numbers(
     if let Some((_, other)) = given.next() {
         return conflict(key, other, &one_way);
     }
-    let of_files = KEYS.iter().find(|key| key.of == Of::Scan && has(&&key.name));
+    let of_files = KEYS.iter().find(|key| key.subject == Subject::Scan && has(&&key.name));
     if let Some(of_files) = of_files.filter(|_| way != MEASURED) {
         return conflict(of_files.name, key, "a measured file");
     }

@@ -183,31 +183,31 @@ fn section_of<'d>(
     if section.is_empty() {
         return Ok(Some(document.as_table_mut()));
     }
-    if let Some((name, rest)) = section.split_once('[') {
-        let number: usize = rest.trim_end_matches(']').parse().map_err(|_| wrong())?;
-        if !document.contains_key(name) && make {
-            document.insert(name, Item::ArrayOfTables(ArrayOfTables::new()));
+    let (name, number) = match section.split_once('[') {
+        Some((name, rest)) => (name, rest.trim_end_matches(']').parse::<usize>().ok()),
+        None => (section, None),
+    };
+    if make && !document.contains_key(name) {
+        document.insert(
+            name,
+            match number {
+                Some(_) => Item::ArrayOfTables(ArrayOfTables::new()),
+                None => Item::Table(Table::new()),
+            },
+        );
+    }
+    let found = match (document.get_mut(name), number) {
+        (Some(Item::ArrayOfTables(tables)), Some(number)) => {
+            if make && number == tables.len() + 1 {
+                tables.push(Table::new());
+            }
+            let table = number.checked_sub(1).and_then(|k| tables.get_mut(k));
+            table.map(|table| table as &mut dyn TableLike)
         }
-        let Some(tables) = document.get_mut(name).and_then(Item::as_array_of_tables_mut) else {
-            return if make { Err(wrong()) } else { Ok(None) };
-        };
-        if number == tables.len() + 1 && make {
-            tables.push(Table::new());
-        }
-        let table = number.checked_sub(1).and_then(|k| tables.get_mut(k));
-        return match table {
-            Some(table) => Ok(Some(table)),
-            None if make => Err(wrong()),
-            None => Ok(None),
-        };
-    }
-    if !document.contains_key(section) && make {
-        document.insert(section, Item::Table(Table::new()));
-    }
-    match document.get_mut(section) {
-        None => Ok(None),
-        Some(item) => item.as_table_like_mut().map(Some).ok_or_else(wrong),
-    }
+        (Some(item), None) => item.as_table_like_mut(),
+        _ => None,
+    };
+    if make && found.is_none() { Err(wrong()) } else { Ok(found) }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::short;
-use asperity_inputs::{KEYS, Key, Of, SceneFile};
+use asperity_inputs::{KEYS, Key, SceneFile, Subject};
 use serde::Serialize;
 
 use crate::fields::{edit, fields, files};
@@ -47,8 +47,8 @@ impl Form {
             let keys = KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key));
             keys.map(field).collect()
         };
-        let every = fields(&|key| key.of == Of::Surface);
-        let is_more = |key: &Key| key.of == Of::Scan && !OF_SCANS.contains(&key.name);
+        let every = fields(&|key| key.subject == Subject::Surface);
+        let is_more = |key: &Key| key.subject == Subject::Scan && !OF_SCANS.contains(&key.name);
         let ways = WAYS.into_iter().map(|(way, keys)| {
             let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
             let keys = keys.iter().filter_map(|name| Key::find("surface", name));
@@ -56,8 +56,8 @@ impl Form {
         });
         Self {
             area: Key::find("", "nominal_area").map_or([""; 3], field),
-            body: fields(&|key| key.of == Of::Body),
-            interface: fields(&|key| key.of == Of::Interface),
+            body: fields(&|key| key.subject == Subject::Body),
+            interface: fields(&|key| key.subject == Subject::Interface),
             ways: ways.collect(),
             more: [fields(&is_more), every.clone()].concat(),
             every,
@@ -106,10 +106,10 @@ pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
     let old = fields.get("surface.file").map(String::as_str);
     let kind = |name: &str| Path::new(name).extension().map(|end| end.to_ascii_lowercase());
     let is_alike = old.map(kind) == Some(kind(name));
-    let is_kept = |key: &&Key| match key.of {
-        Of::Scan if OF_FILES.contains(&key.name) => is_alike,
-        Of::Scan => key.name != "files",
-        of => of == Of::Surface,
+    let is_kept = |key: &&Key| match key.subject {
+        Subject::Scan if OF_FILES.contains(&key.name) => is_alike,
+        Subject::Scan => key.name != "files",
+        subject => subject == Subject::Surface,
     };
     let mut kept = vec![];
     if old.is_some() {

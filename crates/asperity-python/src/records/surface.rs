@@ -61,8 +61,7 @@ record! {
         /// [m^2], z'^2 and z''^2 [1/m^2].
         #[staticmethod]
         fn from_moments(m0: &Arg<'_>, m2: &Arg<'_>, m4: &Arg<'_>) -> PyResult<Self> {
-            let [m0, m2, m4] = numbers("Surface", [("m0", m0), ("m2", m2), ("m4", m4)])?;
-            Self::following(Roughness::Moments([m0, m2, m4]))
+            Self::following(Roughness::Moments, [m0, m2, m4])
         }
 
         /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
@@ -75,8 +74,7 @@ record! {
         /// (0.0002, 200000000.0)
         #[staticmethod]
         fn from_iso25178(sq: &Arg<'_>, spd: &Arg<'_>, spc: &Arg<'_>) -> PyResult<Self> {
-            let [sq, spd, spc] = numbers("Surface", [("sq", sq), ("spd", spd), ("spc", spc)])?;
-            Self::following(Roughness::Iso25178([sq, spd, spc]))
+            Self::following(Roughness::Iso25178, [sq, spd, spc])
         }
 
         /// From radius [m], density [1/m^2] and the standard deviation of the surface heights [m].
@@ -84,12 +82,8 @@ record! {
         fn from_surface_std(
             asperity_radius: &Arg<'_>, asperity_density: &Arg<'_>, surface_height_std: &Arg<'_>,
         ) -> PyResult<Self> {
-            let [radius, density, std] = numbers("Surface", [
-                ("asperity_radius", asperity_radius),
-                ("asperity_density", asperity_density),
-                ("surface_height_std", surface_height_std),
-            ])?;
-            Self::following(Roughness::SurfaceStd([radius, density, std]))
+            let given = [asperity_radius, asperity_density, surface_height_std];
+            Self::following(Roughness::SurfaceStd, given)
         }
 
         /// The surface whose gap to a flat is that between this surface and an independent one:
@@ -103,7 +97,7 @@ record! {
         /// 1.037e-06
         fn against(&self, other: &Bound<'_, Self>) -> PyResult<Self> {
             let sum = self.moments()?.plus(&other.get().moments()?);
-            Self::following(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
+            Self::by(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
         }
 
         /// From the standard deviation of the surface heights [m] and the mean absolute slope of
@@ -118,12 +112,8 @@ record! {
         fn from_mean_slope(
             surface_height_std: &Arg<'_>, mean_slope: &Arg<'_>, asperity_density: &Arg<'_>,
         ) -> PyResult<Self> {
-            let [std, slope, density] = numbers("Surface", [
-                ("surface_height_std", surface_height_std),
-                ("mean_slope", mean_slope),
-                ("asperity_density", asperity_density),
-            ])?;
-            Self::following(Roughness::MeanSlope([std, slope, density]))
+            let given = [surface_height_std, mean_slope, asperity_density];
+            Self::following(Roughness::MeanSlope, given)
         }
 
         /// From parameters of ISO 25178, with the rms gradient Sdq of an isotropic Gaussian surface
@@ -135,9 +125,7 @@ record! {
         /// 1.4454e-05
         #[staticmethod]
         fn from_gradient(sq: &Arg<'_>, spd: &Arg<'_>, sdq: &Arg<'_>) -> PyResult<Self> {
-            let given = [("sq", sq), ("spd", spd), ("sdq", sdq)];
-            let [sq, spd, sdq] = numbers("Surface", given)?;
-            Self::following(Roughness::Gradient([sq, spd, sdq]))
+            Self::following(Roughness::Gradient, [sq, spd, sdq])
         }
 
         /// Density times radius times height_std.
@@ -164,7 +152,14 @@ impl Surface {
         self.1.map_or(Ok(self.0.moments()), |roughness| roughness.moments().map_err(refused))
     }
 
-    fn following(roughness: Roughness) -> PyResult<Self> {
+    /// The surface that follows from numbers of this kind.
+    fn following(kind: fn([f64; 3]) -> Roughness, given: [&Arg<'_>; 3]) -> PyResult<Self> {
+        let [a, b, c] = *kind([0.0; 3]).keys();
+        let [one, two, three] = given;
+        Self::by(kind(numbers("Surface", [(a, one), (b, two), (c, three)])?))
+    }
+
+    fn by(roughness: Roughness) -> PyResult<Self> {
         Ok(Self(roughness.surface().map_err(refused)?, Some(roughness)))
     }
 }
