@@ -51,7 +51,7 @@ pub(crate) fn fit<'py>(
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
-        let found = run_interruptible(py, None, |stop| {
+        let found = run_interruptible(py, |stop| {
             file.fit(&model, &data, &free, &mut |_| continue_unless(stop))
         })?;
         match found {

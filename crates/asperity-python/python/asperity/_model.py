@@ -13,6 +13,7 @@ from asperity._arguments import (
     Rows,
     SceneLike,
     checked_errors,
+    checked_unit,
     one_number,
     one_scene,
     place,
@@ -162,7 +163,8 @@ class Model(Engine):
         >>> f"{force:.2f} N, {tangent:.3e} N/m"
         '216.94 N, 5.988e+08 N/m'
         """
-        return Contact(self, one_scene(scene, "compile"), quantities, rtol, separation_unit)
+        unit = checked_unit(separation_unit)
+        return Contact(self, one_scene(scene, "compile"), quantities, rtol, unit)
 
     def unloading(
         self,
@@ -232,7 +234,8 @@ class Model(Engine):
         >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
         '-0.956 N at 0.408 asperity_height_std'
         """
-        return _asperity.pull_off(self, one_scene(scene, "pull_off"), rtol, separation_unit)
+        unit = checked_unit(separation_unit)
+        return _asperity.pull_off(self, one_scene(scene, "pull_off"), rtol, unit)
 
     def joint_table(
         self,
@@ -262,15 +265,15 @@ class Model(Engine):
         >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
         array([216.94, 137.  , 216.94])
         """
-        scene = one_scene(scene, "joint_table")
+        scene, unit = one_scene(scene, "joint_table"), checked_unit(separation_unit)
         given = in_si([deepest, open], "m")
-        if tuple(given) != (deepest, open) and separation_unit != "m":
+        if tuple(given) != (deepest, open) and unit != "m":
             raise ValueError(
-                f"deepest is {deepest!r} and open {open!r}, but separation_unit is {separation_unit!r}: lengths "
+                f"deepest is {deepest!r} and open {open!r}, but separation_unit is {unit!r}: lengths "
                 'with a unit need separation_unit="m"'
             )
         ends = one_number("deepest", given[0]), one_number("open", given[1])
-        return JointTable(self, scene, ends, law, tolerance, separation_unit)
+        return JointTable(self, scene, ends, law, tolerance, unit)
 
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10

@@ -211,7 +211,7 @@ impl Contact {
             };
             let filled = match numbers.len() <= VALUES_PER_TASK {
                 true => py.detach(|| fill((numbers, column))),
-                false => run_interruptible(py, None, |stop| {
+                false => run_interruptible(py, |stop| {
                     let tasks = numbers.par_chunks(VALUES_PER_TASK);
                     let tasks = tasks.zip(column.par_chunks_mut(VALUES_PER_TASK));
                     tasks.all(|task| !stop.load(Ordering::Relaxed) && fill(task))

@@ -45,9 +45,17 @@ fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     }
 }
 
-/// Runs `work` on `threads`, by default those of this process, while this thread, which gets the
-/// signals, checks for them; a signal sets the flag that stops `work`.
+/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
+/// them; a signal sets the flag that stops `work`.
 pub(crate) fn run_interruptible<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
+) -> PyResult<T> {
+    run_on(py, None, work)
+}
+
+/// The same on a number of threads.
+fn run_on<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
@@ -100,7 +108,7 @@ pub(crate) fn run_stretches<S: Send>(
         return Ok(py.detach(|| vec![stretch(0)]));
     }
     let last = AtomicUsize::new(usize::MAX);
-    run_interruptible(py, threads, |stop| {
+    run_on(py, threads, |stop| {
         let one = |k: usize| {
             if stop.load(Ordering::Relaxed) || k > last.load(Ordering::Relaxed) {
                 return None;

@@ -90,7 +90,10 @@ impl Rows {
     }
 
     pub(crate) fn scene(&self, row: usize) -> Result<Scene, ContactError> {
-        Ok(self.file_of(row)?.scene.clone())
+        Ok(match self.file_of(row)? {
+            Cow::Borrowed(file) => file.scene.clone(),
+            Cow::Owned(file) => file.scene,
+        })
     }
 
     pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {

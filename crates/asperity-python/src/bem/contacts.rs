@@ -67,7 +67,7 @@ pub(crate) fn bem<'py>(
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
     let mut columns: Vec<Vec<f64>> = vec![missing(1); HEADS.len() + quantities.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, None, |stop| {
+    run_interruptible(py, |stop| {
         let mut fail = |index, error: PyErr, message| match mask {
             true => drop(failures.insert(index, message)),
             false => {

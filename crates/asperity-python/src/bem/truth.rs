@@ -44,7 +44,7 @@ pub(crate) fn truth<'py>(
     };
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = run_interruptible(py, None, |stop| {
+        let found = run_interruptible(py, |stop| {
             compare_with_bem(&scene.scene, bem, &pressures, models, |_| continue_unless(stop))
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();

@@ -32,7 +32,7 @@ pub(crate) fn bem_unloading<'py>(
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_case(given.0, given.1, area);
-    let (retreats, end, found) = run_interruptible(py, None, |stop| -> Result<_, BemError> {
+    let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
         let path = elements.unloading_from(greatest)?;
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
