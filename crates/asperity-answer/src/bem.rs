@@ -48,8 +48,8 @@ pub struct Press<'a> {
     pub keep: bool,
 }
 
-/// The cells of a solution; `None` without one.
-type Solved = Option<Vec<Cell>>;
+/// The cells of each solution, `None` without one, the maps that are kept, and the findings.
+type Solved = (Vec<Option<Vec<Cell>>>, Vec<Vec<f64>>, Findings);
 
 impl Press<'_> {
     /// Fills a sheet with a row for each load or gap, and returns the pressures \[Pa\] of the
@@ -122,17 +122,17 @@ impl Press<'_> {
         Ok(maps)
     }
 
-    /// The cells of each load or gap on a grid, the maps that are kept, and the findings.
+    /// The loads or gaps on a grid.
     fn rows(
         &self,
         bem: &Bem,
         quantities: &[Quantity],
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Result<(Vec<Solved>, Vec<Vec<f64>>, Findings), ContactError> {
+    ) -> Result<Solved, ContactError> {
         let ([rows, columns], scene) = (bem.map().shape(), &self.file.scene);
         let elements = bem.elements(&scene.interface)?;
-        let mut answers: Vec<Solved> = vec![None; self.given.len()];
+        let mut answers: Vec<Option<Vec<Cell>>> = vec![None; self.given.len()];
         let mut maps = vec![vec![]; self.given.len()];
         let (mut found, mut errors, mut lacks) = (Vec::<Finding>::new(), vec![], vec![]);
         let progress = |progress: &Progress| {
