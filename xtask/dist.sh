@@ -79,11 +79,14 @@ rm -r "${dist:?}/$name"
 
 # The page, if it was built.
 if [ -f target/page/index.html ]; then
+    missing=
     for file in rust/index.html python/asperity.html; do
-        [ -f target/page/$file ] && continue
-        echo "note: target/page has no $file: run .ci/python and cargo xtask guide --api" >&2
-        [ $quick ] || exit 1
+        [ -f target/page/$file ] || missing+=" $file"
     done
+    if [ "$missing" ]; then
+        echo "target/page has no$missing: run .ci/python and cargo xtask guide --api" >&2
+        [ $quick ] || exit 1
+    fi
     name=asperity-$version-page
     cp -r target/page "$dist/$name"
     find "$dist/$name" -exec touch --date '1980-01-01 00:00Z' {} +

@@ -12,13 +12,14 @@ use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
 /// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, FigureSpec { name, table, style }: &FigureSpec) -> Result<[Fresh; 2]> {
-    let numbers = table().with_context(|| format!("the table of {name}"))?.into_text();
+fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
+    let name = spec.name;
+    let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match read(&folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,
         _ => numbers,
     };
-    let svg = style(&csv).and_then(|figure| Ok(draw(&figure, &csv)?));
+    let svg = spec.picture(&csv).and_then(|figure| Ok(draw(&figure, &csv)?));
     let svg = svg.with_context(|| format!("the picture of {name}"))?;
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }

@@ -122,7 +122,7 @@ impl Asked {
     #[must_use]
     pub fn refusals(&self) -> Vec<String> {
         let pair = |(quantity, reason): &(Quantity, ContactError)| {
-            (reason.to_string(), quantity.to_string())
+            (reason.marked(), format!("`{quantity}`"))
         };
         let groups = grouped(self.refused.iter().map(pair)).into_iter();
         groups.map(|(reason, names)| format!("no {}: {reason}", names.join(", "))).collect()

@@ -103,7 +103,7 @@ impl Inquiry<'_> {
             cells.extend(match row.map(|row| row.value(quantity)) {
                 Some(Ok(found)) => [found.value, found.lower, found.upper].map(Cell::Number),
                 Some(Err(reason)) => {
-                    let blank = Cell::Blank(Some(reason.to_string().into()));
+                    let blank = Cell::Blank(Some(reason.marked().into()));
                     if had {
                         count(reasons, (Some(quantity), &reason));
                     }
@@ -133,7 +133,7 @@ fn lacks(count: usize, rows: usize, own: &str, what: &str, reason: &ContactError
     // The id stands in front of every message.
     let reason = match reason {
         ContactError::Refused { model, reason } if model.ends_with("-corrected") => reason.clone(),
-        other => other.to_string(),
+        other => other.marked(),
     };
     format!("no {what}{counted}: {reason}{advice}")
 }

@@ -236,7 +236,7 @@ pub fn column_beside(quantity: Quantity, what: &str) -> String {
 fn cell(value: &Result<Evaluation, ContactError>) -> Cell {
     match value {
         Ok(value) => Cell::Number(value.value()),
-        Err(reason) => Cell::Blank(Some(reason.to_string().into())),
+        Err(reason) => Cell::Blank(Some(reason.marked().into())),
     }
 }
 
@@ -328,9 +328,10 @@ impl Blanks {
                 _ => "",
             };
             match rows {
-                1 => format!("{reason}{hint}"),
+                1 => format!("{}{hint}", reason.marked()),
                 _ => {
-                    let what = partly.map_or("value".into(), |quantity| quantity.to_string());
+                    let what = partly.map_or("value".into(), |quantity| format!("`{quantity}`"));
+                    let reason = reason.marked();
                     format!("no {what} in {count} of {rows} rows, first: {reason}{hint}")
                 }
             }

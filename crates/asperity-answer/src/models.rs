@@ -172,7 +172,7 @@ pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
     let reason = |reason: &ContactError| match reason {
         ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
         ContactError::Refused { reason, .. } => format!(": {reason}"),
-        reason => format!(": {reason}"),
+        reason => format!(": {}", reason.marked()),
     };
     let grouped = grouped(lacking.iter().map(|(id, error)| (reason(error), id.clone())));
     grouped.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()

@@ -23,7 +23,8 @@ pub enum Cell {
     Text(Arc<str>),
     /// A number.
     Number(f64),
-    /// No value; the reason, where it concerns this cell.
+    /// No value; the reason, where it concerns this cell, with its terms marked for a
+    /// [`Dialect`](asperity::Dialect).
     Blank(Option<Arc<str>>),
 }
 

@@ -1,28 +1,29 @@
 //! Errors: which field, what value, what was required.
 
+use std::fmt;
+
 use asperity_quadrature::QuadratureError;
+use serde::{Serialize, Serializer};
 
-use serde::Serialize;
+use crate::{AsWritten, At, Dialect, Quantity, Separation, nearest_hint, short};
 
-use crate::{At, Quantity, Separation, nearest_hint, short};
-
-/// Why a contact problem was refused or could not be answered.
+/// Why a contact problem was refused or could not be answered. Texts of requirements and reasons
+/// have their terms in backticks, as those of a [`Finding`](crate::Finding).
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ContactError {
     /// An input lies outside its range.
-    #[error("{field} is {value:?}: {required} was required")]
     OutOfRange {
         /// Name of the input, as in the struct or the scene file.
         field: &'static str,
         /// The value given.
         value: f64,
         /// The values accepted.
+        #[serde(serialize_with = "as_written")]
         required: &'static str,
     },
     /// A number in a table lies outside its range.
-    #[error("row {row}: {field} is {value:?}: {required} was required")]
     InTable {
         /// The row, counted from 1.
         row: usize,
@@ -34,21 +35,19 @@ pub enum ContactError {
         required: &'static str,
     },
     /// An input that this model needs was not given.
-    #[error("{field} is missing: {reason}")]
     Missing {
         /// Name of the input.
         field: &'static str,
         /// Which model or quantity needs it, or what to set.
+        #[serde(serialize_with = "as_written")]
         reason: String,
     },
     /// A quantity was read that the request does not list.
-    #[error("{quantity} was not requested: add it to the request's quantities")]
     NotRequested {
         /// The quantity.
         quantity: Quantity,
     },
     /// A model was asked for a law it does not have.
-    #[error("{model} has no law for {quantity}")]
     NoLaw {
         /// The model.
         model: String,
@@ -56,15 +55,14 @@ pub enum ContactError {
         quantity: Quantity,
     },
     /// The model does not provide this.
-    #[error("{model} cannot give {what}")]
     Unsupported {
         /// The model.
         model: String,
         /// The quantity or service requested.
+        #[serde(serialize_with = "as_written")]
         what: String,
     },
     /// A ratio or a logarithm where no asperity is in contact.
-    #[error("{quantity} has no value at {at}: no asperity is in contact there")]
     NoValue {
         /// The quantity.
         quantity: Quantity,
@@ -72,10 +70,6 @@ pub enum ContactError {
         at: At,
     },
     /// A separation outside the range that can be evaluated.
-    #[error(
-        "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
-        in_sigmas(.separation, *.over_sigma)
-    )]
     SeparationOutOfRange {
         /// The separation as given.
         separation: Separation,
@@ -83,25 +77,18 @@ pub enum ContactError {
         over_sigma: f64,
     },
     /// A separation from the mean plane of the surface, for heights without one.
-    #[error(
-        "separations from the mean plane of the surface need mean_plane_offset with exponential and Weibull heights"
-    )]
     NoMeanPlane,
     /// A compiled scene was moved to one with a different interface or asperity radius.
-    #[error(
-        "interface or asperity_radius differs from the compiled scene, and its laws depend on them: compile the new scene"
-    )]
     OtherAsperity,
     /// A model refuses the input for a reason of its own.
-    #[error("{model}: {reason}")]
     Refused {
         /// The model.
         model: String,
         /// The reason.
+        #[serde(serialize_with = "as_written")]
         reason: String,
     },
     /// An unknown name of a quantity.
-    #[error("quantity {name:?} is not known{}: the quantities are {known}", nearest_hint(*.near))]
     UnknownQuantity {
         /// The value given.
         name: String,
@@ -111,7 +98,6 @@ pub enum ContactError {
         known: String,
     },
     /// An unknown option of a model, or a value that it does not accept.
-    #[error("{model}: {reason}")]
     Option {
         /// The model's id.
         model: String,
@@ -119,7 +105,6 @@ pub enum ContactError {
         reason: String,
     },
     /// An unknown name of a model.
-    #[error("model {name:?} is not known{}: the models are {known}", nearest_hint(.near.as_ref()))]
     UnknownModel {
         /// The value given.
         name: String,
@@ -129,9 +114,6 @@ pub enum ContactError {
         known: String,
     },
     /// The scale of a quantity exceeds the range of f64.
-    #[error(
-        "the scale of the {quantity} is {scale:e}, outside the range of f64: check the units of the inputs"
-    )]
     Scale {
         /// The quantity.
         quantity: Quantity,
@@ -139,15 +121,11 @@ pub enum ContactError {
         scale: f64,
     },
     /// The interference unit of a law differs too much from the spread of the heights.
-    #[error(
-        "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
-    )]
     Ratio {
         /// The unit over σ_z.
         ratio: f64,
     },
     /// No separation carries this load or holds this tension.
-    #[error("load is {load:?} N: {}", reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
@@ -157,9 +135,6 @@ pub enum ContactError {
         at: At,
     },
     /// The force varies too much between two separations to find all those that carry the load.
-    #[error(
-        "the separations that carry the load cannot be resolved between {from} and {to}, as law or heights vary too much there: ask for the largest separation alone, or declare the kinks of the law and the breaks of the heights"
-    )]
     Unresolved {
         /// The lower separation.
         from: At,
@@ -167,11 +142,6 @@ pub enum ContactError {
         to: At,
     },
     /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
-    #[error(
-        "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
-        short(*.smallest),
-        .at.rounded()
-    )]
     TooLight {
         /// The load asked for \[N\].
         load: f64,
@@ -181,7 +151,6 @@ pub enum ContactError {
         at: At,
     },
     /// The integral could not be computed.
-    #[error("{quantity} at {at}: {source}")]
     Integral {
         /// The quantity asked for.
         quantity: Quantity,
@@ -192,17 +161,87 @@ pub enum ContactError {
     },
 }
 
+impl ContactError {
+    /// The text with its terms in backticks, for a [`Dialect`]; [`Display`](fmt::Display) is
+    /// that of [`AsWritten`].
+    #[must_use]
+    pub fn marked(&self) -> String {
+        match self {
+            Self::OutOfRange { field, value, required } => {
+                format!("`{field}` is {value:?}: {required} was required")
+            }
+            Self::InTable { row, field, value, required } => {
+                format!("row {row}: {field} is {value:?}: {required} was required")
+            }
+            Self::Missing { field, reason } => format!("`{field}` is missing: {reason}"),
+            Self::NotRequested { quantity } => {
+                format!("`{quantity}` was not requested: add it to the request's quantities")
+            }
+            Self::NoLaw { model, quantity } => format!("`{model}` has no law for `{quantity}`"),
+            Self::Unsupported { model, what } => format!("`{model}` cannot give {what}"),
+            Self::NoValue { quantity, at } => {
+                format!("`{quantity}` has no value at {at:#}: no asperity is in contact there")
+            }
+            Self::SeparationOutOfRange { separation, over_sigma } => format!(
+                "separation is {separation:#}{}: `-1e6 to 1e9 asperity_height_std` from the mean of the asperity heights was required",
+                in_sigmas(separation, *over_sigma)
+            ),
+            Self::NoMeanPlane => "separations from the mean plane of the surface need `mean_plane_offset` with exponential and Weibull heights".into(),
+            Self::OtherAsperity => "interface or `asperity_radius` differs from the compiled scene, and its laws depend on them: compile the new scene".into(),
+            Self::Refused { model, reason } | Self::Option { model, reason } => {
+                format!("`{model}`: {reason}")
+            }
+            Self::UnknownQuantity { name, near, known } => format!(
+                "quantity {name:?} is not known{}: the quantities are {known}",
+                nearest_hint(*near)
+            ),
+            Self::UnknownModel { name, near, known } => format!(
+                "model {name:?} is not known{}: the models are {known}",
+                nearest_hint(near.as_ref())
+            ),
+            Self::Scale { quantity, scale } => format!(
+                "the scale of the `{quantity}` is {scale:e}, outside the range of f64: check the units of the inputs"
+            ),
+            Self::Ratio { ratio } => format!(
+                "the law's interference unit over `asperity_height_std` is {ratio:e}: 1e-100 to 1e100 was required"
+            ),
+            Self::OutOfReach { load, largest, at } => {
+                format!("load is {load:?} N: {}", reach(*load, *largest, *at))
+            }
+            Self::Unresolved { from, to } => format!(
+                "the separations that carry the load cannot be resolved between {from:#} and {to:#}, as law or heights vary too much there: ask for the largest separation alone, or declare the kinks of the law and the breaks of the heights"
+            ),
+            Self::TooLight { load, smallest, at } => format!(
+                "load is {load:?} N: at least {} N, the force at the largest separation ({:#}), was required",
+                short(*smallest),
+                at.rounded()
+            ),
+            Self::Integral { quantity, at, source } => format!("`{quantity}` at {at:#}: {source}"),
+        }
+    }
+}
+
+impl fmt::Display for ContactError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&AsWritten.say(&self.marked()))
+    }
+}
+
+fn as_written<S: Serializer>(marked: &impl AsRef<str>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&AsWritten.say(marked.as_ref()))
+}
+
 fn reach(load: f64, largest: f64, at: At) -> String {
     match (load < 0.0, largest < 0.0) {
         (false, _) => {
             format!(
-                "a load above 0 and at most {} N, the largest force found, at {}, was required",
+                "a load above 0 and at most {} N, the largest force found, at {:#}, was required",
                 short(largest),
                 at.rounded()
             )
         }
         (true, true) => {
-            format!("the surfaces pull off at {} N, at {}", short(largest), at.rounded())
+            format!("the surfaces pull off at {} N, at {:#}", short(largest), at.rounded())
         }
         // The tension is so large that the search ends where no asperity touches.
         (true, false) => "a smaller tension, or a load above 0, was required".into(),
@@ -213,7 +252,7 @@ fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
     if *separation == Separation::sigmas(separation.value) || over_sigma.is_nan() {
         return String::new();
     }
-    format!(" ({over_sigma:?} asperity_height_std)")
+    format!(" (`{over_sigma:?} asperity_height_std`)")
 }
 
 /// `value` if it is finite and positive.

@@ -1,12 +1,11 @@
 //! Measured values: loads or separations, and quantities there, with standard deviations if known.
 
-use std::mem::discriminant;
 use std::ops::Deref;
 
-use asperity_core::{At, Datum, Separation};
+use asperity_core::{At, Datum};
 
 use crate::columns::Columns;
-use crate::observation::{MeasuredTable, Observation, number, position, row_name};
+use crate::observation::{MeasuredTable, Observation, Position};
 use crate::{DataColumn, FitError};
 
 /// Measured values, all with a standard deviation or all without.
@@ -79,13 +78,13 @@ impl Data {
         if let Some(known) = observations.iter().find(|one| one.std.is_some())
             && let Some(unknown) = observations.iter().find(|one| one.std.is_none())
         {
-            let [position, other] = [unknown, known].map(|one| position(&lines, one.row - 1));
+            let [position, other] = [unknown, known].map(|one| Position::of(&lines, one.row - 1));
             let column = unknown.measured.column();
             let known = match known.measured == unknown.measured {
-                true => other,
+                true => other.to_string(),
                 false => format!("{} of {other}", known.measured.column()),
             };
-            return Err(FitError::NoStd { position, column, known, row: row_name(&lines) });
+            return Err(FitError::NoStd { position, column, known });
         }
         Ok(Self { observations, from, lines, both_loads })
     }
@@ -100,7 +99,7 @@ impl Data {
             |[load, pressure]: [f64; 2]| (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD;
         match self.both_loads.iter().find(|(_, both)| !agree(*both)) {
             Some((row, [load, pressure])) => {
-                let position = position(&self.lines, *row);
+                let position = Position::of(&self.lines, *row);
                 Err(FitError::Loads { position, load: *load, pressure: *pressure, nominal_area })
             }
             None => Ok(()),
@@ -123,35 +122,29 @@ impl Data {
     /// the smallest to the largest, with values of 1: for curves between the data.
     #[must_use]
     pub fn between(&self, count: usize) -> Self {
-        let mut curves: Vec<(Observation, f64, f64)> = vec![];
-        for one in &self.observations {
-            let x = number(one.at);
-            let same = |other: &Observation| {
-                other.measured == one.measured && discriminant(&other.at) == discriminant(&one.at)
+        let mut curves: Vec<(Observation, [f64; 2])> = vec![];
+        for one in self.iter() {
+            let (place, x) = one.place();
+            let same = |(other, _): &&mut (Observation, [f64; 2])| {
+                other.measured == one.measured && other.place().0 == place
             };
-            match curves.iter_mut().find(|(other, ..)| same(other)) {
-                Some((_, low, high)) => (*low, *high) = (low.min(x), high.max(x)),
-                None => curves.push((*one, x, x)),
+            match curves.iter_mut().find(same) {
+                Some((_, [low, high])) => (*low, *high) = (low.min(x), high.max(x)),
+                None => curves.push((*one, [x; 2])),
             }
         }
-        let curve = |(one, low, high): &(Observation, f64, f64)| -> Vec<Observation> {
-            let (one, low, high) = (*one, *low, *high);
-            let place = move |k: usize| {
+        let mut found = vec![];
+        for (one, [low, high]) in curves {
+            for k in 0..count {
                 let share = k as f64 / count.saturating_sub(1).max(1) as f64;
-                let at = match one.at {
-                    At::Load(_) => At::Load(low * (high / low).powf(share)),
-                    At::Pressure(_) => At::Pressure(low * (high / low).powf(share)),
-                    At::Separation(reading) => {
-                        let value = low + (high - low) * share;
-                        Separation { value, ..reading }.into()
-                    }
-                    other => other,
+                let x = match one.at {
+                    At::Separation(_) => low + (high - low) * share,
+                    _ => low * (high / low).powf(share),
                 };
-                Observation { row: k + 1, at, value: 1.0, std: None, ..one }
-            };
-            (0..count).map(place).collect()
-        };
-        self.with(curves.iter().flat_map(curve).collect())
+                found.push(Observation { row: k + 1, value: 1.0, std: None, ..one.placed_at(x) });
+            }
+        }
+        self.with(found)
     }
 
     /// Other observations of the same table.
@@ -160,14 +153,14 @@ impl Data {
         Self { observations, from: self.from, lines, both_loads: vec![] }
     }
 
-    /// The line of an observation, or its row: `line 5`.
-    pub(crate) fn position(&self, one: &Observation) -> String {
-        position(&self.lines, one.row.saturating_sub(1))
+    /// The line of an observation, or its row.
+    pub(crate) fn position(&self, one: &Observation) -> Position {
+        Position::of(&self.lines, one.row.saturating_sub(1))
     }
 
     /// What a row is called in messages.
     pub(crate) fn row_name(&self) -> &'static str {
-        row_name(&self.lines)
+        Position::of(&self.lines, 0).name
     }
 
     /// The plane of the separations.

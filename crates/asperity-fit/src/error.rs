@@ -2,6 +2,8 @@
 
 use asperity_core::{ContactError, nearest_hint, short};
 
+use crate::Position;
+
 /// Why data or parameters are refused, or a fit ended.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -53,7 +55,7 @@ pub enum FitError {
     #[error("{position}: {column} is {}: {required} was required", short(*.value))]
     Value {
         /// The line in its file, or the row, both counted from 1: `line 5`.
-        position: String,
+        position: Position,
         /// The column.
         column: String,
         /// The number given.
@@ -76,17 +78,16 @@ pub enum FitError {
     },
     /// A value without a standard deviation beside others that have one.
     #[error(
-        "{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {row}, or in none"
+        "{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {}, or in none",
+        .position.name
     )]
     NoStd {
         /// The line in its file, or the row, both counted from 1: `line 5`.
-        position: String,
+        position: Position,
         /// The column.
         column: String,
         /// The value that has one, `line 2` or `area_m2 of line 2`.
         known: String,
-        /// What a row is called: `line` or `row`.
-        row: &'static str,
     },
     /// A load and a pressure of one row that contradict each other.
     #[error(
@@ -95,7 +96,7 @@ pub enum FitError {
     )]
     Loads {
         /// The line in its file, or the row, both counted from 1: `line 5`.
-        position: String,
+        position: Position,
         /// The load \[N\].
         load: f64,
         /// The pressure \[Pa\].
@@ -143,7 +144,7 @@ pub enum FitError {
     Unit {
         /// The model's id.
         model: String,
-        /// The column, its value, and the unit that explains the data.
+        /// The columns and the units that explain the data.
         likely: String,
     },
     /// The caller stopped the fit.

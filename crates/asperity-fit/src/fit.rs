@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::describe::describe;
+use crate::doubts::likely_unit;
 use crate::forward::Forward;
-use crate::likely_unit::likely_unit;
-use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
+use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
+use crate::solution::Solution;
 use crate::spread::Spread;
 use crate::{Data, FitError, Fitted, Parameter};
 
@@ -66,15 +66,15 @@ impl<'f> Fit<'f> {
         parameters: Vec<Parameter>,
         scene: &'f MakeScene<'f>,
     ) -> Result<Self, FitError> {
+        let refused = |parameter: &str, reason: &str| {
+            Err(FitError::Parameter { parameter: parameter.into(), reason: reason.into() })
+        };
         if parameters.is_empty() {
-            let (parameter, reason) =
-                ("free parameters".into(), "at least one was required".into());
-            return Err(FitError::Parameter { parameter, reason });
+            return refused("free parameters", "at least one was required");
         }
         for (place, one) in parameters.iter().enumerate() {
             if parameters[..place].iter().any(|other| other.name == one.name) {
-                let (parameter, reason) = (one.name.clone(), "it is given twice".into());
-                return Err(FitError::Parameter { parameter, reason });
+                return refused(&one.name, "it is given twice");
             }
         }
         if data.len() < parameters.len() {
@@ -102,12 +102,22 @@ impl<'f> Fit<'f> {
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, FitError> {
         let state = Progress { model: model.id().into(), ..Progress::default() };
-        let watch = Watch { progress: RefCell::new(progress), state: RefCell::new(state) };
+        let counted = RefCell::new((progress, state));
+        let count = |what: Counted| {
+            let (progress, state) = &mut *counted.borrow_mut();
+            match what {
+                Counted::Start => state.starts += 1,
+                Counted::Evaluation => {
+                    state.evaluations += 1;
+                    return progress(state);
+                }
+            }
+            ControlFlow::Continue(())
+        };
         let (data, parameters, scene) = (self.data, &self.parameters[..], self.scene);
         let forward = Forward::new(model, data)
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
-        let forward = &forward;
-        let problem = Problem { model, forward, data, parameters, scene, watch: &watch };
+        let problem = Problem { model, forward: &forward, data, parameters, scene, count: &count };
         let mut found = match search(&problem, self.more_starts, PATIENCE) {
             Err(error @ FitError::NoStart { .. }) => {
                 let unit = likely_unit(&problem, f64::INFINITY)?;
@@ -117,8 +127,8 @@ impl<'f> Fit<'f> {
             found => found?,
         };
         found.best = near_the_start(&problem, found.best)?;
-        let mut fitted = describe(&problem, &found)?;
-        fitted.evaluations = watch.state.borrow().evaluations;
+        let mut fitted = Solution::new(&problem, &found)?.describe()?;
+        fitted.evaluations = counted.borrow().1.evaluations;
         Ok(fitted)
     }
 }
@@ -136,10 +146,7 @@ fn near_the_start(problem: &Problem<'_>, best: Minimum) -> Result<Minimum, FitEr
     let change = DVector::from_iterator(best.coordinates.len(), change);
     let idle = &free * (free.transpose() * change);
     let moved: Vec<f64> = best.coordinates.iter().zip(&idle).map(|(x, idle)| x - idle).collect();
-    let inside = |(parameter, x): (&Parameter, &f64)| {
-        let [low, high] = parameter.range();
-        (low..=high).contains(x)
-    };
+    let inside = |(one, x): (&Parameter, &f64)| (one.range()[0]..=one.range()[1]).contains(x);
     let squares = squares(&problem.residuals(&moved)?);
     let same = squares <= best.squares * (1.0 + 1e-6) + 1e-20 * problem.data.len() as f64;
     match same && problem.parameters.iter().zip(&moved).all(inside) {

@@ -1,7 +1,10 @@
 //! The result of a fit.
 
-use asperity_core::Severity;
+use asperity_core::Finding;
 use serde::Serialize;
+
+use crate::Doubts;
+use crate::doubt::{MISFIT, UNREACHABLE};
 
 /// A model fitted to data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -28,23 +31,9 @@ pub struct Fitted {
     /// Condition number of the derivatives of the residuals by the parameters; `None` if a
     /// combination of parameters has no effect.
     pub condition: Option<f64>,
-    /// Combinations that the data do not fix, in words.
-    pub undetermined: Vec<String>,
-    /// Measured values that cannot be reached, each with the reason.
-    pub unreachable: Vec<String>,
-    /// Bounds, and ends of the range with values of scene and model, at which parameters stop.
-    pub limits: Vec<String>,
-    /// The line (of arrays the row) that the others contradict, or two of more than six, and how
-    /// far they are from a fit to the others. The values here are fitted to all.
-    pub outlier: Option<String>,
-    /// The column of another stiffness that describes the data clearly better than the one given.
-    pub other_column: Option<String>,
-    /// If no values within the bounds describe the data (an rms above 1 or 30 standard deviations,
-    /// or no contact), or the fit has less than one contact in a row and other units describe the
-    /// data as well: how large the misfit is, and the line or the units that explain it.
-    pub misfit: Option<String>,
-    /// Remarks on intervals and other values of the parameters that fit as well.
-    pub notes: Vec<String>,
+    /// What its user should know; in json the texts of each kind.
+    #[serde(flatten)]
+    pub doubts: Doubts,
     /// Every measured value beside the fitted one.
     pub residuals: Vec<Residual>,
     /// Evaluations of the model for all data.
@@ -52,34 +41,27 @@ pub struct Fitted {
 }
 
 impl Fitted {
+    /// Why the values are not those of the data, as of a wrong unit; `None` if they are.
+    #[must_use]
+    pub fn misfit(&self) -> Option<String> {
+        self.doubts.texts(MISFIT).pop()
+    }
+
+    /// Whether measured values are out of reach.
+    #[must_use]
+    pub fn has_unreachable(&self) -> bool {
+        !self.doubts.texts(UNREACHABLE).is_empty()
+    }
+
     /// Whether values of the model are those of the data, so that more may be said of them.
     #[must_use]
     pub fn describes_data(&self) -> bool {
-        self.misfit.is_none() && self.unreachable.is_empty()
+        self.misfit().is_none() && !self.has_unreachable()
     }
 
-    /// Warnings and notes worth reading, in their order: a misfit leaves no meaning to intervals
-    /// and limits, and the place of the nearest value to an unreachable one is in its own sentence.
-    #[must_use]
-    pub fn remarks<'f>(&'f self) -> Vec<(Severity, &'f str)> {
-        let open = "the search did not converge: the values are the best that it found";
-        let open = (!self.converged).then_some(open);
-        let texts = |list: &'f [String]| list.iter().map(String::as_str);
-        let mut warnings: Vec<&str> = open.into_iter().chain(texts(&self.unreachable)).collect();
-        let mut notes = vec![];
-        match &self.misfit {
-            Some(misfit) => warnings.push(misfit),
-            None => {
-                warnings.extend(self.outlier.as_deref());
-                warnings.extend(self.other_column.as_deref());
-                warnings.extend(texts(&self.undetermined));
-                let limits = if self.unreachable.is_empty() { &self.limits[..] } else { &[] };
-                warnings.extend(texts(limits));
-                notes.extend(texts(&self.notes));
-            }
-        }
-        let warnings = warnings.into_iter().map(|text| (Severity::Warning, text));
-        warnings.chain(notes.into_iter().map(|text| (Severity::Note, text))).collect()
+    /// What is to be read of this fit, in its order: the doubts that no other hides.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> {
+        self.doubts.shown().map(|one| one.clone().of_model(&self.model))
     }
 }
 

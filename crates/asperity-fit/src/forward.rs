@@ -98,16 +98,13 @@ impl<'f> Forward<'f> {
             let mut quantities: Vec<Quantity> = vec![];
             let mut values = vec![];
             for k in together {
-                values.push((
-                    k,
-                    match data[k].measured {
-                        Measured::Quantity(quantity) => {
-                            quantities.push(quantity);
-                            Some(quantities.len() - 1)
-                        }
-                        Measured::Separation => None,
-                    },
-                ));
+                let place = quantities.len();
+                let quantity = match data[k].measured {
+                    Measured::Quantity(quantity) => Some(quantity),
+                    Measured::Separation => None,
+                };
+                quantities.extend(quantity);
+                values.push((k, quantity.map(|_| place)));
             }
             let place = Place { at, values };
             match groups.iter_mut().find(|group| group.quantities == quantities) {
@@ -126,8 +123,7 @@ impl<'f> Forward<'f> {
     pub(crate) fn predict(&self, scene: &Scene, rig: Rig) -> Vec<Predicted> {
         let mut found: Vec<Predicted> = vec![Err(ContactError::NoMeanPlane); self.data.len()];
         for group in &self.groups {
-            let mut cases = vec![];
-            let mut asked = vec![];
+            let (mut cases, mut asked) = (vec![], vec![]);
             for place in &group.places {
                 match self.place(scene, rig, place.at) {
                     Ok(at) => {

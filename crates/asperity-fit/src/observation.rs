@@ -1,10 +1,14 @@
-//! One measured value, and the names of its columns.
+//! One measured value, its place, and the names of its columns.
+
+use std::fmt;
 
 use asperity_core::{At, Quantity, Separation};
 
 pub(crate) const LOAD: &str = "load_N";
 pub(crate) const PRESSURE: &str = "pressure_Pa";
 pub(crate) const SEPARATION: &str = "separation_m";
+/// The end of the name of a column of standard deviations.
+pub(crate) const STD: &str = "_std";
 
 /// A column of a table of measurements; a missing number is none.
 pub type DataColumn = (String, Vec<Option<f64>>);
@@ -18,15 +22,28 @@ pub struct MeasuredTable {
     pub lines: Vec<usize>,
 }
 
-/// The position of a row, counted from 0, for messages: its line if that is known.
-pub(crate) fn position(lines: &[usize], row: usize) -> String {
-    let number = lines.get(row).copied().unwrap_or(row + 1);
-    format!("{} {number}", row_name(lines))
+/// Where a value stands: `line 5` of a file, or `row 4` of arrays, both counted from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Position {
+    /// What a row is called: `line` or `row`.
+    pub name: &'static str,
+    /// Its number.
+    pub number: usize,
 }
 
-/// What a row is called: a line where data have a file.
-pub(crate) fn row_name(lines: &[usize]) -> &'static str {
-    if lines.is_empty() { "row" } else { "line" }
+impl Position {
+    /// The position of a row, counted from 0; lines are those of the rows, if they have any.
+    pub(crate) fn of(lines: &[usize], row: usize) -> Self {
+        let name = if lines.is_empty() { "row" } else { "line" };
+        Self { name, number: lines.get(row).copied().unwrap_or(row + 1) }
+    }
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.name, self.number)
+    }
 }
 
 /// What a measured value is.
@@ -39,32 +56,6 @@ pub enum Measured {
     Separation,
 }
 
-impl Observation {
-    /// The column of the place (`load_N`, `pressure_Pa` or `separation_m`), and its number.
-    #[must_use]
-    pub fn place(&self) -> (&'static str, f64) {
-        let column = match self.at {
-            At::Load(_) => LOAD,
-            At::Pressure(_) => PRESSURE,
-            _ => SEPARATION,
-        };
-        (column, number(self.at))
-    }
-
-    /// The same value at a load or reading that is larger by a factor.
-    pub(crate) fn moved(self, factor: f64) -> Self {
-        let at = match self.at {
-            At::Load(load) => At::Load(load * factor),
-            At::Pressure(pressure) => At::Pressure(pressure * factor),
-            At::Separation(reading) => {
-                Separation { value: reading.value * factor, ..reading }.into()
-            }
-            other => other,
-        };
-        Self { at, ..self }
-    }
-}
-
 impl Measured {
     /// The column of a table, unit included: `area_m2`, `separation_m`.
     #[must_use]
@@ -72,6 +63,14 @@ impl Measured {
         match self {
             Self::Quantity(quantity) => quantity.column(),
             Self::Separation => SEPARATION.into(),
+        }
+    }
+
+    /// The SI unit; empty for pure numbers.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Self::Quantity(quantity) => quantity.unit(),
+            Self::Separation => "m",
         }
     }
 
@@ -100,10 +99,33 @@ pub struct Observation {
     pub std: Option<f64>,
 }
 
-/// The number of a place.
-pub(crate) fn number(at: At) -> f64 {
-    match at {
-        At::Load(x) | At::Pressure(x) | At::Separation(Separation { value: x, .. }) => x,
-        _ => f64::NAN,
+impl Observation {
+    /// The column of the place (`load_N`, `pressure_Pa` or `separation_m`), and its number.
+    #[must_use]
+    pub fn place(&self) -> (&'static str, f64) {
+        match self.at {
+            At::Load(load) => (LOAD, load),
+            At::Pressure(pressure) => (PRESSURE, pressure),
+            At::Separation(reading) => (SEPARATION, reading.value),
+            _ => (SEPARATION, f64::NAN),
+        }
+    }
+
+    /// Its columns, of the place and of the value, with their units and numbers.
+    pub(crate) fn columns(&self) -> [(String, &'static str, f64); 2] {
+        let ((place, number), measured) = (self.place(), self.measured);
+        let unit = place.rsplit('_').next().unwrap_or_default();
+        [(place.into(), unit, number), (measured.column(), measured.unit(), self.value)]
+    }
+
+    /// The same value at another number of its place.
+    pub(crate) fn placed_at(self, number: f64) -> Self {
+        let at = match self.at {
+            At::Load(_) => At::Load(number),
+            At::Pressure(_) => At::Pressure(number),
+            At::Separation(reading) => Separation { value: number, ..reading }.into(),
+            other => other,
+        };
+        Self { at, ..self }
     }
 }

@@ -1,15 +1,15 @@
 //! One or two lines of the data that the others contradict.
 
-use asperity_core::short;
+use asperity_core::{Finding, short};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use crate::forward::Forward;
+use crate::doubt::{OUTLIER, doubt, rounded};
 use crate::likely_unit::unit_of_value;
 use crate::problem::{Minimum, Problem};
-use crate::{Data, FitError, Observation};
+use crate::{FitError, Observation};
 
-/// Least distance of an outlier from a fit to the others.
-const FAR: Distances = Distances { logarithm: 0.05, deviations: 6.0 };
+/// Least distance of an outlier from a fit to the others: of logarithms, or in standard deviations.
+const FAR: [f64; 2] = [0.05, 6.0];
 /// Largest chance that normal errors, as large as those of the other lines, put one of all lines as
 /// far from the fit as an outlier is: by Student's distribution.
 const CHANCE: f64 = 2e-3;
@@ -22,40 +22,28 @@ const MOST: usize = 10;
 /// Evaluations for each free parameter before the search without a line gives up.
 const PATIENCE: usize = 60;
 
-/// Distances of a line from a fit.
-struct Distances {
-    logarithm: f64,
-    deviations: f64,
-}
-
-impl Distances {
-    /// The one in which the residuals of the data are.
-    fn of(&self, data: &Data) -> f64 {
-        if data.has_std() { self.deviations } else { self.logarithm }
-    }
-}
-
 /// A fit without some lines.
 struct Without {
     rows: Vec<usize>,
+    /// The value of each line left out that is farthest from the fit, with its residual.
+    lines: Vec<(Observation, f64)>,
+    /// All rows, that of the largest residual first.
+    order: Vec<usize>,
     /// Root mean square of the residuals of the other lines.
     misfit: f64,
-    /// The residuals of all lines.
-    residuals: Vec<f64>,
-    /// The degrees of freedom that the other lines leave, and the number of their values.
-    freedom: usize,
-    count: usize,
+    /// Whether normal errors of all lines hardly put the lines left out where they are.
+    is_clear: bool,
 }
 
-/// A sentence about the lines that the others contradict, at most two.
-pub(crate) fn outlier(
+/// The lines that the others contradict, at most two.
+pub(crate) fn contradicted_lines(
     problem: &Problem<'_>,
     best: &Minimum,
     residuals: &[f64],
-) -> Result<Option<String>, FitError> {
-    let largest = residuals.iter().fold(0.0, |most: f64, residual| most.max(residual.abs()));
+) -> Result<Option<Finding>, FitError> {
+    let far = FAR[usize::from(problem.data.has_std())];
     // The line itself draws the fit, at most half of the way if it is one of several.
-    if largest <= 0.5 * FAR.of(problem.data) || largest.is_nan() {
+    if residuals.iter().all(|residual| residual.abs() <= 0.5 * far) {
         return Ok(None);
     }
     let order = by_residual(problem, residuals);
@@ -63,22 +51,20 @@ pub(crate) fn outlier(
     for row in order.iter().take(MOST) {
         alone.extend(without(problem, best, &[*row])?);
     }
-    let found = contradicted(problem, &alone);
+    let found = clearest(&alone);
     let mut pairs: Vec<Without> = vec![];
     if order.len() > LINES_FOR_TWO {
         // Beside one outlier, the second is the line that is farthest from the fit to the others.
         for first in found.map_or(&alone[..], std::slice::from_ref) {
-            let second = by_residual(problem, &first.residuals);
-            let second = second.into_iter().find(|row| !first.rows.contains(row));
-            let mut rows: Vec<usize> = first.rows.iter().copied().chain(second).collect();
+            let second = first.order.iter().find(|row| !first.rows.contains(row));
+            let mut rows: Vec<usize> = first.rows.iter().chain(second).copied().collect();
             rows.sort_unstable();
             if pairs.iter().all(|pair| pair.rows != rows) {
                 pairs.extend(without(problem, best, &rows)?);
             }
         }
     }
-    let two = contradicted(problem, &pairs);
-    Ok(two.or(found).map(|found| found.sentence(problem)))
+    Ok(clearest(&pairs).or(found).map(|found| found.finding(problem)))
 }
 
 /// The rows of the data, that of the largest residual first.
@@ -95,78 +81,9 @@ fn by_residual(problem: &Problem<'_>, residuals: &[f64]) -> Vec<usize> {
     rows
 }
 
-/// The fit with the least misfit, if its other lines contradict those left out.
-fn contradicted<'w>(problem: &Problem<'_>, fits: &'w [Without]) -> Option<&'w Without> {
-    let is_outlier = |fit: &&Without| {
-        let nearest = fit.worst(problem).iter().map(|(_, r)| r.abs()).fold(f64::INFINITY, f64::min);
-        nearest > FAR.of(problem.data) && fit.chance(nearest) < CHANCE
-    };
-    fits.iter().filter(is_outlier).min_by(|a, b| a.misfit.total_cmp(&b.misfit))
-}
-
-impl Without {
-    /// The value of each line left out that is farthest from the fit, with its residual.
-    fn worst<'p>(&self, problem: &'p Problem<'_>) -> Vec<(&'p Observation, f64)> {
-        let of = |row: &usize| {
-            let line = problem.data.iter().zip(&self.residuals).filter(|(one, _)| one.row == *row);
-            line.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, r)| (one, *r))
-        };
-        self.rows.iter().filter_map(of).collect()
-    }
-
-    /// The chance of a residual this large among lines that scatter as the others do.
-    fn chance(&self, residual: f64) -> f64 {
-        let (count, freedom) = (self.count as f64, self.freedom as f64);
-        let scatter = self.misfit.max(ACCURACY) * (count / freedom).sqrt();
-        let student = StudentsT::new(0.0, 1.0, freedom);
-        student.map_or(1.0, |student| 2.0 * count * student.sf(residual / scatter))
-    }
-
-    fn sentence(&self, problem: &Problem<'_>) -> String {
-        let has_std = problem.data.has_std();
-        let is_difference = |one: &Observation| one.measured.is_difference();
-        let agree = rounded(self.misfit.max(ACCURACY));
-        let agree = match has_std {
-            true => format!("{agree} standard deviations"),
-            false if problem.data.iter().all(is_difference) => agree,
-            false => format!("{} %", rounded(100.0 * self.misfit.max(ACCURACY))),
-        };
-        let (mut lines, mut sizes, mut units) = (vec![], vec![], vec![]);
-        for (one, residual) in self.worst(problem) {
-            let (position, column) = (problem.data.position(one), one.measured.column());
-            let (place, at) = one.place();
-            let [value, at] = [one.value, at].map(short);
-            lines.push(format!("{position} ({column} = {value} at {place} = {at})"));
-            let far = residual.abs();
-            // Residuals of shares and logarithms are differences.
-            sizes.push(match (has_std, is_difference(one)) {
-                (false, true) => rounded(far),
-                (false, false) => format!("a factor of {}", rounded(far.exp())),
-                _ => format!("{} standard deviations", rounded(far)),
-            });
-            let predicted = match one.std {
-                Some(std) => one.value + residual * std,
-                None if is_difference(one) => one.value + residual,
-                None => one.value * residual.exp(),
-            };
-            units.extend(unit_of_value(one, predicted));
-        }
-        let [deviates, remove] = match lines.len() == 1 {
-            true => ["deviates", "check or remove it"],
-            false => ["deviate", "check or remove them"],
-        };
-        let advice = if units.len() == lines.len() { units.join("; ") } else { remove.into() };
-        let kind = problem.data.row_name();
-        let [lines, sizes] = [lines, sizes].map(|texts| texts.join(" and "));
-        format!(
-            "{lines} {deviates} by {sizes} from a fit to the other {kind}s, which agree within {agree} (root mean square); {advice}"
-        )
-    }
-}
-
-/// A number of two digits.
-pub(crate) fn rounded(value: f64) -> String {
-    short(format!("{value:.1e}").parse().unwrap_or(value))
+/// Of the fits whose other lines contradict those left out, that with the least misfit.
+fn clearest(fits: &[Without]) -> Option<&Without> {
+    fits.iter().filter(|fit| fit.is_clear).min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }
 
 /// The fit without these rows; `None` where the others are too few to contradict them.
@@ -175,28 +92,77 @@ fn without(
     best: &Minimum,
     rows: &[usize],
 ) -> Result<Option<Without>, FitError> {
-    let others = problem.data.iter().filter(|one| !rows.contains(&one.row)).copied().collect();
-    let data = problem.data.with(others);
-    let (count, parameters) = (data.len(), problem.parameters.len());
-    if count < parameters + 1 {
+    let others = |one: &Observation| (!rows.contains(&one.row)).then_some(*one);
+    let count = problem.data.iter().filter_map(others).count();
+    let freedom = count.saturating_sub(problem.parameters.len());
+    if freedom == 0 {
         return Ok(None);
     }
-    let Ok(forward) = Forward::new(problem.model, &data) else { return Ok(None) };
-    let other = Problem { data: &data, forward: &forward, ..*problem };
-    let all: Vec<usize> = (0..parameters).collect();
-    let given: Vec<f64> = problem.parameters.iter().map(|p| p.coordinate(p.start)).collect();
     // The lines may have drawn the fit to a bound, from which a search does not return.
-    let mut minima = vec![];
-    for start in [&best.coordinates, &given] {
-        minima.push(other.minimise(start, &all, PATIENCE)?);
+    let minima = problem.with(others, |other| {
+        [&best.coordinates, &problem.start()].map(|start| other.minimise_all(start, PATIENCE))
+    });
+    let Some([one, other]) = minima else { return Ok(None) };
+    let (one, other) = (one?, other?);
+    let least = if other.squares < one.squares { other } else { one };
+    let residuals = problem.residuals(&least.coordinates)?;
+    let misfit = (least.squares / count as f64).sqrt();
+    let farthest = |row: &usize| {
+        let line = problem.data.iter().zip(&residuals).filter(|(one, _)| one.row == *row);
+        line.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, r)| (*one, *r))
+    };
+    let lines: Vec<(Observation, f64)> = rows.iter().filter_map(farthest).collect();
+    let nearest = lines.iter().map(|(_, r)| r.abs()).fold(f64::INFINITY, f64::min);
+    let scatter = misfit.max(ACCURACY) * (count as f64 / freedom as f64).sqrt();
+    let student = StudentsT::new(0.0, 1.0, freedom as f64);
+    let chance = student.map_or(1.0, |t| 2.0 * count as f64 * t.sf(nearest / scatter));
+    let far = FAR[usize::from(problem.data.has_std())];
+    let is_clear = nearest > far && chance < CHANCE;
+    let (rows, order) = (rows.to_vec(), by_residual(problem, &residuals));
+    Ok(Some(Without { rows, lines, order, misfit, is_clear }))
+}
+
+impl Without {
+    fn finding(&self, problem: &Problem<'_>) -> Finding {
+        let (data, lines) = (problem.data, &self.lines);
+        let (mut named, mut sizes, mut units) = (vec![], vec![], vec![]);
+        for (one, residual) in lines {
+            let ([(place, _, at), (column, ..)], far) = (one.columns(), residual.abs());
+            let [value, at] = [one.value, at].map(short);
+            named.push(format!("{} ({column} = {value} at {place} = {at})", data.position(one)));
+            // Residuals of shares and logarithms are differences.
+            let (size, predicted) = match (one.std, one.measured.is_difference()) {
+                (Some(std), _) => {
+                    (format!("{} standard deviations", rounded(far)), one.value + residual * std)
+                }
+                (None, true) => (rounded(far), one.value + residual),
+                (None, false) => {
+                    let size = format!("a factor of {}", rounded(far.exp()));
+                    (size, one.value * residual.exp())
+                }
+            };
+            sizes.push(size);
+            units.extend(unit_of_value(one, predicted));
+        }
+        let agree = self.misfit.max(ACCURACY);
+        let agree = match data.has_std() {
+            true => format!("{} standard deviations", rounded(agree)),
+            false if data.iter().all(|one| one.measured.is_difference()) => rounded(agree),
+            false => format!("{} %", rounded(100.0 * agree)),
+        };
+        let [deviate, remove] = match lines.len() {
+            1 => ["deviates", "check or remove it"],
+            _ => ["deviate", "check or remove them"],
+        };
+        let advice = if units.len() == lines.len() { units.join("; ") } else { remove.into() };
+        let [named, sizes] = [named, sizes].map(|texts| texts.join(" and "));
+        let (column, far) = lines.first().map_or((String::new(), f64::NAN), |(one, residual)| {
+            (one.measured.column(), *residual)
+        });
+        let text = format!(
+            "{named} {deviate} by {sizes} from a fit to the other {}s, which agree within {agree} (root mean square); {advice}",
+            data.row_name()
+        );
+        doubt(OUTLIER, &column, far, text)
     }
-    let least = minima.into_iter().min_by(|a, b| a.squares.total_cmp(&b.squares));
-    let Some(least) = least else { return Ok(None) };
-    Ok(Some(Without {
-        rows: rows.to_vec(),
-        misfit: (least.squares / count as f64).sqrt(),
-        residuals: problem.residuals(&least.coordinates)?,
-        freedom: count - parameters,
-        count,
-    }))
 }

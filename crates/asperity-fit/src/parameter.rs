@@ -3,6 +3,7 @@
 use asperity_core::short;
 
 use crate::FitError;
+use crate::doubt::with_unit;
 
 /// The factor either way of the start within which a parameter is varied by default.
 pub const USUAL_FACTOR: f64 = 30.0;
@@ -66,28 +67,22 @@ impl Parameter {
         scale: f64,
     ) -> Result<Self, FitError> {
         let (name, [low, high]) = (name.into(), bounds);
-        let finite = low.is_finite() && high.is_finite() && start.is_finite();
-        if !finite || low >= high {
-            let reason = format!(
-                "the bounds are {} and {}: two finite numbers, the smaller first, were required",
-                short(low),
-                short(high)
-            );
-            return Err(FitError::Parameter { parameter: name, reason });
-        }
         let role = Role::of(&name);
-        let found =
-            Self { name, unit: unit.into(), role, start: start.clamp(low, high), bounds, scale };
-        if found.role == Role::SeriesCompliance && low < 0.0 {
-            let reason = format!("the lower bound is {}: at least 0 was required", short(low));
-            return Err(FitError::Parameter { parameter: found.name, reason });
-        }
-        let has_scale = scale > 0.0 && scale.is_finite();
-        if !(found.is_log() || has_scale) {
-            let reason = format!("its scale is {scale:?}: a finite number above 0 was required");
-            return Err(FitError::Parameter { parameter: found.name, reason });
-        }
-        Ok(found)
+        let finite = low.is_finite() && high.is_finite() && start.is_finite();
+        let reason = if !finite || low >= high {
+            let [low, high] = bounds.map(short);
+            format!(
+                "the bounds are {low} and {high}: two finite numbers, the smaller first, were required"
+            )
+        } else if role == Role::SeriesCompliance && low < 0.0 {
+            format!("the lower bound is {}: at least 0 was required", short(low))
+        } else if low <= 0.0 && !(scale > 0.0 && scale.is_finite()) {
+            format!("its scale is {scale:?}: a finite number above 0 was required")
+        } else {
+            let (unit, start) = (unit.into(), start.clamp(low, high));
+            return Ok(Self { name, unit, role, start, bounds, scale });
+        };
+        Err(FitError::Parameter { parameter: name, reason })
     }
 
     /// Whether it is varied in its logarithm.
@@ -114,7 +109,6 @@ impl Parameter {
 
     /// A value with its unit.
     pub(crate) fn shown(&self, value: f64) -> String {
-        let gap = if self.unit.is_empty() { "" } else { " " };
-        format!("{}{gap}{}", short(value), self.unit)
+        with_unit(value, &self.unit)
     }
 }

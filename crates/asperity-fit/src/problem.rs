@@ -4,13 +4,13 @@ use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactError, ContactModel, Scene};
+use asperity_core::{ContactError, ContactModel, Quantity, Scene};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::forward::{Forward, Rig};
-use crate::{Data, FitError, Parameter, Progress, Role};
+use crate::{Data, FitError, Measured, Observation, Parameter, Role};
 
 /// Step of the differences, as a coordinate: errors of 1e-10 from the third derivative and 1e-9
 /// from values good to 1e-14.
@@ -34,36 +34,14 @@ pub(crate) struct Problem<'f> {
     pub(crate) data: &'f Data,
     pub(crate) parameters: &'f [Parameter],
     pub(crate) scene: &'f MakeScene<'f>,
-    pub(crate) watch: &'f dyn Watched,
+    /// Counts for the caller of a long fit, who may end it.
+    pub(crate) count: &'f (dyn Fn(Counted) -> ControlFlow<()> + 'f),
 }
 
-/// A caller that sees the progress of a fit, and may end it.
-pub type Observer<'f> = dyn FnMut(&Progress) -> ControlFlow<()> + 'f;
-
-/// The caller's view of a long fit.
-pub(crate) struct Watch<'f> {
-    pub(crate) progress: RefCell<&'f mut Observer<'f>>,
-    pub(crate) state: RefCell<Progress>,
-}
-
-/// What the search tells the caller.
-pub(crate) trait Watched {
-    /// Counts a start of the search.
-    fn start(&self);
-    /// Counts an evaluation, and asks whether to go on.
-    fn evaluation(&self) -> ControlFlow<()>;
-}
-
-impl Watched for Watch<'_> {
-    fn start(&self) {
-        self.state.borrow_mut().starts += 1;
-    }
-
-    fn evaluation(&self) -> ControlFlow<()> {
-        let mut state = self.state.borrow_mut();
-        state.evaluations += 1;
-        (self.progress.borrow_mut())(&state)
-    }
+/// What a search counts.
+pub(crate) enum Counted {
+    Start,
+    Evaluation,
 }
 
 /// A minimum of the residuals.
@@ -76,6 +54,34 @@ pub(crate) struct Minimum {
 }
 
 impl Problem<'_> {
+    /// The coordinates from which the fit starts.
+    pub(crate) fn start(&self) -> Vec<f64> {
+        self.parameters.iter().map(|one| one.coordinate(one.start)).collect()
+    }
+
+    /// The same problem with other data; `None` where the model does not have them.
+    pub(crate) fn with<T>(
+        &self,
+        change: impl Fn(&Observation) -> Option<Observation>,
+        solve: impl FnOnce(&Problem<'_>) -> T,
+    ) -> Option<T> {
+        let data = self.data.with(self.data.iter().filter_map(change).collect());
+        let forward = Forward::new(self.model, &data).ok()?;
+        Some(solve(&Problem { data: &data, forward: &forward, ..*self }))
+    }
+
+    /// The number of contacts in each row; `None` for models that do not count them.
+    pub(crate) fn contacts(&self, coordinates: &[f64]) -> Option<Vec<f64>> {
+        let measured = Measured::Quantity(Quantity::Contacts);
+        let counted = |one: &Observation| Some(Observation { measured, std: None, ..*one });
+        self.with(counted, |other| other.predicted(coordinates).ok())?
+    }
+
+    /// Whether there is a contact in every row, or the model does not count them.
+    pub(crate) fn has_contacts(&self, coordinates: &[f64]) -> bool {
+        self.contacts(coordinates).is_none_or(|counts| counts.iter().all(|count| *count >= 1.0))
+    }
+
     /// The scene and the rig at coordinates.
     pub(crate) fn at(&self, coordinates: &[f64]) -> Result<(Scene, Rig), ContactError> {
         let (mut numbers, mut rig) = (vec![], Rig::default());
@@ -98,13 +104,13 @@ impl Problem<'_> {
 
     /// The residuals: differences of logarithms, or differences over the standard deviations.
     pub(crate) fn residuals(&self, coordinates: &[f64]) -> Result<Vec<f64>, FitError> {
-        if self.watch.evaluation().is_break() {
+        if (self.count)(Counted::Evaluation).is_break() {
             return Err(FitError::Interrupted);
         }
         let made = self.at(coordinates);
         let predicted = made.map(|(scene, rig)| self.forward.predict(&scene, rig));
         let Ok(predicted) = predicted else { return Ok(vec![NO_VALUE; self.data.len()]) };
-        let residual = |(one, value): (&crate::Observation, Result<f64, ContactError>)| {
+        let residual = |(one, value): (&Observation, Result<f64, ContactError>)| {
             let Ok(value) = value else { return NO_VALUE };
             let found = match one.std {
                 Some(std) => (value - one.value) / std,
@@ -149,6 +155,12 @@ impl Problem<'_> {
             }
         }
         Ok(found)
+    }
+
+    /// The least squares of all parameters from a start.
+    pub(crate) fn minimise_all(&self, start: &[f64], patience: usize) -> Result<Minimum, FitError> {
+        let all: Vec<usize> = (0..start.len()).collect();
+        self.minimise(start, &all, patience)
     }
 
     /// The least squares of the `free` parameters from a start; the others stay.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::combinations::list;
+use crate::doubt::list;
 use crate::{Data, Fitted};
 
 /// A difference of the criterion below which two models are hardly distinguished: a factor of 20

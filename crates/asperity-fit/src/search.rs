@@ -1,7 +1,7 @@
 //! The starts of the search for the least squares, the same in every run.
 
 use crate::FitError;
-use crate::problem::{Minimum, Problem, squares};
+use crate::problem::{Counted, Minimum, Problem, squares};
 
 /// Samples of the bounds for each free parameter, from which starts are chosen.
 const SAMPLES: usize = 16;
@@ -25,21 +25,18 @@ pub(crate) fn search(
     more: usize,
     patience: usize,
 ) -> Result<Found, FitError> {
-    let all: Vec<usize> = (0..problem.parameters.len()).collect();
-    let given: Vec<f64> =
-        problem.parameters.iter().map(|parameter| parameter.coordinate(parameter.start)).collect();
+    let given = problem.start();
     let mut starts = vec![given.clone()];
     starts.extend(samples(problem, more)?);
     let mut minima: Vec<Minimum> = vec![];
     for start in &starts {
-        problem.watch.start();
+        let _ = (problem.count)(Counted::Start);
         // A start without values leads nowhere.
         if problem.predicted(start).is_ok() {
-            minima.push(problem.minimise(start, &all, patience)?);
+            minima.push(problem.minimise_all(start, patience)?);
         }
     }
-    let usable = |minimum: &Minimum| problem.predicted(&minimum.coordinates).is_ok();
-    minima.retain(usable);
+    minima.retain(|minimum| problem.predicted(&minimum.coordinates).is_ok());
     // The first of equals, which is nearest to the start given.
     let best = minima.iter().map(|minimum| minimum.squares).fold(f64::INFINITY, f64::min);
     let floor = MET * problem.data.len() as f64;
@@ -52,9 +49,7 @@ pub(crate) fn search(
     let mut found = Found { best, others: vec![] };
     for other in equal {
         let far = |one: &Minimum| {
-            let distances =
-                one.coordinates.iter().zip(&other.coordinates).map(|(a, b)| (a - b).abs());
-            distances.fold(0.0, f64::max) > 1e-4
+            one.coordinates.iter().zip(&other.coordinates).any(|(a, b)| (a - b).abs() > 1e-4)
         };
         if other.converged && far(&found.best) && found.others.iter().all(far) {
             found.others.push(other);

@@ -60,9 +60,8 @@ impl SceneFile {
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let of_interface = self.scene.findings().into_iter().map(|found| {
             match ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty() {
-                true => {
-                    found.from_origin(format!("asperities from {}", self.follows_from.join(", ")))
-                }
+                true => found
+                    .from_origin(format!("asperities from `{}`", self.follows_from.join("`, `"))),
                 false => found,
             }
         });
@@ -136,23 +135,17 @@ impl SceneFile {
             check.keep_for(model);
         }
         if let Some(Measured { statistics, pixel_size, .. }) = &self.measured {
-            let profile = "of the measured profiles";
-            check.add_number("measured_height_std", statistics.sq, "m", "Sq");
-            check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
-            check.add_number(
-                "measured_kurtosis",
-                statistics.sku,
-                "",
-                "Sku, 3 for Gaussian heights",
-            );
-            check.add_number(
-                "measured_slope",
-                (2.0 * statistics.m2).sqrt(),
-                "",
-                "rms slope of the scan",
-            );
-            check.add_number("measured_bandwidth", statistics.alpha, "", profile);
-            check.add_number("pixel_size", *pixel_size, "m", "of the scan");
+            let slope = (2.0 * statistics.m2).sqrt();
+            for (name, value, unit, meaning) in [
+                ("measured_height_std", statistics.sq, "m", "Sq"),
+                ("measured_skewness", statistics.ssk, "", "Ssk"),
+                ("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights"),
+                ("measured_slope", slope, "", "rms slope of the scan"),
+                ("measured_bandwidth", statistics.alpha, "", "of the measured profiles"),
+                ("pixel_size", *pixel_size, "m", "of the scan"),
+            ] {
+                check.add_number(name, value, unit, meaning);
+            }
             check.extend(self.below_a_pixel(&check, *pixel_size));
         }
         check.findings = self.accepted(check.findings);
@@ -203,7 +196,7 @@ impl SceneFile {
         let modulus = body.youngs_modulus;
         let finding = Finding::warning("no-hardness", "youngs_modulus", modulus)
             .unit("Pa")
-            .fact(format!("body[{k}] has neither hardness nor yield_strength"))
+            .fact(format!("`body[{k}]` has neither `hardness` nor `yield_strength`"))
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
@@ -231,7 +224,7 @@ impl SceneFile {
         let found = Finding::warning("below-a-pixel", "contact_radius", radius)
             .usual([pixel, f64::INFINITY])
             .fact(format!(
-                "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
+                "`contact_radius` is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
             ))
             .advice("the result depends on roughness below the pixel size; compare cut-offs with `asperity surface --scales`")
             .unit("m");

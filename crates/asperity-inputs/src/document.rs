@@ -61,51 +61,24 @@ impl<'a> Document<'a> {
         let mut document = Self { file, files, text, table, stated, places };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         document.places.insert(String::new(), [root.span(), root.span()]);
-        document.index(root.get_ref(), "");
-        document.table = document.in_si(root.get_ref(), "")?;
+        document.table = document.read_table(root.get_ref(), "")?;
         Ok(document)
     }
 
-    /// The places of the keys of a section.
-    fn index(&mut self, table: &DeTable<'_>, section: &str) {
-        for (key, value) in table {
+    /// The values of a section, with numbers in SI units instead of texts with a unit; keeps the
+    /// places of its keys.
+    fn read_table(&mut self, table: &DeTable<'_>, section: &str) -> Result<Table, SceneError> {
+        let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)| {
             let (a, b) = (key.span(), value.span());
             let path = joined(section, &shorten(key.get_ref()));
-            self.index_value(value, &path);
-            self.places.insert(path, [a.start.min(b.start)..a.end.max(b.end), b]);
-        }
-    }
-
-    fn index_value(&mut self, value: &Spanned<DeValue<'_>>, path: &str) {
-        match value.get_ref() {
-            DeValue::Table(inner) => self.index(inner, path),
-            DeValue::Array(items) if path.matches('.').count() < DEEPEST => {
-                for (item, k) in items.iter().zip(1..) {
-                    let path = format!("{path}[{k}]");
-                    self.index_value(item, &path);
-                    self.places.insert(path, [item.span(), item.span()]);
-                }
-            }
-            _ => {}
-        }
-    }
-
-    /// The values of a section, with numbers in SI units instead of texts with a unit.
-    fn in_si(&mut self, table: &DeTable<'_>, section: &str) -> Result<Table, SceneError> {
-        let value = |(key, value): (&Spanned<_>, &Spanned<_>)| {
-            let name: &Cow<'_, str> = key.get_ref();
-            let path = joined(section, name);
-            Ok((name.clone().into_owned(), self.value_in_si(value, &path)?))
+            self.places.insert(path.clone(), [a.start.min(b.start)..a.end.max(b.end), b]);
+            Ok((key.get_ref().clone().into_owned(), self.read_value(value.get_ref(), &path)?))
         };
         table.iter().map(value).collect()
     }
 
-    fn value_in_si(
-        &mut self,
-        value: &Spanned<DeValue<'_>>,
-        path: &str,
-    ) -> Result<Value, SceneError> {
-        Ok(match value.get_ref() {
+    fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
+        Ok(match value {
             DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
                 Some(units) => {
                     let number = in_si(text, section_and_name(path).1, units);
@@ -126,10 +99,16 @@ impl<'a> Document<'a> {
             DeValue::Boolean(value) => Value::Boolean(*value),
             DeValue::Datetime(value) => Value::Datetime(*value),
             DeValue::Array(items) => {
-                let item = |(item, k)| self.value_in_si(item, &format!("{path}[{k}]"));
+                let item = |(item, k): (&Spanned<DeValue<'_>>, i32)| {
+                    let item_path = format!("{path}[{k}]");
+                    if path.matches('.').count() < DEEPEST {
+                        self.places.insert(item_path.clone(), [item.span(), item.span()]);
+                    }
+                    self.read_value(item.get_ref(), &item_path)
+                };
                 Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
             }
-            DeValue::Table(inner) => Value::Table(self.in_si(inner, path)?),
+            DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
     }
 

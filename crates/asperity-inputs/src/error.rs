@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use asperity::fit::FitError;
-use asperity::{ContactError, nearest_hint};
+use asperity::{AsWritten, ContactError, Dialect, nearest_hint};
 
 /// A place in a scene file or in a file that it names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -220,10 +220,10 @@ impl SceneError {
     pub(crate) fn from_contact(source: ContactError, at: impl Fn(&str) -> Box<Place>) -> Self {
         match source {
             ContactError::OutOfRange { field, value, required } => {
-                Self::value(at(field), value, required)
+                Self::value(at(field), value, &AsWritten.say(required))
             }
             ContactError::Missing { field, reason } => {
-                Self::Missing { at: at(field), needed: reason }
+                Self::Missing { at: at(field), needed: AsWritten.say(&reason) }
             }
             source => Self::Contact { at: at(""), source },
         }

@@ -45,7 +45,7 @@ impl SceneFile {
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
         if !(from..=to).contains(&sku) {
             return Err(Evidence::none(format!(
-                "measured_kurtosis is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity truth`",
+                "`measured_kurtosis` is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity truth`",
                 (10.0 * ssk).round() / 10.0 + 0.0
             )));
         }

@@ -6,7 +6,7 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
     Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Findings, Interface, Model, Quantity, Separation, short};
+use asperity::{At, Findings, Interface, Model, Quantity, short};
 
 use crate::free::other_unit;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input, unit_of_free};
@@ -17,14 +17,11 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
     pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
-        Data::from_table(table, self.separation_from).map_err(|error| {
-            SceneError::Fit(match error {
-                FitError::PerArea { name, column, .. } => {
-                    let nominal_area = Some(self.scene.nominal_area);
-                    FitError::PerArea { name, column, nominal_area }
-                }
-                error => error,
-            })
+        Data::from_table(table, self.separation_from).map_err(|mut error| {
+            if let FitError::PerArea { nominal_area, .. } = &mut error {
+                *nominal_area = Some(self.scene.nominal_area);
+            }
+            error.into()
         })
     }
 
@@ -77,21 +74,13 @@ impl SceneFile {
         };
         let unit = unit_of_free(&free.name).unwrap_or_default();
         let Some([low, high]) = free.bounds.or(usual) else {
-            return Err(SceneError::Fit(FitError::Parameter {
-                parameter: free.name.clone(),
-                reason: format!(
-                    "the scene gives no value above 0 to start from: give bounds, {}=low:high",
-                    free.name
-                ),
-            }));
+            let give = "the scene gives no value above 0 to start from: give bounds,";
+            return Err(refused(&free.name, format!("{give} {}=low:high", free.name)));
         };
         // What a rig adds has no value in the scene to compare with.
         let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
         if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
-            return Err(SceneError::Fit(FitError::Parameter {
-                parameter: free.name.clone(),
-                reason,
-            }));
+            return Err(refused(&free.name, reason));
         }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
@@ -226,14 +215,17 @@ impl SceneFile {
 }
 
 fn without_effect(name: &str, needed: &str) -> SceneError {
-    let reason = format!("the data have no column that depends on it: {needed} was required");
-    SceneError::Fit(FitError::Parameter { parameter: name.into(), reason })
+    refused(name, format!("the data have no column that depends on it: {needed} was required"))
+}
+
+fn refused(parameter: &str, reason: String) -> SceneError {
+    FitError::Parameter { parameter: parameter.into(), reason }.into()
 }
 
 /// The smallest and the largest reading of a separation.
 fn readings(data: &Data) -> Option<[f64; 2]> {
     let reading = |one: &Observation| match (one.at, one.measured) {
-        (At::Separation(Separation { value, .. }), _) => Some(value),
+        (At::Separation(reading), _) => Some(reading.value),
         (_, Measured::Separation) => Some(one.value),
         _ => None,
     };

@@ -113,33 +113,24 @@ fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     let wrong = |line: usize, field: &str, found: &str, needed: &str| {
         SceneError::value(place(Some(line), field), shorten(found), needed)
     };
-    let mut reader = csv::ReaderBuilder::new();
-    let reader = reader.has_headers(false).flexible(true).comment(Some(b'#')).trim(csv::Trim::All);
-    // With a final newline, every row ends where the next line begins.
-    let text = format!("{text}\n");
-    let mut records = reader.from_reader(text.as_bytes()).into_records();
-    let mut next = || {
-        let record = records.next()?;
-        let line = records.reader().position().line() as usize - 1;
-        Some(record.map(|record| (line, record)).map_err(|error| SceneError::Syntax {
-            at: place(Some(line), "CSV"),
-            reason: error.to_string(),
-        }))
-    };
-    let (line, header) = next().transpose()?.unwrap_or((1, csv::StringRecord::new()));
-    if header != HEADER[..] {
-        let found = header.iter().collect::<Vec<_>>().join(",");
-        return Err(wrong(line, "the header", &found, NEEDED));
+    // Of Excel, which begins with a mark, and of R, which writes names in quotes.
+    let cell = |cell: &str| cell.trim().trim_matches('"').to_string();
+    let lines = text.trim_start_matches('\u{feff}').lines().zip(1..);
+    let lines = lines.filter(|(line, _)| !line.trim().is_empty() && !line.starts_with('#'));
+    let mut rows = lines.map(|(line, k)| (k, line.split(',').map(cell).collect::<Vec<_>>()));
+    let (line, header) = rows.next().unwrap_or((1, vec![]));
+    if header != HEADER {
+        return Err(wrong(line, "the header", &header.join(","), NEEDED));
     }
     let (mut points, mut lines) = (vec![], vec![]);
-    while let Some((line, record)) = next().transpose()? {
+    for (line, cells) in rows {
         if points.len() == MOST_POINTS {
             let reason = format!("there are more than {MOST_POINTS} points");
             return Err(SceneError::Syntax { at: place(Some(line), "CSV"), reason });
         }
-        let [height, density] = record.iter().collect::<Vec<_>>()[..] else {
-            let found = record.iter().collect::<Vec<_>>().join(",");
-            return Err(wrong(line, "the row", &found, "two numbers with a comma between them"));
+        let [height, density] = &cells[..] else {
+            let needed = "two numbers with a comma between them";
+            return Err(wrong(line, "the row", &cells.join(","), needed));
         };
         let number = |text: &str, field: &str| {
             text.parse::<f64>().map_err(|_| wrong(line, field, text, "a number"))
@@ -179,10 +170,10 @@ pub(crate) fn compare_std(
             .usual([(1.0 - DIFFERENT) * std, (1.0 + DIFFERENT) * std])
             .unit("m")
             .fact(format!(
-                "the standard deviation of the table is {own:.4e} m, asperity_height_std {std:.4e} m"
+                "the standard deviation of the table is {own:.4e} m, `asperity_height_std` {std:.4e} m"
             ))
             .advice(
-                "the heights are those of the table, and asperity_height_std is the unit of separations only",
+                "the heights are those of the table, and `asperity_height_std` is the unit of separations only",
             );
         notes.push(found.from_origin(at.to_string()));
     }

@@ -25,6 +25,8 @@ pub struct Key {
     /// Its name in a form with the symbol, and a value as it may be typed or the values to choose
     /// from, separated by `|`; empty for keys that a form does not have.
     pub form: [&'static str; 2],
+    /// Its letter or word in a line of numbers; empty for most keys.
+    pub symbol: &'static str,
 }
 
 /// What a key of a scene describes.
@@ -47,7 +49,7 @@ pub enum Of {
 }
 
 /// A key whose number is a field of a struct of the library: functions that read and set it.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Field<T: 'static> {
     /// The key.
     pub name: &'static str,
@@ -57,17 +59,10 @@ pub struct Field<T: 'static> {
     pub set: fn(&mut T, f64),
 }
 
-impl<T> Clone for Field<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T> Copy for Field<T> {}
-
 macro_rules! key {
     ($section:literal $of:ident $name:ident $unit:literal $meaning:literal
-        $(also $($other:literal $differs:literal),+)? $(form $label:literal $typed:literal)?) => {
+        $(also $($other:literal $differs:literal),+)? $(form $label:literal $typed:literal)?
+        $(symbol $symbol:literal)?) => {
         Key {
             name: stringify!($name),
             section: $section,
@@ -76,6 +71,7 @@ macro_rules! key {
             meaning: concat!($unit, $meaning),
             also: &[$($(($other, $differs)),+)?],
             form: [concat!($($label)?), concat!($($typed)?)],
+            symbol: concat!($($symbol)?),
         }
     };
 }
@@ -119,20 +115,21 @@ keys! {
     }
     "body" Body numbers BODY in Body {
         youngs_modulus("Pa" "" also "e young_modulus elastic_modulus" ""
-            form "Young's modulus E" "210 GPa")
+            form "Young's modulus E" "210 GPa" symbol "E")
         poissons_ratio("" "above -1, at most 0.5" also "nu poisson_ratio poisson" ""
-            form "Poisson's ratio ν" "0.3")
+            form "Poisson's ratio ν" "0.3" symbol "ν")
         hardness("Pa" "; 2.8 times the yield strength if missing; elastic models need neither"
-            also "h vickers brinell" "" form "Hardness H" "2 GPa")
+            also "h vickers brinell" "" form "Hardness H" "2 GPa" symbol "H")
         yield_strength("Pa" "; instead of the hardness, or beside it"
-            also "yield_stress yield sy rp02" "" form "Yield strength" "700 MPa")
+            also "yield_stress yield sy rp02" "" form "Yield strength" "700 MPa" symbol "yield")
         thermal_conductivity("W/(m K)" ", of both bodies; only thermal-conductance needs it"
-            also "conductivity heat_conductivity" "" form "Thermal conductivity" "50 W/(m K)")
+            also "conductivity heat_conductivity" "" form "Thermal conductivity" "50 W/(m K)" symbol "k")
         electrical_resistivity("ohm m" ", of both bodies; only electrical-conductance needs it"
             also "resistivity electric_resistivity" "",
             "electrical_conductivity electric_conductivity" "it is 1/conductivity, in ohm m; "
-            form "Electrical resistivity" "1.7e-7 ohm m")
-        tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it")
+            form "Electrical resistivity" "1.7e-7 ohm m" symbol "ρ")
+        tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it"
+            symbol "E_t")
     } {
         material("" "E, nu, hardness and what is known, instead of them: `asperity materials`")
     }
@@ -188,11 +185,11 @@ keys! {
         smooth("m" ", short-wavelength cut-off of a Gaussian filter" form "Short cut-off" "2 um")
         periodic("" "true if the surface is repeated beyond its edges, with its steps"
             form "Periodic" "true|false")
-        max_missing("" "the largest share of missing points" form "Missing points, at most" "0.1")
         fill_missing("" "true: up to 0.05 of the points are filled from their surroundings"
             form "Fill missing points" "true|false")
         despike("" "true: outliers are replaced as missing points are filled"
             form "Replace outliers" "true|false")
+        max_missing("" "the largest share of missing points" form "Missing points, at most" "0.1")
         aligned("" "true: heights of two scans add, point by point; \"mirrored\": rows of the second reversed")
     }
     "surface" Surface {
@@ -220,7 +217,8 @@ pub(crate) const COUNTERFACE: &str = "surface.counterface";
 
 impl Key {
     /// The key of this name in a section, or else the first of this name.
-    pub(crate) fn find(section: &str, name: &str) -> Option<&'static Self> {
+    #[must_use]
+    pub fn find(section: &str, name: &str) -> Option<&'static Self> {
         let named = || KEYS.iter().filter(|key| key.name == name);
         named().find(|key| key.section == section).or_else(|| named().next())
     }

@@ -1,36 +1,12 @@
 //! Materials by name, each with the source of its numbers.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use asperity::{Body, nearest_name};
 use serde::Serialize;
 
-/// Where numbers were read, by the word of the list.
-const SOURCES: [(&str, &str); 17] = [
-    ("aisi304", "AISI 304 data sheet, scribd.com/document/416534641"),
-    (
-        "callister",
-        "Callister & Rethwisch, Fundamentals of Materials Science and Engineering, 3rd ed., tables B.2 and B.4",
-    ),
-    ("callister8", "Callister & Rethwisch, Materials Science and Engineering, 8th ed., table B.3"),
-    ("ecourses", "Multimedia Engineering Mechanics, material properties, ecoursesbook.com"),
-    (
-        "gere",
-        "Gere, Mechanics of Materials, 5th ed., elastic constants at ah-engr.com (middle of a range)",
-    ),
-    ("hibbeler", "table of material properties (Hibbeler, Mechanics of Materials, appendix)"),
-    ("incropera", "thermal properties of metals at 300 K, Incropera table A.1"),
-    ("jaluria", "Jaluria, Design and Optimization of Thermal Systems, table B.5"),
-    ("lucefin", "Lucefin Group, technical card 100Cr6"),
-    ("makeitfrom-si", "makeitfrom.com, optical silicon (Si)"),
-    ("matweb-ti", "ASM data sheet Ti-6Al-4V annealed bar, asm.matweb.com MTP644"),
-    ("mitchell", "Mitchell, An Introduction to Materials Engineering and Science, appendix 8"),
-    ("polymers", "engineeringtoolbox.com, physical properties of polymers (Brinell hardness)"),
-    ("toolbox", "engineeringtoolbox.com, Poisson's ratio (middle of a range)"),
-    ("triton", "table of material constants, academics.triton.edu/faculty/fheitzman"),
-    ("valley", "Valley Design, soda lime float glass"),
-    ("xycera", "XY Ceramic, properties of zirconia Z-200"),
-];
+use crate::keys::BODY;
 
 /// A material of the list: typical numbers at room temperature, for orientation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,10 +27,37 @@ pub struct Material {
 #[must_use]
 pub fn materials() -> &'static [Material] {
     static ALL: LazyLock<Vec<Material>> = LazyLock::new(|| {
-        let mut reader = csv::Reader::from_reader(include_str!("materials.csv").as_bytes());
-        reader.records().filter_map(|record| material(&record.ok()?)).collect()
+        let sources = rows(include_str!("sources.csv"));
+        let sources = sources.iter().filter_map(|row| Some((row.get("word")?, row.get("source")?)));
+        let sources: Row = sources.map(|(word, source)| (word.clone(), source.clone())).collect();
+        rows(include_str!("materials.csv"))
+            .iter()
+            .filter_map(|row| material(row, &sources))
+            .collect()
     });
     &ALL
+}
+
+/// The cells of a row by the head of their column.
+type Row = BTreeMap<String, String>;
+
+fn rows(text: &str) -> Vec<Row> {
+    csv::Reader::from_reader(text.as_bytes()).into_deserialize().filter_map(Result::ok).collect()
+}
+
+/// A material, whose numbers are named as the keys of a body.
+fn material(row: &Row, sources: &Row) -> Option<Material> {
+    let number = |name: &str| row.get(name)?.parse::<f64>().ok();
+    let mut body = Body::elastic(number("youngs_modulus")?, number("poissons_ratio")?);
+    for field in BODY {
+        if let Some(number) = number(field.name) {
+            (field.set)(&mut body, number);
+        }
+    }
+    let words = row.get("sources")?.split(' ').map(|word| sources.get(word).map(String::as_str));
+    let source = words.collect::<Option<Vec<_>>>()?.join("; ");
+    let [id, name] = ["id", "name"].map(|name| row.get(name).cloned().unwrap_or_default());
+    Some(Material { id, name, body, source })
 }
 
 /// The material of an id.
@@ -91,21 +94,8 @@ pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
         _ if like.is_empty() => None,
         _ => Some(like.iter().map(|material| &*material.id).collect::<Vec<_>>().join(", ")),
     };
-    let list = "a material of the list (asperity materials)".to_string();
+    let list = "a material that `asperity materials` lists".to_string();
     (near, needed.map_or(list, |ids| format!("one of {ids}")))
-}
-
-fn material(record: &csv::StringRecord) -> Option<Material> {
-    let number = |k: usize| record.get(k).and_then(|text| text.parse::<f64>().ok());
-    let mut body = Body::elastic(number(2)?, number(3)?);
-    body.hardness = number(4);
-    body.yield_strength = number(5);
-    body.thermal_conductivity = number(6);
-    body.electrical_resistivity = number(7);
-    let source = |word: &str| SOURCES.iter().find(|(known, _)| *known == word).map(|(_, s)| *s);
-    let source: Option<Vec<&str>> = record.get(8)?.split(' ').map(source).collect();
-    let (id, name) = (record.get(0)?.into(), record.get(1)?.into());
-    Some(Material { id, name, body, source: source?.join("; ") })
 }
 
 #[cfg(test)]
@@ -128,7 +118,7 @@ mod tests {
         assert_eq!(near, Some("aluminium"));
         assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
         assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
-        assert_eq!(suggestion("unobtainium").1, "a material of the list (asperity materials)");
+        assert_eq!(suggestion("unobtainium").1, "a material that `asperity materials` lists");
     }
 
     #[test]
@@ -150,7 +140,7 @@ mod tests {
         ids.sort_unstable();
         ids.dedup();
         assert_eq!(ids.len(), lines);
-        for (word, _) in SOURCES {
+        for word in rows(include_str!("sources.csv")).iter().map(|row| &row["word"]) {
             let used = |line: &str| {
                 line.rsplit(',').next().is_some_and(|s| s.split(' ').any(|s| s == word))
             };

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::{ContactError, Finding, ProfileMoments, Surface, TabulatedHeights};
+use asperity::{ContactError, Finding, ProfileMoments, Scene, Surface, TabulatedHeights};
 use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
@@ -14,7 +14,7 @@ use crate::keys::COUNTERFACE;
 use crate::measured_keys::MeasuredKeys;
 use crate::scan::open_seam;
 use crate::small_scan::long_wavelength;
-use crate::{Measured, Roughness, SceneError};
+use crate::{Measured, SceneError, SceneFile};
 
 /// What a scene file is read for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,26 +38,6 @@ const OF_SUM: [&str; 6] = [
     "outliers",
     "roughness-parameter",
 ];
-
-/// The surface of a scene.
-#[derive(Debug, Clone)]
-pub(crate) struct SurfaceDescription {
-    pub(crate) surface: Surface,
-    pub(crate) measured: Option<Measured>,
-    /// The density of its summits' heights, if requested.
-    pub(crate) heights: Option<TabulatedHeights>,
-    pub(crate) notes: Vec<Finding>,
-    /// The scan, levelled and filtered, if there is exactly one.
-    pub(crate) scan: Option<Arc<Topography>>,
-    /// The reason why the scan has no asperities.
-    pub(crate) no_asperities: Option<String>,
-    /// The keys from which the asperities follow, if they are not given directly.
-    pub(crate) follows_from: &'static [&'static str],
-    /// The numbers from which the asperities follow, if they are not given directly or measured.
-    pub(crate) roughness: Option<Roughness>,
-    /// The number that explains findings about the asperities.
-    pub(crate) odd_number: Option<Finding>,
-}
 
 /// A scan of a scene.
 struct Scan {
@@ -153,20 +133,22 @@ fn scans(document: &Document<'_>, asked: Asked) -> Result<Vec<Scan>, SceneError>
     Ok(scans)
 }
 
-/// The surface of one scan, of two in contact, or of one and a surface with these moments.
+/// The scene of `pair` with the surface of one scan, of two in contact, or of one and a surface
+/// with these moments, and what is to be said about it.
 pub(crate) fn measured(
     document: &Document<'_>,
     heights: &HeightsKey,
     asked: Asked,
+    pair: Scene,
     other: Option<ProfileMoments>,
-) -> Result<SurfaceDescription, SceneError> {
+) -> Result<(SceneFile, Vec<Finding>), SceneError> {
     let measured_heights = matches!(heights, HeightsKey::Measured);
     let scans = scans(document, asked)?;
     let (first, second) = match &scans[..] {
         [] => return Err(document.missing("surface.file", "a measured file")),
         [first, rest @ ..] => (first, rest.first()),
     };
-    let pair = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
+    let two = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
     let alignment = MeasuredKeys::read(document, "surface")?.aligned;
     let is_pair = second.is_some() || other.is_some();
     if alignment.is_some() && second.is_none() {
@@ -178,14 +160,14 @@ pub(crate) fn measured(
         let by_summits = |scan: &&Scan| scan.keys.estimator == Estimator::Summits;
         if let Some(scan) = scans.iter().find(by_summits) {
             let needed = "estimator = \"moments\" for two surfaces: moments add, summits do not,";
-            return Err(document.conflict(&format!("{}.estimator", scan.section), pair, needed));
+            return Err(document.conflict(&format!("{}.estimator", scan.section), two, needed));
         }
         if measured_heights {
             let needed = "one file or aligned scans: the heights of two surfaces do not add,";
-            return Err(document.conflict("surface.heights", pair, needed));
+            return Err(document.conflict("surface.heights", two, needed));
         }
     }
-    let at = if is_pair { pair } else { &first.at };
+    let at = if is_pair { two } else { &first.at };
     let refused = |reason: TopographyError| {
         let reason = match is_pair {
             true => reason.to_string(),
@@ -253,17 +235,13 @@ pub(crate) fn measured(
         let points = density(scan).map_err(refused)?;
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
-    Ok(SurfaceDescription {
-        surface,
-        heights: heights.transpose()?,
-        measured: Some(measured),
-        notes,
-        scan: scan.map(Arc::new),
-        no_asperities,
-        follows_from: &[],
-        roughness: None,
-        odd_number: None,
-    })
+    let mut file = SceneFile::from(pair);
+    file.scene.surface = surface;
+    file.table = heights.transpose()?;
+    file.measured = Some(measured);
+    file.scan = scan.map(Arc::new);
+    file.no_asperities = no_asperities;
+    Ok((file, notes))
 }
 
 /// A Gaussian surface with the rms height and slope of a scan without asperities.

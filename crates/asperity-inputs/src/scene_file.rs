@@ -182,15 +182,15 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
 
     let given = heights.table(document)?;
     let own_std = given.as_ref().map(TabulatedHeights::standard_deviation);
-    let described = surface(document, &heights, &interface, own_std, asked)?;
-    let (surface, mut warnings) = (described.surface, described.notes);
+    let pair = Scene::new(interface, Surface::new(0.0, 0.0, 0.0), nominal_area);
+    let (mut file, mut notes) = surface(document, &heights, pair, own_std, asked)?;
     if let Some(table) = &given {
-        warnings.extend(compare_std(document, table, surface.asperity_height_std)?);
+        notes.extend(compare_std(document, table, file.scene.surface.asperity_height_std)?);
     }
-    let heights_table = given.or(described.heights);
-    let measured = described.measured;
-    let mut scene = Scene::new(interface, surface, nominal_area);
-    scene.heights = match (&heights, &heights_table) {
+    file.table = given.or(file.table);
+    let table = file.table.as_ref();
+    let scene = &mut file.scene;
+    scene.heights = match (&heights, table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
         (HeightsKey::Skewed { skewness }, _) => {
             let heights =
@@ -200,10 +200,10 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
-    let offset = measured.as_ref().and_then(|measured| measured.statistics.mean_plane_offset);
-    let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
+    let offset = file.measured.as_ref().and_then(|found| found.statistics.mean_plane_offset);
+    let offset = table.map(TabulatedHeights::mean).or(offset);
     if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
-        let source = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
+        let source = if table.is_some() { "surface.heights" } else { "surface.file" };
         let needed = "one of the two: the offset follows from measured heights";
         return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
@@ -213,38 +213,29 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         document.refused(if of_plane { "surface" } else { interface_section })(error)
     })?;
     if separation_from != Datum::AsperityMean
-        && let Some(needed) = no_mean_plane(&scene, heights_table.as_ref())
+        && let Some(needed) = no_mean_plane(scene, table)
     {
         return Err(document.conflict("surface.separation_from", "surface.heights", needed));
     }
-    let scan = described.scan;
-    if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
+    let is_map = file.scan.as_deref().is_some_and(|scan| height_map(scan).is_ok());
+    if let Some(exponent) = options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
-        let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
         let found = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
-            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
-            .advice("remove hurst_exponent to use the spectrum of the scan");
-        warnings.push(found.from_origin(at.to_string()));
+            .fact(
+                "`persson` and `persson-fudge` use a power law instead of the spectrum of the scan",
+            )
+            .advice("remove `hurst_exponent` to use the spectrum of the scan");
+        notes.push(found.from_origin(at.to_string()));
     }
-    let read = Read::new(document, interface, surface, heights_table.as_ref());
+    file.read = Some(Arc::new(Read::new(document, interface, scene.surface, table)));
     Ok(SceneFile {
-        scene,
         options,
         separation_from,
-        table: heights_table,
         bodies,
-        measured,
-        warnings: warnings.into_iter().collect::<Findings>().silenced(&accept),
+        warnings: notes.into_iter().collect::<Findings>().silenced(&accept),
         accept,
-        scan,
-        no_asperities: described.no_asperities,
-        follows_from: described.follows_from,
-        roughness: described.roughness,
-        odd_number: described.odd_number,
         stated: document.stated.clone(),
-        read: Some(Arc::new(read)),
-        spectrum: Arc::default(),
-        hurst: Arc::default(),
+        ..file
     })
 }
 

@@ -1,14 +1,14 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{Finding, Interface, ProfileMoments, Surface};
+use asperity::{Finding, Interface, ProfileMoments, Scene, Surface};
 
 use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Of};
 use crate::likely::{Given, OddNumber, likely_angle};
-use crate::measured::{Asked, SurfaceDescription, measured};
-use crate::{Roughness, SceneError};
+use crate::measured::{Asked, measured};
+use crate::{Roughness, SceneError, SceneFile};
 
 /// The five ways; `asperity_height_std` belongs to two of them.
 const WAYS: [&[&str]; 5] = [
@@ -54,16 +54,17 @@ impl Numbers {
     }
 }
 
-/// The surface of a scene. `measured_std` is the standard deviation of a table of heights, the
+/// The scene with its surface and what is to be said about it. `pair` has any surface;
+/// `measured_std` is the standard deviation of a table of heights, the
 /// default of `asperity_height_std`.
 pub(crate) fn surface(
     document: &Document<'_>,
     heights: &HeightsKey,
-    interface: &Interface,
+    pair: Scene,
     measured_std: Option<f64>,
     asked: Asked,
-) -> Result<SurfaceDescription, SceneError> {
-    let of = |section, std| numbers(document, section, interface, std);
+) -> Result<(SceneFile, Vec<Finding>), SceneError> {
+    let of = |section, std| numbers(document, section, &pair.interface, std);
     let first = of("surface", measured_std)?;
     let is_pair = document.has(COUNTERFACE);
     let second = if is_pair { of(COUNTERFACE, None)? } else { None };
@@ -96,22 +97,16 @@ pub(crate) fn surface(
         (Some(only), None) if !is_pair => only,
         (first, second) => {
             let moments = first.or(second).map(|numbers| numbers.moments());
-            let mut described = measured(document, heights, asked, moments)?;
-            described.notes.extend(notes);
-            return Ok(described);
+            let (file, of_scan) = measured(document, heights, asked, pair, moments)?;
+            return Ok((file, [of_scan, notes].concat()));
         }
     };
-    Ok(SurfaceDescription {
-        surface: numbers.surface,
-        measured: None,
-        heights: None,
-        notes,
-        scan: None,
-        no_asperities: None,
-        follows_from: numbers.follows_from,
-        roughness: numbers.roughness,
-        odd_number: numbers.odd,
-    })
+    let mut file = SceneFile::from(pair);
+    file.scene.surface = numbers.surface;
+    file.follows_from = numbers.follows_from;
+    file.roughness = numbers.roughness;
+    file.odd_number = numbers.odd;
+    Ok((file, notes))
 }
 
 /// The numbers of `section`, with the key that decides how they describe the surface; `None` for a

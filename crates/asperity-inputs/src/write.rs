@@ -53,13 +53,6 @@ impl Read {
     }
 }
 
-/// The destination of a table of heights.
-#[derive(Clone, Copy)]
-enum HeightsIn<'a> {
-    Text,
-    File(&'a str),
-}
-
 impl SceneFile {
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
@@ -82,7 +75,7 @@ impl SceneFile {
     /// Those of [`parse`] if a number of the scene is out of its range, and
     /// [`SceneError::Unwritable`] for heights that a file cannot represent.
     pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
-        let text = self.text(HeightsIn::Text, comments)?;
+        let text = self.text(None, comments)?;
         // Scans are not read again.
         if self.names_no_scan() {
             let again = parse(&text, Path::new(""))?;
@@ -113,14 +106,15 @@ impl SceneFile {
                 let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
                 unwritable(at, "its name must be valid UTF-8 and must not end in .csv")
             })?;
-            text = self.text(HeightsIn::File(name), comments)?;
+            text = self.text(Some(name), comments)?;
             written(&beside, &write_heights(table.points()))?;
         }
         written(path, &text)?;
         Ok(text)
     }
 
-    fn text(&self, heights: HeightsIn<'_>, comments: &[&str]) -> Result<String, SceneError> {
+    /// The text; a table of heights is in this file, or in the text.
+    fn text(&self, heights: Option<&str>, comments: &[&str]) -> Result<String, SceneError> {
         let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
         let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
         let mut top = self.interface_keys();
@@ -189,7 +183,7 @@ impl SceneFile {
             && summits.map(points) == self.table.as_ref().map(points)
     }
 
-    fn surface_keys(&self, heights_in: HeightsIn<'_>) -> Result<Table, SceneError> {
+    fn surface_keys(&self, heights_in: Option<&str>) -> Result<Table, SceneError> {
         let scene = &self.scene;
         let mut keys = match (self.kept_surface(), self.roughness) {
             (Some(keys), _) => keys.clone(),
@@ -208,8 +202,8 @@ impl SceneFile {
                 Some(named("skewness", heights.skewness().into()))
             }
             (_, Some(_), _) if self.has_heights_of_scan() => Some("measured".into()),
-            (_, Some(_), HeightsIn::File(file)) => Some(named("file", file.into())),
-            (_, Some(table), HeightsIn::Text) => {
+            (_, Some(_), Some(file)) => Some(named("file", file.into())),
+            (_, Some(table), None) => {
                 let (heights, densities): (Vec<f64>, Vec<f64>) =
                     table.points().iter().copied().unzip();
                 let columns = [("height_m", heights), ("density_per_m", densities)];

@@ -61,6 +61,12 @@ impl Rect {
         (self.left..=self.right).contains(&point.0) && (self.top..=self.bottom).contains(&point.1)
     }
 
+    /// The rectangle as attributes of a tag.
+    fn place(&self) -> String {
+        let (Self { left, top, .. }, width, height) = (self, self.width(), self.height());
+        format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"")
+    }
+
     pub(crate) fn corners(&self) -> [Point; 4] {
         let Self { left, top, right, bottom } = *self;
         [(left, top), (right, top), (right, bottom), (left, bottom)]
@@ -173,9 +179,8 @@ impl Canvas<'_> {
 
     /// A rectangle that shows a text, and a line within it, only under the pointer.
     pub(crate) fn reading(&self, rect: &Rect, x: f64, text: &str) {
-        let Rect { left, top, bottom, .. } = rect;
-        let (width, height) = (rect.width(), rect.height());
-        self.add(&format!("<g class=\"reading\"><title>{}</title><rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill-opacity=\"0\"/><line x1=\"{x:.2}\" x2=\"{x:.2}\" y1=\"{top:.2}\" y2=\"{bottom:.2}\" stroke=\"#555555\" stroke-opacity=\"0\"/></g>\n", escaped(text)));
+        let (place, Rect { top, bottom, .. }) = (rect.place(), rect);
+        self.add(&format!("<g class=\"reading\"><title>{}</title><rect {place} fill-opacity=\"0\"/><line x1=\"{x:.2}\" x2=\"{x:.2}\" y1=\"{top:.2}\" y2=\"{bottom:.2}\" stroke=\"#555555\" stroke-opacity=\"0\"/></g>\n", escaped(text)));
     }
 
     /// A line of text with its baseline at a point.
@@ -204,10 +209,7 @@ impl Canvas<'_> {
     /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
     /// own: a page in the dark gives it another colour.
     pub(crate) fn image(&self, rect: &Rect, address: &str) {
-        let Rect { left, top, .. } = rect;
-        let (width, height) = (rect.width(), rect.height());
-        let place =
-            format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
+        let place = rect.place();
         self.add(&format!(
             "<rect class=\"ground\" {place} fill=\"{WHITE}\"/>\n<image {place} preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n"
         ));

@@ -73,13 +73,8 @@ pub(crate) fn fit<'py>(
     }
     let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
     let ranking = rank(fitted);
-    for one in &ranking.models {
-        let warnings =
-            one.remarks().into_iter().filter(|(severity, _)| *severity != Severity::Note);
-        for (_, text) in warnings {
-            warn(py, format!("{}: {text}", one.model), 1)?;
-        }
-    }
-    findings.iter().try_for_each(|found| warn(py, found, 1))?;
+    let doubts = ranking.models.iter().flat_map(Fitted::findings);
+    let warnings = doubts.filter(|found| found.severity < Severity::Note);
+    warnings.chain(findings).try_for_each(|found| warn(py, found, 1))?;
     object(py, &ranking)
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import inspect
 import sys
+from typing import Any
 
 import asperity
 import mypy.stubtest
@@ -31,11 +32,13 @@ def test_everything_public_has_a_docstring() -> None:
                 assert inspect.getdoc(member), f"{owner.__name__}.{name}"
 
 
-@pytest.mark.parametrize("owner", CLASSES, ids=lambda owner: str(owner.__name__))
-def test_examples_in_docstrings_of_compiled_classes(owner: type) -> None:
+@pytest.mark.parametrize(
+    "owner", [*CLASSES, asperity.random_surface], ids=lambda owner: str(owner.__name__)
+)
+def test_examples_in_docstrings_of_the_compiled_part(owner: Any) -> None:
     runner = doctest.DocTestRunner(verbose=False)
     parser = doctest.DocTestParser()
-    for name, member in [(owner.__name__, owner), *vars(owner).items()]:
+    for name, member in [(owner.__name__, owner), *getattr(owner, "__dict__", {}).items()]:
         text = inspect.getdoc(member) if member is owner or not name.startswith("_") else None
         if text:
             runner.run(parser.get_doctest(text, {}, name, None, None), out=sys.stdout.write)

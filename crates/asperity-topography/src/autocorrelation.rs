@@ -2,7 +2,8 @@
 
 use asperity_fft::Complex64;
 
-use crate::{Topography, fourier};
+use crate::Topography;
+use crate::spectrum::{forward, inverse};
 
 /// The value of the autocorrelation to which lengths are measured, as ISO 25178-3 sets it.
 /// \[recalled\]
@@ -86,7 +87,7 @@ impl Lags {
             let there = row.iter().zip(line).filter(|(height, _)| !height.is_nan());
             there.for_each(|(height, point)| *point = Complex64::new((height - mean) / sq, 1.0));
         }
-        let mut waves = fourier::forward(map, shape);
+        let mut waves = forward(map, shape);
         let opposite = |at: usize| {
             let (j, i) = (at / shape[0], at % shape[0]);
             (shape[1] - j) % shape[1] * shape[0] + (shape[0] - i) % shape[0]
@@ -101,7 +102,7 @@ impl Lags {
             let square = Complex64::new(heights.norm_sqr(), there.norm_sqr());
             (waves[at], waves[other]) = (square, square);
         }
-        let sums = fourier::inverse(waves, shape);
+        let sums = inverse(waves, shape);
         // Counts of pairs are whole numbers times the number of points transformed.
         let one = shape[0] as f64 * shape[1] as f64;
         let mean = |sum: &Complex64| if sum.im > 0.5 * one { sum.re / sum.im } else { 0.0 };

@@ -94,9 +94,8 @@ impl Topography {
             ssk,
             sku,
         );
-        if let Some((ratio, direction)) =
-            glance.texture.and_then(|lay| lay.ratio().map(|ratio| (ratio, lay.direction)))
-        {
+        let lay = glance.texture.and_then(|lay| Some((lay.ratio()?, lay.direction)));
+        if let Some((ratio, direction)) = lay {
             first += &format!(
                 " Rms slope across the lay over that along it: {ratio:.2}; lay at {direction:.0}° from the rows."
             );
@@ -119,8 +118,7 @@ impl Topography {
     /// a row: means of squares of points, NaN where none is measured.
     #[must_use]
     pub fn coarse(&self, most: usize) -> (Vec<f64>, usize) {
-        let block = |n: usize| n.div_ceil(most.max(1));
-        let step = block(self.columns()).max(block(self.rows()));
+        let step = self.columns().max(self.rows()).div_ceil(most.max(1));
         let [columns, rows] = [self.columns(), self.rows()].map(|n| n.div_ceil(step));
         let mut sums = vec![(0.0, 0.0); columns * rows];
         for (k, z) in self.heights().iter().enumerate().filter(|(_, z)| !z.is_nan()) {

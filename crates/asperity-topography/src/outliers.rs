@@ -54,13 +54,12 @@ impl Outliers {
 
     /// Those of two surfaces; `weight` is the share of the first one in the summed m₄.
     pub(crate) fn plus(&self, other: &Self, weight: f64) -> Self {
-        let [first, second] = [self, other];
-        let largest = if first.largest.abs() > second.largest.abs() { first } else { second };
+        let largest = if self.largest.abs() > other.largest.abs() { self } else { other };
         Self {
-            count: first.count + second.count,
+            count: self.count + other.count,
             largest: largest.largest,
-            m4_share: weight * first.m4_share + (1.0 - weight) * second.m4_share,
-            kurtosis_share: first.kurtosis_share.max(second.kurtosis_share),
+            m4_share: weight * self.m4_share + (1.0 - weight) * other.m4_share,
+            kurtosis_share: self.kurtosis_share.max(other.kurtosis_share),
             points: vec![],
         }
     }

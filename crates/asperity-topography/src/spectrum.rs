@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use asperity_fft::Complex64;
 
 use crate::error::at_most;
-use crate::{Topography, TopographyError, fourier};
+use crate::{Topography, TopographyError};
 
 /// Bins in an octave of wave numbers.
 const BINS: f64 = 4.0;
@@ -92,49 +92,37 @@ impl Topography {
             return Err(TopographyError::Flat { points: self.measured() });
         }
         if self.is_profile() {
-            let each = rows_power.iter().enumerate().skip(1);
-            let length = columns as f64 * dx;
-            let median_wavelength = median(each.map(|(k, p)| (k as f64, *p)), length);
-            return Ok(Spectra {
-                radial: None,
-                along_rows,
-                along_columns: None,
-                median_wavelength,
-            });
+            let waves = rows_power.iter().enumerate().skip(1).map(|(k, p)| (k as f64, *p));
+            let median_wavelength = median(waves, columns as f64 * dx);
+            let (radial, along_columns) = (None, None);
+            return Ok(Spectra { radial, along_rows, along_columns, median_wavelength });
         }
         let columns_power = lines(columns, rows, &down, &|k, i| heights[i * columns + k]);
         let along_columns = Some(profile(&columns_power, rows, dy));
         let point = |(k, h): (usize, &f64)| {
             Complex64::from(along[k % columns] * down[k / columns] * (h - mean))
         };
-        let waves =
-            fourier::forward(heights.iter().enumerate().map(point).collect(), [rows, columns]);
+        let points = heights.iter().enumerate().map(point).collect();
+        let waves = forward(points, [rows, columns]);
         let [width, height] = [columns as f64 * dx, rows as f64 * dy];
         let each = || {
             waves.iter().enumerate().skip(1).map(|(at, wave)| {
-                let [i, j] =
-                    [fourier::signed(at % rows, rows), fourier::signed(at / rows, columns)];
+                let [i, j] = [(at % rows, rows), (at / rows, columns)].map(signed);
                 (TAU * (i / height).hypot(j / width), wave.norm_sqr())
             })
         };
         let scale = dx * dy / (rows * columns) as f64;
         let largest = PI / dx.max(dy);
-        let lowest = TAU / width.max(height);
-        let radial = binned(each().map(|(q, p)| (q, p * scale)), lowest, largest);
         let longest = width.max(height);
+        let radial = binned(each().map(|(q, p)| (q, p * scale)), TAU / longest, largest);
         let median_wavelength = median(each().map(|(q, p)| (q * longest / TAU, p)), longest);
         Ok(Spectra { radial: Some(radial), along_rows, along_columns, median_wavelength })
     }
 
     /// A window of mean square 1.
     fn window(&self, n: usize) -> Vec<f64> {
-        match self.is_periodic() {
-            true => vec![1.0; n],
-            false => {
-                let hann = |k: usize| (PI * (k as f64 + 0.5) / n as f64).sin().powi(2);
-                (0..n).map(|k| hann(k) / 0.375_f64.sqrt()).collect()
-            }
-        }
+        let hann = |k: usize| (PI * (k as f64 + 0.5) / n as f64).sin().powi(2) / 0.375_f64.sqrt();
+        (0..n).map(|k| if self.is_periodic() { 1.0 } else { hann(k) }).collect()
     }
 }
 
@@ -184,6 +172,36 @@ fn median(waves: impl Iterator<Item = (f64, f64)>, length: f64) -> f64 {
         sum += power;
     }
     length
+}
+
+/// The transform of a map of rows, column by column: wave (i, j), i down a column and j along a
+/// row, stands at `j * rows + i`. Not scaled.
+pub(crate) fn forward(values: Vec<Complex64>, [rows, columns]: [usize; 2]) -> Vec<Complex64> {
+    both(values, [rows, columns], asperity_fft::forward)
+}
+
+/// The map of rows of waves from [`forward`], rows * columns times too large.
+pub(crate) fn inverse(waves: Vec<Complex64>, [rows, columns]: [usize; 2]) -> Vec<Complex64> {
+    both(waves, [columns, rows], asperity_fft::inverse)
+}
+
+fn both(
+    mut values: Vec<Complex64>,
+    [rows, columns]: [usize; 2],
+    plan: fn(usize) -> std::sync::Arc<dyn asperity_fft::Fft<f64>>,
+) -> Vec<Complex64> {
+    plan(columns).process(&mut values);
+    let mut turned = vec![Complex64::ZERO; values.len()];
+    for (i, row) in values.chunks(columns).enumerate() {
+        row.iter().enumerate().for_each(|(j, value)| turned[j * rows + i] = *value);
+    }
+    plan(rows).process(&mut turned);
+    turned
+}
+
+/// The wave number of wave k of n, with its sign, in waves on the whole length.
+fn signed((k, n): (usize, usize)) -> f64 {
+    if 2 * k > n { k as f64 - n as f64 } else { k as f64 }
 }
 
 #[cfg(test)]

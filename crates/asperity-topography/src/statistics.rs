@@ -118,7 +118,8 @@ impl Topography {
         notes.extend(warning::despiked(self));
         if let Some(found) = warning::outliers(&statistics.outliers) {
             let clean = self.clone().without_points(&statistics.outliers.points);
-            let anisotropic = clean.moments().ok().and_then(|moments| anisotropic(&moments));
+            let anisotropic =
+                clean.moments().ok().and_then(|moments| warning::anisotropic(&moments));
             statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
             statistics.warnings.extend(notes);
             return Ok(statistics);
@@ -152,12 +153,6 @@ impl Topography {
     }
 }
 
-/// A warning if the rms slopes along rows and columns differ.
-fn anisotropic(moments: &Moments) -> Option<Finding> {
-    let [m2, _] = moments.along_columns?;
-    warning::anisotropic(moments.along_rows[0].sqrt(), m2.sqrt())
-}
-
 impl Statistics {
     /// Statistics of one surface, or of the gap of two, without missing points, outliers or a
     /// second estimator.
@@ -174,7 +169,8 @@ impl Statistics {
         let beta = of(|surface| surface.asperity_density * surface.asperity_radius);
         let beta = beta.map(|per_length| per_length * sq);
         let without = asperities.as_ref().err().map(|reason| warning::no_asperities(reason));
-        let found = [without, beta.and_then(warning::roughness_parameter), anisotropic(&moments)];
+        let beta_found = beta.and_then(warning::roughness_parameter);
+        let found = [without, beta_found, warning::anisotropic(&moments)];
         Self {
             sq,
             ssk,

@@ -124,9 +124,10 @@ pub(crate) fn unit_in(name: &str) -> Option<LengthUnit> {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Given")]
 pub struct Distance {
-    value: f64,
+    /// As given.
+    pub(crate) value: f64,
     /// `None` for the unit of the heights.
-    unit: Option<LengthUnit>,
+    pub(crate) unit: Option<LengthUnit>,
 }
 
 #[derive(Deserialize)]
@@ -155,16 +156,6 @@ impl Distance {
             Some(own) if own != unit => self.value * own.metres() / unit.metres(),
             _ => self.value,
         }
-    }
-
-    /// The number as given.
-    pub(crate) fn value(self) -> f64 {
-        self.value
-    }
-
-    /// Whether it is in the unit of the heights.
-    pub(crate) fn is_bare(self) -> bool {
-        self.unit.is_none()
     }
 }
 
@@ -247,7 +238,7 @@ mod tests {
         assert_eq!(of("0.5").in_unit(nm).to_bits(), 0.5f64.to_bits());
         for text in ["0.5um", " 0.5 um", "5e-7 m", "500 nm", "0.5 \u{b5}m"] {
             assert!((of(text).in_unit(nm) / 500.0 - 1.0).abs() < 1e-14, "{text}");
-            assert!(!of(text).is_bare() && of(&of(text).to_string()) == of(text), "{text}");
+            assert!(of(text).unit.is_some() && of(&of(text).to_string()) == of(text), "{text}");
         }
         for text in ["", "um", "0", "-1 nm", "1e400", "nan", "1 mile", "1,5", "1 nm 2"] {
             let error = text.parse::<Distance>().unwrap_err().to_string();

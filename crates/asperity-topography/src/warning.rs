@@ -2,7 +2,7 @@
 
 use asperity_core::{Finding, Severity, Surface};
 
-use crate::{Level, Outliers, Statistics, Topography, TopographyError};
+use crate::{Level, Moments, Outliers, Statistics, Topography, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -11,17 +11,14 @@ const SUMMITS: f64 = 2.0;
 /// Largest accepted decrease of m₄ of a profile at half the resolution: white noise has 16.
 const CURVATURE: f64 = 4.0;
 
+const ROUGH: &str =
+    "form and waviness increase Sq, noise increases eta; use level quadratic, filter or smooth";
+const SMOOTH: &str = "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size";
+
 /// A warning if β = η R Sq is outside [the usual range](Surface::USUAL_ROUGHNESS).
 pub(crate) fn roughness_parameter(beta: f64) -> Option<Finding> {
     let usual = Surface::USUAL_ROUGHNESS;
-    let advice = match beta > usual[1] {
-        true => {
-            "form and waviness increase Sq, noise increases eta; use level quadratic, filter or smooth"
-        }
-        false => {
-            "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size"
-        }
-    };
+    let advice = if beta > usual[1] { ROUGH } else { SMOOTH };
     let found = Finding::warning("roughness-parameter", "beta", beta)
         .usual(usual)
         .fact(format!("beta = eta R Sq is {beta:.4} (usual: {} to {})", usual[0], usual[1]))
@@ -112,7 +109,7 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
             largest.abs()
         ))
         .advice(
-            "radius, density and kurtosis describe these points, not the surface; despike = true (--despike) replaces them",
+            "radius, density and kurtosis describe these points, not the surface; `despike = true (--despike)` replaces them",
         );
     found.matter().then_some(warning)
 }
@@ -136,7 +133,8 @@ pub(crate) fn no_asperities(reason: &str) -> Finding {
 }
 
 /// A warning if the rms slopes along rows and columns differ.
-pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Finding> {
+pub(crate) fn anisotropic(moments: &Moments) -> Option<Finding> {
+    let [slope_x, slope_y] = [moments.along_rows[0].sqrt(), moments.along_columns?[0].sqrt()];
     let ratio = ratio(slope_x, slope_y);
     let found = Finding::warning("anisotropic", "slope_ratio", ratio)
         .usual([1.0, APART])
@@ -154,7 +152,7 @@ impl Statistics {
         let found = Finding::warning("slope", "measured_slope", slope)
             .severity(severity)
             .usual(SLOPE)
-            .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
+            .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
         (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
     }
 }

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use asperity::{
     At, Compared, Described, Finding, Findings, Quantity, Request, Severity, nearest_to_bem,
 };
-use asperity_answer::unranked;
+use asperity_answer::{Asked, unranked};
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 
+use crate::dialect::{quantity_name, said};
 use crate::message::OnScreen;
-use crate::names::{quantity_name, readable};
 use crate::press;
 use crate::refusal::Refusal;
 
@@ -88,18 +88,22 @@ impl OnScreen {
 }
 
 /// Findings about the scene and about these models at a load.
-pub(crate) fn check(file: &SceneFile, ids: &[String], at: At) -> Result<Findings, Refusal> {
+pub(crate) fn check(
+    file: &SceneFile,
+    models: &[(&str, Result<&Asked, &String>)],
+    at: At,
+) -> Findings {
     let mut found: Findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    let valid = !found.iter().any(|found| found.severity == Severity::Error);
-    if valid {
-        for id in ids {
-            let model = file.model(id)?;
-            found.extend(file.findings_at(&model, &[at]));
-        }
+    if found.iter().all(|found| found.severity != Severity::Error) {
+        let answering = models.iter().filter_map(|(_, asked)| asked.ok());
+        found.extend(answering.flat_map(|asked| {
+            let [found, _] = asked.findings(file, &[at]);
+            found
+        }));
     }
     // The table of values marks it at each model.
     let unmarked = |found: &Finding| found.code != "beyond-full-contact";
-    Ok(file.accepted(found.into_iter().filter(unmarked).collect()))
+    file.accepted(found.into_iter().filter(unmarked).collect())
 }
 
 /// Compares the models that the scene allows with boundary elements on its scan, if the load was
@@ -141,7 +145,7 @@ pub(crate) fn advise(
         summary.push(format!("{verdict}{fitted}"));
     }
     summary.extend(lines);
-    Ok(Advice { summary: summary.iter().map(|line| readable(line)).collect() })
+    Ok(Advice { summary: summary.iter().map(|line| said(line)).collect() })
 }
 
 /// The models on the page that ignore yielding where it matters.

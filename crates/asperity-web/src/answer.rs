@@ -1,18 +1,17 @@
 //! Values of models at loads, as `asperity curve` prints them.
 
-use std::collections::BTreeMap;
-
 use asperity::{
-    At, Contact, ContactError, ContactModel, Described, Evaluation, Finding, Model, Quantity,
-    Request, Response, SeparationUnit, shortest_digits,
+    At, Check, ContactError, Described, Evaluation, Findings, Quantity, Request, SeparationUnit,
+    Severity, shortest_digits,
 };
+use asperity_answer::Asked;
 use asperity_inputs::SceneFile;
 
+use crate::dialect::{PAGE, said};
 use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
-use crate::names::readable;
-use crate::possible::impossible;
 use crate::refusal::Refusal;
 use crate::shown::shown;
+use crate::span::Span;
 
 /// The quantities that every scene has.
 const USUAL: [Quantity; 6] = [
@@ -32,16 +31,11 @@ pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
     USUAL.into_iter().chain(thermal).chain(electrical).collect()
 }
 
-/// The separation and the quantities, as columns and views.
-pub(crate) fn views(file: &SceneFile) -> Vec<View> {
-    let quantities = quantities(file).into_iter().map(View::of);
-    [View::separation(file.separation_from)].into_iter().chain(quantities).collect()
-}
-
-/// The columns of every scene.
-pub(crate) fn usual_views() -> Vec<View> {
-    let separation = View::separation(asperity::Datum::default());
-    [separation].into_iter().chain(USUAL.map(View::of)).collect()
+/// The separation and the quantities, as columns and views; without a scene those that all have.
+pub(crate) fn views(file: Option<&SceneFile>) -> Vec<View> {
+    let quantities = file.map_or(USUAL.to_vec(), quantities).into_iter().map(View::of);
+    let from = file.map_or_else(Default::default, |file| file.separation_from);
+    [View::separation(from)].into_iter().chain(quantities).collect()
 }
 
 /// Why a model without adhesion refuses a tension.
@@ -56,116 +50,66 @@ fn no_tension(file: &SceneFile) -> String {
 /// What the program adds where jkr pulls off.
 const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 
-/// A model on a scene, ready for many loads.
-pub(crate) struct Compiled {
-    model: Model,
-    contact: Box<dyn Contact>,
-    /// Whether it describes adhesion, which carries tension.
-    adhesive: bool,
-    had: Vec<Quantity>,
-    /// Why the model has no value of a quantity.
-    refused: BTreeMap<Quantity, String>,
+/// The model of an id with all quantities of the scene that it has, ready for many loads.
+pub(crate) fn compile(file: &SceneFile, id: &str) -> Result<Asked, Refusal> {
+    let many = Span::of(&file.scene).pressures().into_iter().map(At::Pressure);
+    let request = Request::new(quantities(file)).at(many);
+    Ok(Asked::new(file, &file.model(id)?, &request, (false, false))?)
 }
 
-impl Compiled {
-    /// The model of an id with all quantities of the scene that it has.
-    pub(crate) fn new(file: &SceneFile, id: &str) -> Result<Self, Refusal> {
-        let (model, scene) = (file.model(id)?, &file.scene);
-        let compile = |quantities: &[Quantity]| {
-            model.compile(scene, &Request::new(quantities.iter().copied()))
-        };
-        let all = quantities(file);
-        let adhesive = model.validity().adhesive;
-        let (mut had, mut refused) = (all.clone(), BTreeMap::new());
-        let whole = match compile(&all) {
-            Ok(contact) => return Ok(Self { model, contact, adhesive, had, refused }),
-            Err(whole) => whole,
-        };
-        had.retain(|quantity| match compile(&[*quantity]) {
-            Ok(_) => true,
-            Err(reason) => {
-                refused.insert(*quantity, reason.to_string());
-                false
-            }
-        });
-        let contact = compile(if had.is_empty() { &[Quantity::Force] } else { &had });
-        let contact = contact.map_err(|_: ContactError| whole)?;
-        Ok(Self { model, contact, adhesive, had, refused })
-    }
-
-    fn respond(&self, at: &[At]) -> Response {
-        let request = Request::new(self.had.iter().copied()).at(at.iter().copied());
-        self.contact.respond(&request)
-    }
-
-    /// The separation in metres from the plane of the scene.
-    fn separation(&self, file: &SceneFile, at: At) -> Result<f64, ContactError> {
-        let separation = self.contact.separation(at)?;
-        let metres = SeparationUnit::Metres;
-        Ok(separation.measured_in(metres, file.separation_from, &file.scene)?.value)
-    }
-
-    /// The values at one load, with warnings about them.
-    pub(crate) fn row(&self, file: &SceneFile, id: &str, at: At) -> (AnswerRow, Vec<Finding>) {
-        let response = self.respond(&[at]);
-        let separation = self.separation(file, at);
-        let separation = cell(SEPARATION, "m", separation.map_err(|e| e.to_string()), None);
-        let value = |quantity: &Quantity| -> Result<Evaluation, String> {
-            if let Some(reason) = self.refused.get(quantity) {
-                return Err(reason.clone());
-            }
-            let column = response.column(*quantity).map_err(|error| error.to_string())?;
-            match column.rows.first() {
-                Some(Ok(value)) => Ok(*value),
-                Some(Err(reason)) => Err(reason.to_string()),
-                None => Err("no value".into()),
-            }
-        };
-        let of = |quantity: Quantity| {
-            let found = value(&quantity);
-            let bound = found.as_ref().ok().map(|value| value.bound(quantity));
-            cell(&quantity.to_string(), quantity.unit(), found.map(|value| value.value()), bound)
-        };
-        let cells: Vec<AnswerCell> =
-            [separation].into_iter().chain(quantities(file).into_iter().map(of)).collect();
-        let empty = cells.iter().all(|cell| cell.digits.is_none());
-        let load = at.load(&file.scene).unwrap_or_default();
-        let reason = empty.then(|| match load < 0.0 && !self.adhesive {
-            true => format!("load is {}: {}", shown(load, "N"), no_tension(file)),
-            false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
-            false => cells[0].shown.clone(),
-        });
-        let area = value(&Quantity::AreaFraction).ok().map(|found| found.value());
-        let mark = impossible(file, &self.model, at, area).filter(|_| !empty);
-        let row = AnswerRow { model: id.into(), cells, reason, mark };
-        (row, response.warnings)
-    }
-
-    /// The rows at pressures, as a csv without its head; blank where there is no value.
-    pub(crate) fn rows(&self, file: &SceneFile, id: &str, pressures: &[f64]) -> String {
-        let at: Vec<At> = pressures.iter().map(|pressure| At::Pressure(*pressure)).collect();
-        let response = self.respond(&at);
-        let all = quantities(file);
-        let mut text = String::new();
-        for (k, pressure) in pressures.iter().enumerate() {
-            let load = pressure * file.scene.nominal_area;
-            let given = [Some(load), Some(*pressure), self.separation(file, at[k]).ok()];
-            let value = |quantity: &Quantity| {
-                let column = response.column(*quantity).ok()?;
-                column.rows.get(k)?.as_ref().ok().map(Evaluation::value)
-            };
-            let digits = |number: Option<f64>| {
-                number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
-            };
-            let cells: Vec<String> =
-                given.into_iter().chain(all.iter().map(value)).map(digits).collect();
-            text += &format!("{id},{}\n", cells.join(","));
-        }
-        text
-    }
+/// The values at one load, with warnings about them.
+pub(crate) fn row(
+    file: &SceneFile,
+    id: &str,
+    asked: &Asked,
+    at: At,
+) -> Result<(AnswerRow, Findings), Refusal> {
+    let (lines, warnings) = asked.lines(file, &[at]);
+    let separation = || -> Result<f64, ContactError> {
+        let found = asked.contact().separation(at)?;
+        Ok(found.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene)?.value)
+    };
+    let mut cells = vec![cell(SEPARATION, "m", separation().map_err(|e| e.marked()), None)];
+    let values = lines.iter().flat_map(|line| &line.values);
+    cells.extend(quantities(file).into_iter().zip(values).map(|(quantity, found)| {
+        let bound = found.as_ref().ok().map(|value| value.bound(quantity));
+        let found = found.as_ref().map(Evaluation::value).map_err(ContactError::marked);
+        cell(&quantity.to_string(), quantity.unit(), found, bound)
+    }));
+    let empty = cells.iter().all(|cell| cell.digits.is_none());
+    let (model, load) = (file.model(id)?, at.load(&file.scene).unwrap_or_default());
+    let reason = empty.then(|| match load < 0.0 && !model.validity().adhesive {
+        true => format!("load is {}: {}", shown(load, "N"), no_tension(file)),
+        false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
+        false => cells[0].shown.clone(),
+    });
+    // Values of a scene with an error may be impossible because of it.
+    let valid = || file.findings().at_least(Severity::Error).is_empty();
+    let area = lines.first().and_then(|line| line.values.first()?.as_ref().ok());
+    let mark = at.pressure(&file.scene).zip(area).and_then(|(pressure, area)| {
+        Check::impossible(&model, &file.scene, pressure, area.value()).filter(|_| valid())
+    });
+    let mark = mark.map(|found| found.say(&PAGE));
+    Ok((AnswerRow { model: id.into(), cells, reason, mark }, warnings.into_iter().collect()))
 }
 
-/// The head of [`Compiled::rows`].
+/// The rows at pressures, as a csv without its head; blank where there is no value.
+pub(crate) fn rows(file: &SceneFile, id: &str, asked: &Asked, pressures: &[f64]) -> String {
+    let places: Vec<At> = pressures.iter().map(|pressure| At::Pressure(*pressure)).collect();
+    let digits = |number: Option<f64>| {
+        number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
+    };
+    let row = |line: &asperity_answer::Line| {
+        let (at, scene) = (line.given, &file.scene);
+        let given = [at.load(scene), at.pressure(scene), line.separation[1]];
+        let values = line.values.iter().map(|found| Some(found.as_ref().ok()?.value()));
+        let cells: Vec<String> = given.into_iter().chain(values).map(digits).collect();
+        format!("{id},{}\n", cells.join(","))
+    };
+    asked.lines(file, &places).0.iter().map(row).collect()
+}
+
+/// The head of [`rows`].
 pub(crate) fn head(file: &SceneFile) -> Vec<String> {
     let given = ["model", "load_N", "pressure_Pa", "separation_m"].map(String::from);
     given.into_iter().chain(quantities(file).into_iter().map(Quantity::column)).collect()
@@ -184,7 +128,7 @@ pub(crate) fn cell(
             let digits = Some(shortest_digits(value));
             AnswerCell { quantity, digits, bound, shown: shown(value, unit) }
         }
-        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: readable(&reason) },
+        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: said(&reason) },
     }
 }
 
@@ -196,11 +140,19 @@ mod tests {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
+    fn of(file: &SceneFile, id: &str, asked: &Asked, at: At) -> AnswerRow {
+        row(file, id, asked, at).unwrap().0
+    }
+
+    fn alone(file: &SceneFile, id: &str, at: At) -> AnswerRow {
+        of(file, id, &compile(file, id).unwrap(), at)
+    }
+
     #[test]
     fn a_load_that_a_model_refuses_has_its_reason() {
         let file = file();
-        let ke = Compiled::new(&file, "ke").unwrap();
-        let reason = |load: f64| ke.row(&file, "ke", At::Load(load)).0.reason.unwrap();
+        let ke = compile(&file, "ke").unwrap();
+        let reason = |load: f64| of(&file, "ke", &ke, At::Load(load)).reason.unwrap();
         let tension = reason(-5.0);
         let wanted = "load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr or jkr-separation";
         assert_eq!(tension, wanted);
@@ -211,7 +163,7 @@ mod tests {
             mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
         };
         assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
-        assert_eq!(ke.row(&file, "ke", At::Load(100.0)).0.reason, None);
+        assert_eq!(of(&file, "ke", &ke, At::Load(100.0)).reason, None);
     }
 
     #[test]
@@ -219,12 +171,12 @@ mod tests {
         let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
         let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
-        let gw = Compiled::new(&file, "gw").unwrap().row(&file, "gw", At::Load(-1.0)).0;
+        let gw = alone(&file, "gw", At::Load(-1.0));
         assert!(
             gw.reason.unwrap().ends_with("carry no tension; choose dmt, jkr or jkr-separation")
         );
         for id in ["dmt", "jkr"] {
-            let row = Compiled::new(&file, id).unwrap().row(&file, id, At::Load(-1.0)).0;
+            let row = alone(&file, id, At::Load(-1.0));
             let reason = row.reason.unwrap();
             assert!(reason.starts_with("load is -1.0 N: the surfaces pull off at -0."), "{reason}");
             assert_eq!(reason.contains("; jkr-separation, which describes opening"), id == "jkr");
@@ -234,8 +186,8 @@ mod tests {
     #[test]
     fn rows_and_curves_are_the_answers_of_the_library() {
         let file = file();
-        let ke = Compiled::new(&file, "ke").unwrap();
-        let (row, _) = ke.row(&file, "ke", At::Pressure(1e6));
+        let ke = compile(&file, "ke").unwrap();
+        let row = of(&file, "ke", &ke, At::Pressure(1e6));
         let request = Request::new(quantities(&file)).at([At::Pressure(1e6)]);
         let response = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
         for cell in &row.cells[1..] {
@@ -245,8 +197,8 @@ mod tests {
             assert!((found / wanted - 1.0).abs() < 1e-13, "{quantity}: {found} {wanted}");
             assert!(cell.bound.unwrap() < 1e-9);
         }
-        let rows = ke.rows(&file, "ke", &[1e6, 2e6]);
-        let first: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+        let csv = rows(&file, "ke", &ke, &[1e6, 2e6]);
+        let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
         assert_eq!(first.len(), head(&file).len());
         let area = head(&file).iter().position(|name| name == "area_fraction").unwrap();
         // Several loads are evaluated together.
@@ -258,12 +210,46 @@ mod tests {
     #[test]
     fn a_model_without_a_quantity_has_the_others_and_the_reason() {
         let file = file();
-        let gao = Compiled::new(&file, "gao").unwrap();
-        let (row, _) = gao.row(&file, "gao", At::Load(100.0));
-        let of = |name: &str| row.cells.iter().find(|cell| cell.quantity == name).unwrap();
-        assert!(of("area-fraction").digits.is_some());
-        let unloading = of("unloading-stiffness");
+        let gao = compile(&file, "gao").unwrap();
+        let row = of(&file, "gao", &gao, At::Load(100.0));
+        let found = |name: &str| row.cells.iter().find(|cell| cell.quantity == name).unwrap();
+        assert!(found("area-fraction").digits.is_some());
+        let unloading = found("unloading-stiffness");
         assert!(unloading.digits.is_none() && !unloading.shown.is_empty());
-        assert!(Compiled::new(&file, "dmt").is_err());
+        assert!(compile(&file, "dmt").is_err());
+    }
+
+    fn marks(text: &str, id: &str, at: At) -> Option<String> {
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        alone(&file, id, at).mark
+    }
+
+    #[test]
+    fn a_load_beyond_full_contact_has_a_mark_and_a_usual_one_none() {
+        let text = asperity_inputs::template();
+        let found = marks(text, "persson-fudge", At::Load(1e30)).unwrap();
+        assert!(found.contains("nominal area is 1e34 Pa, above the hardness (2e9 Pa)"), "{found}");
+        for id in ["gw", "ke", "persson-fudge"] {
+            assert_eq!(marks(text, id, At::Load(100.0)), None);
+        }
+    }
+
+    #[test]
+    fn more_area_than_there_is_has_a_mark() {
+        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
+        let found = marks(text, "gw", At::Pressure(1.5e6)).unwrap();
+        assert!(
+            found.contains("real over nominal area is") && found.contains("above 1"),
+            "{found}"
+        );
+        let heavy = marks(text, "persson", At::Pressure(1e7)).unwrap();
+        assert!(heavy.contains("above the equivalent modulus (2.667e6 Pa)"), "{heavy}");
+        assert_eq!(marks(text, "gw", At::Pressure(1e4)), None);
+    }
+
+    #[test]
+    fn a_load_is_not_blamed_for_a_wrong_unit_of_a_field() {
+        let text = asperity_inputs::template().replacen("210e9", "210", 1);
+        assert_eq!(marks(&text, "gw", At::Load(100.0)), None);
     }
 }

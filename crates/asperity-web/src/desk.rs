@@ -2,18 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Finding, Severity};
+use asperity::{Findings, Severity};
+use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::answer::{self, Compiled};
+use crate::answer;
 use crate::files::{admit, usable};
 use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
-    advice, code, fields, law, link, names, picture, read_scene, scan_report, span, surface_keys,
+    advice, code, dialect, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -21,8 +22,11 @@ use crate::{
 pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
-    compiled: BTreeMap<String, Result<Compiled, String>>,
+    compiled: BTreeMap<String, Result<Asked, String>>,
 }
+
+/// A scene with models on it, or the reasons why it refuses them.
+type Compiled<'d> = (&'d SceneFile, Vec<(&'d str, Result<&'d Asked, &'d String>)>);
 
 impl Desk {
     /// Takes the bytes of a file that scenes may name; returns json with its checksum, or with a
@@ -73,15 +77,18 @@ impl Desk {
         self.file.as_ref().ok_or_else(|| Refusal::new("the scene has an error; correct it first"))
     }
 
-    /// The models of these ids, compiled once.
-    fn compile(&mut self, ids: &[String]) -> Result<(), Refusal> {
-        let file = self.file.as_ref();
-        let file = file.ok_or_else(|| Refusal::new("the scene has an error; correct it first"))?;
+    /// The models of these ids on the scene, each compiled once; those that it refuses with the
+    /// reason.
+    fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
         for id in ids {
-            let made = || Compiled::new(file, id).map_err(|refusal| refusal.message);
-            self.compiled.entry(id.clone()).or_insert_with(made);
+            if !self.compiled.contains_key(id) {
+                let made = answer::compile(self.scene()?, id).map_err(|refusal| refusal.message);
+                self.compiled.insert(id.clone(), made);
+            }
         }
-        Ok(())
+        let models =
+            ids.iter().filter_map(|id| Some((id.as_str(), self.compiled.get(id)?.as_ref())));
+        Ok((self.scene()?, models.collect()))
     }
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
@@ -96,6 +103,7 @@ impl Desk {
                 json(text)
             }
             Message::Changed { text } => json(fields::changed(&text)),
+            Message::Form => json(surface_keys::Form::new()),
             Message::Materials => {
                 let all = asperity_inputs::materials().iter();
                 json(all.map(read_scene::material).collect::<Vec<_>>())
@@ -113,7 +121,6 @@ impl Desk {
                 json(usable(&name, bytes, kept.as_deref())?)
             }
             Message::Admit { name, size } => json(admit(&name, size)?),
-            Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {
                 let (name, bytes) = (keys.name(), keys.file()?);
                 let checksum = link::checksum(&bytes);
@@ -123,14 +130,12 @@ impl Desk {
             }
             Message::Answer { models, load } => json(self.values(&models, &load)?),
             Message::Curve { models } => {
-                self.compile(&models)?;
-                let file = self.scene()?;
+                let (file, models) = self.compile(&models)?;
                 let pressures = span::Span::of(&file.scene).pressures();
-                let rows = |id: &String| {
-                    let compiled = self.compiled.get(id)?.as_ref().ok()?;
-                    Some((id.clone(), compiled.rows(file, id, &pressures)))
-                };
-                let rows: BTreeMap<String, String> = models.iter().filter_map(rows).collect();
+                let rows = models.into_iter().filter_map(|(id, asked)| {
+                    Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
+                });
+                let rows: BTreeMap<&str, String> = rows.collect();
                 json(json!({ "head": answer::head(file).join(","), "rows": rows }))
             }
             Message::Draw { rows, view, load, solved } => {
@@ -140,9 +145,9 @@ impl Desk {
             }
             Message::Scan => json(scan_report::report(self.scene()?)?),
             Message::Check { models, load } => {
-                let file = self.scene()?;
-                let found = advice::check(file, &models, span::load(&load, &file.scene)?.0)?;
-                json(names::findings(&found, file))
+                let (file, models) = self.compile(&models)?;
+                let (at, _) = span::load(&load, &file.scene)?;
+                json(dialect::findings(&advice::check(file, &models, at), file))
             }
             Message::Advise { load, solved } => {
                 let file = self.scene()?;
@@ -173,25 +178,23 @@ impl Desk {
     }
 
     fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Answer, Refusal> {
-        self.compile(models)?;
-        let file = self.scene()?;
+        let (file, models) = self.compile(models)?;
         let (at, load) = span::load(load, &file.scene)?;
-        let (mut rows, mut findings) = (vec![], Vec::<Finding>::new());
-        for id in models {
-            match self.compiled.get(id) {
-                Some(Ok(compiled)) => {
-                    let (row, found) = compiled.row(file, id, at);
+        let (mut rows, mut findings) = (vec![], Findings::default());
+        for (id, asked) in models {
+            match asked {
+                Ok(asked) => {
+                    let (row, found) = answer::row(file, id, asked, at)?;
                     rows.push(row);
                     findings.extend(found);
                 }
-                Some(Err(reason)) => rows.push(AnswerRow::without_values(id, reason)),
-                None => {}
+                Err(reason) => rows.push(AnswerRow::without_values(id, reason)),
             }
         }
-        let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
-        let findings = names::findings(&findings, file);
+        let findings = file.accepted(findings).at_least(Severity::Warning);
+        let findings = dialect::findings(&findings, file);
         let head = answer::head(file).join(",");
-        Ok(Answer { load, views: answer::views(file), head, rows, findings })
+        Ok(Answer { load, views: answer::views(Some(file)), head, rows, findings })
     }
 }
 

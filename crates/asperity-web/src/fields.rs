@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use asperity::Body;
+use asperity_inputs::{BODY, Field, materials};
 use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
 
 use crate::message::Change;
@@ -127,24 +128,19 @@ pub(crate) fn changed(text: &str) -> String {
 pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
     let path = |name: &str| format!("body[{body}].{name}");
     let old = fields(text).remove(&path("material"));
-    let old = asperity_inputs::materials().iter().find(|known| Some(&known.id) == old.as_ref());
+    let old = materials().iter().find(|known| Some(&known.id) == old.as_ref());
     let old = old.filter(|_| id.is_empty()).map(|material| &material.body);
     if id.is_empty() && old.is_none() {
         return vec![];
     }
-    let number = |of: fn(&Body) -> Option<f64>| old.and_then(of).map(|value| format!("{value:e}"));
+    let number = |field: &Field<Body>| {
+        let value = old.and_then(field.get).map(|value| format!("{value:e}"));
+        Change { path: path(field.name), value }
+    };
+    let id = (!id.is_empty()).then(|| id.to_string());
     // Of another material nothing stays.
-    [
-        ("material", (!id.is_empty()).then(|| id.to_string())),
-        ("youngs_modulus", number(|body| Some(body.youngs_modulus))),
-        ("poissons_ratio", number(|body| Some(body.poissons_ratio))),
-        ("hardness", number(|body| body.hardness)),
-        ("yield_strength", number(|body| body.yield_strength)),
-        ("thermal_conductivity", number(|body| body.thermal_conductivity)),
-        ("electrical_resistivity", number(|body| body.electrical_resistivity)),
-    ]
-    .map(|(name, value)| Change { path: path(name), value })
-    .into()
+    let named = Change { path: path("material"), value: id };
+    [named].into_iter().chain(BODY.iter().map(number)).collect()
 }
 
 /// The text without the second body, or with it again, alike the first.
@@ -276,10 +272,7 @@ mod tests {
         let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
         assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
         let own = edit(&text, &material(&text, 1, "")).unwrap();
-        let known = asperity_inputs::materials()
-            .iter()
-            .find(|known| known.id == "copper-cold-worked")
-            .unwrap();
+        let known = materials().iter().find(|known| known.id == "copper-cold-worked").unwrap();
         for (key, wanted) in [
             ("youngs_modulus", Some(known.body.youngs_modulus)),
             ("thermal_conductivity", known.body.thermal_conductivity),

@@ -5,6 +5,7 @@ use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
 use serde::Serialize;
 
+use crate::dialect::model_name;
 use crate::model_sentence::source;
 use crate::refusal::Refusal;
 use crate::shown::shown;
@@ -51,7 +52,10 @@ fn guide(id: &str) -> String {
 pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     let model = file.model(id)?;
     let Some(asperity_model) = model.asperity_model() else {
-        return Err(Refusal::new(format!("{} has no law of a single asperity", model.name())));
+        return Err(Refusal::new(format!(
+            "{} has no law of a single asperity",
+            model_name(&model)
+        )));
     };
     let asperity = file.scene.asperity()?;
     let (unit, axis, of, [first, last]) = match asperity.hardness {

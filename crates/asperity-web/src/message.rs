@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use asperity::Quantity;
 use serde::{Deserialize, Serialize};
 
+use crate::dialect::FindingShown;
 use crate::link::PageState;
-use crate::names::{FindingShown, readable};
-use crate::random::{RandomKeys, RandomTyped};
+use crate::random::RandomKeys;
 use crate::refusal::Refusal;
 
 /// What the page asks.
@@ -20,6 +20,8 @@ pub(crate) enum Message {
     Changed { text: String },
     /// The text with other values.
     Edit { text: String, changes: Vec<Change> },
+    /// The fields of the form.
+    Form,
     /// The materials of the list.
     Materials,
     /// The text with another material of a body, or with the numbers of its material.
@@ -33,8 +35,6 @@ pub(crate) enum Message {
     /// Whether a file that was handed over can be the surface of a scene, in place of the scan of
     /// the scene `kept`, if that has values.
     Usable { name: String, kept: Option<String> },
-    /// The keys of a random surface from texts as typed.
-    RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
     /// The values of models at one load.
@@ -51,7 +51,7 @@ pub(crate) enum Message {
     Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// The same calculation in a shell, in Python and in Rust.
+    /// The same calculation in a shell and in Python.
     Code { models: Vec<String>, load: LoadKeys },
     /// The law of one asperity.
     Law { model: String },
@@ -211,7 +211,7 @@ pub(crate) struct AnswerRow {
 impl AnswerRow {
     /// The row of a model that cannot answer.
     pub(crate) fn without_values(id: &str, reason: &str) -> Self {
-        Self { model: id.into(), cells: vec![], reason: Some(readable(reason)), mark: None }
+        Self { model: id.into(), cells: vec![], reason: Some(reason.into()), mark: None }
     }
 }
 

@@ -2,12 +2,12 @@
 
 use asperity::{Described, Model};
 
-use crate::names::with_ids;
+use crate::dialect::model_name;
 
 /// Name, authors and year of a model: `KE: Kogut & Etsion (2002)`.
 pub(crate) fn source(model: &Model) -> String {
     let citation = model.citation();
-    format!("{}: {} ({})", with_ids(model.name()), citation.authors, citation.year)
+    format!("{}: {} ({})", model_name(model), citation.authors, citation.year)
 }
 
 /// Name, source, the differences of a variant, and range of a model.

@@ -1,6 +1,6 @@
 //! Pictures: curves of models, and the map of a contact.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, Solution};
 use asperity::{Quantity, short};
@@ -10,7 +10,7 @@ use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw,
 use crate::answer::head;
 use crate::message::{LoadShown, SEPARATION};
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{legible, shown};
 
 /// Largest side of a drawn map, in pixels.
 const DRAWN: usize = 384;
@@ -33,124 +33,108 @@ pub(crate) fn curves(
         SEPARATION => "separation_m".to_string(),
         _ => view.parse::<Quantity>()?.column(),
     };
-    let place = |name: &str| head.iter().position(|known| known == name);
-    let k = place(&column).ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
-    let in_pascals = load.unit == "Pa";
-    let mut csv = head.join(",") + "\n";
-    let mut ids: Vec<&str> = vec![];
-    // The smallest and the largest value at each load.
-    let mut band: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
-    let (mut values, mut drawn) = (vec![], BTreeSet::new());
-    // The values of all models at each load, for the pointer.
-    let mut readings: BTreeMap<u64, Vec<String>> = BTreeMap::new();
-    let unit = unit(view);
+    let k = head.iter().position(|known| *known == column);
+    let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
+    let mut found: Vec<(&str, f64, Option<f64>)> = vec![];
     for line in rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
-        let number = |k: usize| cells.get(k).and_then(|cell| cell.parse::<f64>().ok());
-        if cells.len() != head.len() {
-            return Err(Refusal::new("rows of another scene"));
-        }
-        if ids.last() != Some(&cells[0]) {
-            ids.push(cells[0]);
-        }
-        if let (Some(pressure), Some(value)) = (number(2), number(k)) {
-            values.push(value);
-            drawn.insert(cells[0]);
-            // Positive numbers sort as their bits do.
-            let found = band.entry(pressure.to_bits()).or_insert((value, value, 0));
-            *found = (found.0.min(value), found.1.max(value), found.2 + 1);
-            let reading = format!("{} {}", cells[0], shown(value, unit));
-            readings.entry(pressure.to_bits()).or_default().push(reading);
+        match (cells.get(2).and_then(|cell| cell.parse().ok()), cells.get(k)) {
+            (Some(pressure), Some(cell)) if cells.len() == head.len() => {
+                found.push((cells[0], pressure, cell.parse().ok()));
+            }
+            _ => return Err(Refusal::new("rows of another scene")),
         }
     }
-    // The picture has no curve without a value, and its legend none either.
-    let lines = rows.iter().flat_map(|rows| rows.lines());
-    for line in lines.filter(|line| drawn.contains(line.split(',').next().unwrap_or_default())) {
-        csv += line;
-        csv.push('\n');
+    let mut ids: Vec<&str> = found.iter().map(|(id, ..)| *id).collect();
+    ids.dedup();
+    // The values of all models at each load; positive numbers sort as their bits do.
+    let mut at_loads: BTreeMap<u64, Vec<(&str, f64)>> = BTreeMap::new();
+    for (id, pressure, value) in &found {
+        if let Some(value) = value {
+            at_loads.entry(pressure.to_bits()).or_default().push((id, *value));
+        }
     }
-    let row = |name: &str, pressure: f64, value: f64| {
-        let given = |known: &String| match known.as_str() {
-            "model" => name.to_string(),
-            "load_N" => (pressure * file.scene.nominal_area).to_string(),
-            "pressure_Pa" => pressure.to_string(),
-            known if known == column => value.to_string(),
-            _ => String::new(),
-        };
-        head.iter().map(given).collect::<Vec<_>>().join(",") + "\n"
-    };
-    let whole = band.iter().filter(|(_, found)| ids.len() > 1 && found.2 == ids.len());
-    let whole: Vec<(f64, f64, f64)> =
-        whole.map(|(bits, found)| (f64::from_bits(*bits), found.0, found.1)).collect();
-    for (pressure, low, _) in &whole {
-        csv += &row(LOWEST, *pressure, *low);
-    }
-    for (pressure, _, high) in &whole {
-        csv += &row(HIGHEST, *pressure, *high);
-    }
-    for [pressure, value] in solved {
-        csv += &row(BEM, *pressure, *value);
-        let reading = format!("boundary elements {}", shown(*value, unit));
-        readings.entry(pressure.to_bits()).or_default().push(reading);
+    let values: Vec<f64> = found.iter().filter_map(|(.., value)| *value).collect();
+    if values.is_empty() && solved.is_empty() {
+        return Err(Refusal::at("view", without_curves(&ids, name(view))));
     }
 
-    if values.is_empty() && solved.is_empty() {
-        let reason = match &ids[..] {
-            [] => format!("no model is chosen: choose models to see their {}", name(view)),
-            ids => {
-                let has = if ids.len() == 1 { "has" } else { "have" };
-                let ids = ids.join(", ");
-                format!(
-                    "{ids} {has} no {} here: choose other models or another quantity",
-                    name(view)
-                )
-            }
-        };
-        return Err(Refusal::at("view", reason));
-    }
-    let x = if in_pascals {
-        ("pressure_Pa", "mean pressure (MPa)", 1e-6)
-    } else {
-        ("load_N", "load (N)", 1.0)
+    let area = file.scene.nominal_area;
+    let mut csv = format!("model,load_N,pressure_Pa,{column}\n");
+    let mut add = |name: &str, pressure: f64, value: Option<f64>| {
+        let value = value.map_or(String::new(), |value| value.to_string());
+        csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
     };
-    let mut y = Axis::new(&column, &label(view, &values));
-    y.multiply = unit_of(view, &values).0;
+    // The picture has no curve without a value, and its legend none either.
+    let has_value = |row: &&(&str, f64, Option<f64>)| row.2.is_some();
+    let mut drawn: Vec<&str> = found.iter().filter(has_value).map(|(id, ..)| *id).collect();
+    drawn.dedup();
+    for (id, pressure, value) in found.iter().filter(|(id, ..)| drawn.contains(id)) {
+        add(id, *pressure, *value);
+    }
+    let whole = |values: &Vec<(&str, f64)>| ids.len() > 1 && values.len() == ids.len();
+    let has_band = at_loads.values().any(whole);
+    for (name, worst) in [(LOWEST, f64::min as fn(f64, f64) -> f64), (HIGHEST, f64::max)] {
+        for (bits, values) in at_loads.iter().filter(|(_, values)| whole(values)) {
+            add(name, f64::from_bits(*bits), values.iter().map(|found| found.1).reduce(worst));
+        }
+    }
+    let range = at_loads.keys().next().zip(at_loads.keys().last());
+    let range = range.map(|(low, high)| [*low, *high].map(f64::from_bits));
+    for [pressure, value] in solved {
+        add(BEM, *pressure, Some(*value));
+        at_loads.entry(pressure.to_bits()).or_default().push(("boundary elements", *value));
+    }
+
+    let (x, at, of_load) = match load.unit {
+        "Pa" => (Axis::new("pressure_Pa", "mean pressure (MPa)").times(1e-6), load.pascals, 1.0),
+        _ => (Axis::new("load_N", "load (N)"), load.newtons, area),
+    };
+    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let label = match legible(largest, unit(view)) {
+        (_, unit) if unit.is_empty() => name(view).into(),
+        (_, unit) => format!("{} ({unit})", name(view)),
+    };
+    let mut y = Axis::new(&column, &label);
+    y.multiply = 1.0 / legible(largest, unit(view)).0;
     if !view.parse::<Quantity>().is_ok_and(Quantity::is_absolute) {
         y.scale = Scale::fitting(&values);
     }
-    let mut panel = Panel::new(Axis::new(x.0, x.1).times(x.2).log(), y);
+    let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
-    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(*id));
+    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(id));
     panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
     if !solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, "boundary elements"));
     }
-    if !whole.is_empty() {
+    if has_band {
         let (lower, upper) = (LOWEST.into(), HIGHEST.into());
         let label = "range of the models".into();
         panel.between.push(Between { lower, upper, look: 9, label });
     }
-    let at = if in_pascals { load.pascals } else { load.newtons };
-    let (low, high) = band.keys().next().zip(band.keys().last()).map_or((0.0, 0.0), |(a, b)| {
-        let [a, b] = [*a, *b].map(f64::from_bits);
-        if in_pascals { (a, b) } else { (a * file.scene.nominal_area, b * file.scene.nominal_area) }
-    });
-    if (low..=high).contains(&at) {
+    if range.is_some_and(|[low, high]| (low * of_load..=high * of_load).contains(&at)) {
         panel.verticals.push(Mark::new(at, &load.text));
     }
-    let reading = |(bits, lines): (u64, Vec<String>)| {
-        let pascals = f64::from_bits(bits);
-        let newtons = pascals * file.scene.nominal_area;
-        let (at, name) = if in_pascals {
-            (pascals, shown(pascals, "Pa"))
-        } else {
-            (newtons, shown(newtons, "N"))
-        };
-        Mark::new(at, &format!("{name}\n{}", lines.join("\n")))
+    let reading = |(bits, values): (u64, Vec<(&str, f64)>)| {
+        let at = f64::from_bits(bits) * of_load;
+        let value = |(name, value): &(&str, f64)| format!("\n{name} {}", shown(*value, unit(view)));
+        Mark::new(at, &(shown(at, load.unit) + &values.iter().map(value).collect::<String>()))
     };
-    panel.readings = readings.into_iter().map(reading).collect();
+    panel.readings = at_loads.into_iter().map(reading).collect();
     Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
+}
+
+/// Why there is no curve.
+fn without_curves(ids: &[&str], name: &str) -> String {
+    let has = if ids.len() == 1 { "has" } else { "have" };
+    match ids {
+        [] => format!("no model is chosen: choose models to see their {name}"),
+        ids => format!(
+            "{} {has} no {name} here: choose other models or another quantity",
+            ids.join(", ")
+        ),
+    }
 }
 
 /// The SI unit of a view.
@@ -161,31 +145,10 @@ fn unit(view: &str) -> &'static str {
     }
 }
 
-/// The unit in which a quantity of the picture is legible: a factor and a name.
-fn unit_of(view: &str, values: &[f64]) -> (f64, String) {
-    let unit = unit(view);
-    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    let text = shown(largest, unit);
-    let name = text.split_once(' ').map_or("", |(_, name)| name).to_string();
-    let factors = [("G", 1e-9), ("M", 1e-6), ("k", 1e-3), ("m", 1e3), ("µ", 1e6), ("n", 1e9)];
-    let plain = unit.replace("m2", "m²");
-    let prefix = name.strip_suffix(&plain).unwrap_or_default();
-    let factor = factors.into_iter().find(|(known, _)| *known == prefix && !plain.is_empty());
-    (factor.map_or(1.0, |(_, factor)| factor), name)
-}
-
 fn name(view: &str) -> &'static str {
     match view {
         SEPARATION => "separation",
         view => view.parse::<Quantity>().map_or("", Quantity::label),
-    }
-}
-
-fn label(view: &str, values: &[f64]) -> String {
-    let name = name(view);
-    match unit_of(view, values).1.as_str() {
-        "" => name.into(),
-        unit => format!("{name} ({unit})"),
     }
 }
 
@@ -199,11 +162,7 @@ pub(crate) fn contact(
     let [dy, dx] = bem.map().pixel();
     let size = [columns as f64 * dx, rows as f64 * dy];
     let top = hardness.unwrap_or_else(|| solution.pressures.iter().copied().fold(0.0, f64::max));
-    let units = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")];
-    let (scale, unit) = units.into_iter().find(|(scale, _)| top >= *scale).unwrap_or(units[3]);
-    let lengths = [(1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")];
-    let (length, of_length) =
-        lengths.into_iter().find(|(scale, _)| size[0] >= *scale).unwrap_or(lengths[3]);
+    let ((scale, unit), (length, of_length)) = (legible(top, "Pa"), legible(size[0], "m"));
     let step = rows.max(columns).div_ceil(DRAWN);
     let (values, columns) = largest_of(&solution.pressures, columns, step);
     let mut caption = vec![format!(
@@ -223,7 +182,7 @@ pub(crate) fn contact(
         values: values.into_iter().map(|pressure| pressure / scale).collect(),
         columns,
         size: size.map(|side| side / length),
-        unit: of_length.into(),
+        unit: of_length,
         label: format!("pressure ({unit})"),
         top: top / scale,
         white: "blank: no contact".into(),
@@ -252,7 +211,7 @@ pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::Compiled;
+    use crate::answer::{compile, rows};
 
     fn file() -> SceneFile {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
@@ -262,8 +221,7 @@ mod tests {
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
-        let rows =
-            ["gw", "ke"].map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &pressures));
+        let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
@@ -290,7 +248,7 @@ mod tests {
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
         let rows = ["persson-fudge", "gw"]
-            .map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &[1e5, 1e6, 1e7]));
+            .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
         let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[]).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
         assert_eq!(refused.field.as_deref(), Some("view"));

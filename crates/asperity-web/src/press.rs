@@ -9,9 +9,9 @@ use asperity_inputs::SceneFile;
 use serde::Serialize;
 
 use crate::answer::{cell, quantities};
+use crate::dialect::{FindingShown, PAGE};
 use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
-use crate::names::FindingShown;
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
@@ -144,9 +144,8 @@ impl Event {
         let gap = Separation::metres(solution.mean_gap).from_surface_mean();
         let from = file.separation_from;
         let separation = gap.measured_in(SeparationUnit::Metres, from, &file.scene);
-        let separation = separation.map(|found| found.value).map_err(|error| error.to_string());
+        let separation = separation.map(|found| found.value).map_err(|error| error.marked());
         let load = pressure * file.scene.nominal_area;
-        let cell = |quantity: &str, unit: &str, value: f64| cell(quantity, unit, Ok(value), None);
         let shown = shown(load, "N");
         let area = solution.area;
         let mut points = BTreeMap::from([(Quantity::AreaFraction.to_string(), area)]);
@@ -155,45 +154,47 @@ impl Event {
             found.as_ref().ok().map(|value| (quantity.to_string(), *value))
         };
         points.extend(others.iter().filter_map(found));
-        let mut cells = vec![
-            cell("load", "N", load),
-            cell("pressure", "Pa", pressure),
-            cell("area-fraction", "", area),
-            cell("mean-gap", "m", solution.mean_gap),
-            self::cell(SEPARATION, "m", separation, None),
-            cell("plastic-fraction", "", solution.plastic_area),
-            cell("patches", "", solution.patches.len() as f64),
-        ];
-        let mut head = vec![
-            ("load", String::new()),
-            ("pressure", "Mean pressure on the nominal area.".into()),
+        let patches = solution.patches.len() as f64;
+        let from = format!("The mean gap, measured from {from} as the models' separation.");
+        // Quantity, unit, value, name and meaning.
+        let own = [
+            ("load", "N", Ok(load), "load", ""),
+            ("pressure", "Pa", Ok(pressure), "pressure", "Mean pressure on the nominal area."),
             (
+                "area-fraction",
+                "",
+                Ok(area),
                 Quantity::AreaFraction.label(),
-                "Real area of contact over the area of the scan.".into(),
+                "Real area of contact over the area of the scan.",
             ),
-            ("mean gap", "Distance of the mean planes of the two deformed surfaces.".into()),
             (
-                "separation",
-                format!("The mean gap, measured from {from} as the models' separation."),
+                "mean-gap",
+                "m",
+                Ok(solution.mean_gap),
+                "mean gap",
+                "Distance of the mean planes of the two deformed surfaces.",
             ),
-            ("plastic share", "Share of the pixels that carry the hardness.".into()),
-            ("patches", "Number of connected contacts.".into()),
+            (SEPARATION, "m", separation, "separation", &from),
+            (
+                "plastic-fraction",
+                "",
+                Ok(solution.plastic_area),
+                "plastic share",
+                "Share of the pixels that carry the hardness.",
+            ),
+            ("patches", "", Ok(patches), "patches", "Number of connected contacts."),
         ];
+        let (mut head, mut cells) = (vec![], vec![]);
+        for (quantity, unit, value, name, meaning) in own {
+            head.push((name, meaning.to_string()));
+            cells.push(cell(quantity, unit, value, None));
+        }
         for (quantity, found) in others {
             head.push((quantity.label(), quantity.definition().into()));
-            cells.push(self::cell(&quantity.to_string(), quantity.unit(), found, None));
+            cells.push(cell(&quantity.to_string(), quantity.unit(), found, None));
         }
-        Self::Solved {
-            index,
-            pressure,
-            load: shown,
-            head,
-            cells,
-            points,
-            svg,
-            readings,
-            notes: solution.notes.iter().map(FindingShown::from).collect(),
-        }
+        let notes = solution.notes.iter().map(|note| PAGE.finding(note)).collect();
+        Self::Solved { index, pressure, load: shown, head, cells, points, svg, readings, notes }
     }
 }
 

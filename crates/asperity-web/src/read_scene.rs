@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Described, HARDNESS_OVER_YIELD, Model, shortest_digits};
-use asperity_inputs::{HandedFiles, Material, SceneFile, parse_handed};
+use asperity::{Body, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits};
+use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 
+use crate::dialect::{PAGE, model_name, said, symbols};
 use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
 use crate::model_sentence::model_sentence;
-use crate::names::{readable, with_ids};
 use crate::refusal::Refusal;
 use crate::shown::shown;
-use crate::{answer, fields, names, press, surface_keys};
+use crate::{answer, dialect, fields, press, surface_keys};
 
 /// The longest text of a scene, in bytes, as for scene files.
 const MOST_TEXT: usize = 1 << 20;
@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         numbers: vec![],
         models: vec![],
         usual: "",
-        views: answer::usual_views(),
+        views: answer::views(None),
         scan: None,
     };
     if text.len() > MOST_TEXT {
@@ -48,8 +48,8 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>
         found.numbers = check.numbers.iter().map(number).collect();
     }
     let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    found.findings = names::findings(&file.accepted(findings), &file);
-    (found.models, found.views) = (models(&file), answer::views(&file));
+    found.findings = dialect::findings(&file.accepted(findings), &file);
+    (found.models, found.views) = (models(&file), answer::views(Some(&file)));
     found.usual = asperity::usual_reference(&file.scene);
     found.scan = press::scan(&file);
     (found, Some(file))
@@ -61,7 +61,7 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
     let shown = |model: &Model, reason: Option<String>| {
         ModelShown {
             id: model.id().into(),
-            name: with_ids(model.name()),
+            name: model_name(model).into(),
             about: model_sentence(model),
             // Averages over contact angles take seconds to prepare.
             slow: model.validity().angles,
@@ -71,25 +71,19 @@ fn models(file: &SceneFile) -> Vec<ModelShown> {
     };
     let mut all: Vec<ModelShown> = allowed.iter().map(|model| shown(model, None)).collect();
     all.extend(left_out.iter().filter_map(|left_out| {
-        Some(shown(&left_out.id.parse().ok()?, Some(readable(&left_out.reason.to_string()))))
+        Some(shown(&left_out.id.parse().ok()?, Some(said(&left_out.reason.marked()))))
     }));
     all
 }
 
 pub(crate) fn material(material: &'static Material) -> MaterialShown {
     let body = &material.body;
-    let numbers = [
-        ("E", Some(body.youngs_modulus), "Pa"),
-        ("ν", Some(body.poissons_ratio), ""),
-        ("H", body.hardness, "Pa"),
-        ("yield", body.yield_strength, "Pa"),
-        ("k", body.thermal_conductivity, "W/(m K)"),
-        ("ρ", body.electrical_resistivity, "Ω m"),
-    ];
-    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
-        value.map(|value| format!("{name} {}", shown(value, unit)))
+    let number = |field: &Field<Body>| {
+        let Key { symbol, unit, .. } = Key::find("body", field.name)?;
+        let value = (field.get)(body)?;
+        Some(format!("{symbol} {}", shown(value, &unit.replace("ohm", "Ω"))))
     };
-    let mut shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    let mut shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
     if let (None, Some(strength)) = (body.hardness, body.yield_strength) {
         let hardness = self::shown(HARDNESS_OVER_YIELD * strength, "Pa");
         shown += &format!(
@@ -102,10 +96,10 @@ pub(crate) fn material(material: &'static Material) -> MaterialShown {
 
 pub(crate) fn number(number: &asperity::DerivedNumber) -> NumberShown {
     NumberShown {
-        name: readable(number.name),
+        name: PAGE.term(number.name),
         digits: shortest_digits(number.value),
         shown: shown(number.value, number.unit),
-        meaning: readable(&number.meaning),
+        meaning: symbols(&number.meaning),
     }
 }
 

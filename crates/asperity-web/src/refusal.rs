@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use asperity::{ContactError, Dialect};
 use asperity_inputs::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
 use serde::Serialize;
 
-use crate::names::without_commands;
+use crate::dialect::{Commands, said};
 
 /// An error with its place.
 #[derive(Debug, Serialize)]
@@ -22,7 +23,7 @@ pub(crate) struct Refusal {
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
-        let message = without_commands(&message.to_string());
+        let message = Commands.say(&message.to_string());
         Self { message, line: None, field: None, field_message: None }
     }
 
@@ -32,7 +33,7 @@ impl Refusal {
 
     /// An error of a scene whose values were typed like this.
     pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
-        let field_message = field_message(&error, typed).map(|text| without_commands(&text));
+        let field_message = field_message(&error, typed).map(|text| Commands.say(&text));
         Self { field_message, ..Self::from(error) }
     }
 }
@@ -93,6 +94,12 @@ impl From<SceneError> for Refusal {
     }
 }
 
+impl From<ContactError> for Refusal {
+    fn from(error: ContactError) -> Self {
+        Self::new(said(&error.marked()))
+    }
+}
+
 macro_rules! refusals {
     ($($error:ty),*) => {$(
         impl From<$error> for Refusal {
@@ -103,7 +110,6 @@ macro_rules! refusals {
     )*};
 }
 refusals!(
-    asperity::ContactError,
     asperity::QuadratureError,
     asperity::bem::BemError,
     asperity_plot::PlotError,

@@ -7,17 +7,23 @@ const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"
 const PREFIXES: [(f64, &str); 7] =
     [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")];
 
-/// A number with its unit: `12.5 MN/m`, `3.2e-8 m²`; the digits alone for a pure number.
-pub(crate) fn shown(value: f64, unit: &str) -> String {
+/// The unit in which a number is legible, in SI units and by its name: `(1e6, "MN/m")`.
+pub(crate) fn legible(value: f64, unit: &str) -> (f64, String) {
     let name = unit.replace("m2", "m²");
     let size = value.abs();
-    let prefixed = PREFIXED.contains(&unit) && (1e-12..1e15).contains(&size);
-    let least = PREFIXES[PREFIXES.len() - 1];
-    match PREFIXES.into_iter().find(|(factor, _)| size >= *factor).unwrap_or(least) {
-        (factor, prefix) if prefixed => format!("{} {prefix}{name}", short(value / factor)),
-        _ if name.is_empty() => short(value),
-        _ => format!("{} {name}", short(value)),
+    let (least, fits) = (PREFIXES[PREFIXES.len() - 1], |p: &(f64, &str)| size >= p.0);
+    match PREFIXES.into_iter().find(fits).unwrap_or(least) {
+        (factor, prefix) if PREFIXED.contains(&unit) && (1e-12..1e15).contains(&size) => {
+            (factor, format!("{prefix}{name}"))
+        }
+        _ => (1.0, name),
     }
+}
+
+/// A number with its unit: `12.5 MN/m`, `3.2e-8 m²`; the digits alone for a pure number.
+pub(crate) fn shown(value: f64, unit: &str) -> String {
+    let (factor, name) = legible(value, unit);
+    format!("{} {name}", short(value / factor)).trim_end().into()
 }
 
 /// A number as a scene file and the program take it, rounded to three digits: `126 N`.

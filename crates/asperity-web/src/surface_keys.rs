@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::short;
-use asperity_inputs::SceneFile;
+use asperity_inputs::{KEYS, Key, Of, SceneFile};
+use serde::Serialize;
 
 use crate::fields::{edit, fields, files};
 use crate::message::Change;
@@ -19,25 +20,50 @@ const WAYS: [(&str, &[&str]); 5] = [
     ("index", &["plasticity_index", "roughness_parameter", "asperity_height_std"]),
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
-/// Keys that replace one key of a way.
-const ALTERNATIVES: [&str; 2] = ["sdq", "mean_slope"];
 /// Keys that say how a file of a kind is read.
 const OF_FILES: [&str; 3] = ["unit", "pixel_size", "channel"];
-/// Other keys of a scan alone, or of a surface that it replaces.
-const OF_SCANS: [&str; 12] = [
-    "estimator",
-    "level",
-    "filter",
-    "smooth",
-    "periodic",
-    "max_missing",
-    "fill_missing",
-    "despike",
-    "aligned",
-    "surface_height_std",
-    "heights",
-    "mean_plane_offset",
-];
+/// Keys of a scan that the form always shows.
+const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
+
+/// The fields of the form. Each is a key with its label, and a value as it may be typed, or the
+/// values to choose from, separated by `|`.
+#[derive(Debug, Serialize)]
+pub(crate) struct Form {
+    area: [&'static str; 3],
+    body: Vec<[&'static str; 3]>,
+    interface: Vec<[&'static str; 3]>,
+    /// Those of the ways to describe a surface.
+    ways: BTreeMap<&'static str, Vec<[&'static str; 3]>>,
+    /// Those of every surface.
+    every: Vec<[&'static str; 3]>,
+    /// Those that are rarely set for a scan.
+    more: Vec<[&'static str; 3]>,
+}
+
+impl Form {
+    pub(crate) fn new() -> Self {
+        let field = |key: &Key| [key.name, key.form[0], key.form[1]];
+        let fields = |is_of: &dyn Fn(&Key) -> bool| -> Vec<_> {
+            let keys = KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key));
+            keys.map(field).collect()
+        };
+        let every = fields(&|key| key.of == Of::Surface);
+        let is_more = |key: &Key| key.of == Of::Scan && !OF_SCANS.contains(&key.name);
+        let ways = WAYS.into_iter().map(|(way, keys)| {
+            let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
+            let keys = keys.iter().filter_map(|name| Key::find("surface", name));
+            (way, keys.map(field).collect())
+        });
+        Self {
+            area: Key::find("", "nominal_area").map_or([""; 3], field),
+            body: fields(&|key| key.of == Of::Body),
+            interface: fields(&|key| key.of == Of::Interface),
+            ways: ways.collect(),
+            more: [fields(&is_more), every.clone()].concat(),
+            every,
+        }
+    }
+}
 
 /// The way in which the keys of a text describe the surface.
 pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
@@ -79,9 +105,15 @@ pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
     let fields = fields(text);
     let old = fields.get("surface.file").map(String::as_str);
     let kind = |name: &str| Path::new(name).extension().map(|end| end.to_ascii_lowercase());
-    let mut kept = if old.is_some() { [&["file"], &OF_SCANS[..]].concat() } else { vec![] };
-    if old.map(kind) == Some(kind(name)) {
-        kept.extend(OF_FILES);
+    let is_alike = old.map(kind) == Some(kind(name));
+    let is_kept = |key: &&Key| match key.of {
+        Of::Scan if OF_FILES.contains(&key.name) => is_alike,
+        Of::Scan => key.name != "files",
+        of => of == Of::Surface,
+    };
+    let mut kept = vec![];
+    if old.is_some() {
+        kept.extend(KEYS.iter().filter(is_kept).map(|key| key.name));
     }
     // Random surfaces are periodic, and what takes their place may not be.
     if is_random(name) || old.is_some_and(is_random) {
@@ -109,11 +141,13 @@ fn known(way: &str) -> Result<(&'static str, &'static [&'static str]), Refusal> 
     found.ok_or_else(|| Refusal::new(format!("{way:?} is no description of a surface")))
 }
 
+/// What describes a surface, but for these keys, goes; the second surface and what models make of
+/// both stay.
 fn removals(kept: &[&str]) -> Vec<Change> {
-    let all = WAYS.into_iter().flat_map(|(_, keys)| keys).copied();
-    let all = all.chain(ALTERNATIVES).chain(OF_SCANS).chain(OF_FILES);
-    let removed = all.filter(|key| !kept.contains(key));
-    removed.map(|key| Change { path: format!("surface.{key}"), value: None }).collect()
+    let stay = ["counterface", "asperities", "separation_from"];
+    let removed = KEYS.iter().filter(|key| key.section == "surface" && !stay.contains(&key.name));
+    let removed = removed.filter(|key| !kept.contains(&key.name));
+    removed.map(|key| Change { path: format!("surface.{}", key.name), value: None }).collect()
 }
 
 /// A number to six digits.

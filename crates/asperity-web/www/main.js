@@ -94,7 +94,7 @@ async function start() {
   takeAway.start();
   $("scene").addEventListener("blur", rest);
   try {
-    page.materials = await desks.quick.sure(() => desks.quick.call("materials"));
+    for (const list of ["form", "materials"]) page[list] = await desks.quick.sure(() => desks.quick.call(list));
   } catch (error) {
     fail(error.message);
     return write(await exampleText(EXAMPLES[0][0]));

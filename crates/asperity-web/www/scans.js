@@ -16,7 +16,7 @@ const RANDOM = [
 
 // Makes a file of the computer, or a random surface, the surface of a text: the text and the scan.
 export async function useScan(text, { file, typed }) {
-  const given = typed ? { keys: await desks.quick.call("random-keys", { typed }) } : { file };
+  const given = typed ? { keys: typed } : { file };
   const { name, checksum } = await desks.quick.hand(file?.name ?? "", given);
   // A file that cannot be read takes no other's place.
   await desks.quick.call("usable", { name, kept: answers() && page.shown.scan ? text : null });

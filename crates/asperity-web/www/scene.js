@@ -62,7 +62,7 @@ async function showScene() {
     Object.assign(page, { load: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
-  form.fill(shown, edit, page.materials);
+  form.fill(shown, edit, page);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
   takeAway.files(shown.files);

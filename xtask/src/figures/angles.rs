@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::AngleDensity;
 use asperity_plot::{Axis, Figure, Mark, Strip};
 
-use super::models::{named, panel};
+use super::models::{beside, named, panel};
 use crate::table::Table;
 
 /// Azimuths in degrees.
@@ -43,7 +43,5 @@ pub fn style(_: &str) -> Result<Figure> {
     let mut panel = panel(&x, y, &named(&curves));
     panel.strips = vec![Strip::across(f64::NEG_INFINITY, 0.0, "negative: no density")];
     panel.horizontals = vec![Mark::new(0.0, "")];
-    let title = "Density of contact normals, as printed and as used";
-    let caption = "4πψ = 1 + a₂₀P₂(cos φ) + (a₂₁cos θ + b₂₁sin θ)P₂¹(cos φ) with a₂₀ = -0.5, a₂₁ = b₂₁ = 1, as printed by Amini & Tehrani (2020). It is negative on 21.9 % of the sphere, down to -1.279. A normal and its opposite are one contact: folding them leaves 1.25 - 0.75 cos²φ, and the terms with a₂₁ and b₂₁ change no result. Markers distinguish the curves.";
-    Ok(Figure::new(title, &[caption], vec![panel]))
+    Ok(beside(1, [panel]))
 }

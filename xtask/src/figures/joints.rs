@@ -9,9 +9,7 @@ use asperity::{At, Quantity, Response, Scene, linspace};
 use asperity_plot::{Axis, Figure};
 use rayon::prelude::*;
 
-use super::models::{
-    self, INPUTS, MARKERS, beside, curves, named, of, panel, pressure_axis, solve,
-};
+use super::models::{self, beside, curves, named, of, panel, pressure_axis, solve};
 use crate::table::Table;
 
 /// The models with circular contacts.
@@ -63,15 +61,8 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
     let kinds = panel(&x, y.times(1e-6).log(), &named(&KINDS));
     let title = "unloading over first loading";
     let ratio = panel(&x, Axis::new("ratio", title).range(0.8, 4.0), &curves(&CIRCULAR)?);
-    let caption = format!(
-        "First loading has the stiffness -dF/dd; a modal or an ultrasonic test measures the unloading stiffness, 2E times the sum of the contact radii; small shifts have the tangential stiffness, 8G times that sum. For GW, which ignores yielding, the first two are equal. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
-    );
-    let panels = vec![
-        of("panel", "kinds", "three stiffnesses of KE", kinds),
-        of("panel", "ratio", title, ratio),
-    ];
-    let title = "Stiffness in first loading, unloading and shear";
-    Ok(beside(2, title, &[&caption, MARKERS], panels))
+    let kinds = of("panel", "kinds", "three stiffnesses of KE", kinds);
+    Ok(beside(2, [kinds, of("panel", "ratio", title, ratio)]))
 }
 
 /// The usual correlations, with their looks and names in the legend.
@@ -116,9 +107,5 @@ pub fn conductance_figure(_: &str) -> Result<Figure> {
         Axis::new("over_ke", "conductance over that of KE"),
     ]
     .map(|y| panel(&pressure_axis(), y, &curves));
-    let caption = format!(
-        "h\u{a0}=\u{a0}2k_s/A_n times the sum of the contact radii, in vacuum and for contacts far from each other (ψ\u{a0}=\u{a0}1). The correlations of Cooper, Mikic & Yovanovich (CMY), h\u{a0}=\u{a0}1.25k_s(m/σ)(p/H)^0.95, and of Mikic, h\u{a0}=\u{a0}1.55k_s(m/σ)(√2p/(Em))^0.94, have the σ and m of a Gaussian surface with these asperities, and are drawn in the range in which they fit their theories. Assumed: k_s\u{a0}=\u{a0}50\u{a0}W/(m\u{a0}K), the harmonic mean of both bodies', and σ_z\u{a0}=\u{a0}1.0\u{a0}µm. {INPUTS}"
-    );
-    let title = "Thermal conductance against pressure";
-    Ok(beside(2, title, &[&caption, MARKERS], panels.to_vec()))
+    Ok(beside(2, panels))
 }

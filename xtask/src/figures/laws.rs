@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::{Model, Quantity, Tolerance};
 use asperity_plot::{Axis, Figure, Mark, Panel};
 
-use super::models::{self, MARKERS, beside, curves, panel};
+use super::models::{self, beside, curves, panel};
 use crate::table::Table;
 
 /// All models, with one reading of AT.
@@ -63,18 +63,12 @@ pub fn table() -> Result<Table> {
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
-    let panels = panels(&MODELS, "interference over critical interference")?;
-    let caption = [
-        "One asperity of the paper's scene (E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58, R = 359 µm), in units of F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c. Jumps are those of the published laws: CEB at 1, KE at 1, 6 and 110, Etsion at 170, JG and Ghaednia at 1.9 of their own unit. Ghaednia hardens: assumed E_t\u{a0}=\u{a0}0.02\u{a0}E_b of two like bodies. Gao and AT are averaged over the contact angles; AT as printed subtracts a part, and its curves break off where force or area is negative.",
-        MARKERS,
-    ];
-    Ok(Figure::new("The laws of one asperity", &caption, panels))
+    Ok(beside(1, panels(&MODELS, "interference over critical interference")?))
 }
 
 /// The same for some models side by side, to be drawn from their rows.
 pub fn some(models: &[&str]) -> Result<Figure> {
-    let caption = "One asperity: interference w, force and area in units of w_c, F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c, for E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58; vertical lines at 1, 6 and 110 w_c. Dotted: jumps of the published laws.";
-    Ok(beside(COLUMNS.len(), "", &[caption], panels(models, "w/w_c")?))
+    Ok(beside(COLUMNS.len(), panels(models, "w/w_c")?))
 }
 
 fn panels(models: &[&str], interference: &str) -> Result<Vec<Panel>> {

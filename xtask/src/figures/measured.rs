@@ -3,11 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity_plot::{
-    Axis, Cell, Curve, Figure, Legend, Matrix, Strip, draw, draw_matrix, power_of_ten,
-};
+use asperity_plot::{Axis, Cell, Curve, Legend, Matrix, Strip, draw, draw_matrix, power_of_ten};
 
-use super::models::{of, panel};
+use super::captions::{of as caption, with_caption};
+use super::models::{beside, of, panel};
 use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
 use crate::folder;
 
@@ -114,14 +113,10 @@ fn frontier(csv: &str, machine: &str) -> Result<String> {
         panels.push(panel);
     }
     panels.retain(|panel| !panel.curves.is_empty());
-    let caption = [
-        "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the absolute values of the parts. Settings that fail to converge in a case are not drawn; scipy and gsl integrate the laws that are sums of powers.",
-        "gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts: plain doubles, not split at the kinks of the law. The other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.",
-        &format!("{machine}."),
-    ];
-    let mut figure = Figure::new("Time against error of a height integral", &caption, panels);
+    let mut figure = beside(1, panels);
+    figure.caption = vec![format!("{machine}.")];
     figure.legend = Legend::Direct;
-    Ok(draw(&figure, &summary)?)
+    Ok(draw(&with_caption("speed-vs-error", figure)?, &summary)?)
 }
 
 /// The worst error of each method (columns) in each family (rows).
@@ -140,12 +135,10 @@ fn hard_cases(csv: &str) -> Result<String> {
         (0..methods.len()).map(|k| cell(errors(k).filter(|e| !e.is_empty()).collect())).collect()
     };
     let cells = families.iter().map(row).collect();
+    let (title, caption) = caption("hard-cases")?;
     let matrix = Matrix {
-        title: "Hard cases: worst relative error of each method".into(),
-        caption: vec![
-            "In each cell the worst error of a family of cases; below, the number of its cases with an error above 10⁻⁶ or without a number. “zero”: 0 for a value other than 0; “not-converged”: reported by the method. Errors are relative to the sum of the absolute values of the parts, against references computed another way. “Ordinary” are three scenes of engineering surfaces; their references for Gao and AT are accurate to 5·10⁻¹³.".into(),
-            "Tolerance of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts. scipy and gsl integrate the laws that are sums of powers.".into(),
-        ],
+        title,
+        caption,
         columns: methods,
         rows: families.iter().map(|rows| rows[0][0].to_owned()).collect(),
         cells,

@@ -6,7 +6,7 @@ use asperity::{At, Body, Interface, Quantity, Scene, Surface, linspace};
 use asperity_plot::{Axis, Figure};
 
 use super::joints::CORRELATIONS;
-use super::models::{MARKERS, beside, curves, named, of, panel, pressure_axis, solve};
+use super::models::{beside, curves, named, of, panel, pressure_axis, solve};
 use crate::table::Table;
 
 /// Assumed: Young's modulus [Pa], Poisson's ratio, hardness [Pa], conductivity [W/(m K)].
@@ -78,7 +78,5 @@ pub fn style(_: &str) -> Result<Figure> {
             of("joint", joint, joint, panel(&pressure_axis(), y.clone(), &curves))
         })
     };
-    let panels = [row(conductance), row(ratio)].concat();
-    let caption = "Two bodies, each with σ\u{a0}=\u{a0}1\u{a0}µm and a mean absolute slope m\u{a0}=\u{a0}0.1; together √2 times that, and for the models a Gaussian gap with α\u{a0}=\u{a0}m₀m₄/m₂²\u{a0}=\u{a0}8. Assumed: aluminium E\u{a0}=\u{a0}70\u{a0}GPa, ν\u{a0}=\u{a0}0.33, H\u{a0}=\u{a0}1.1\u{a0}GPa, k\u{a0}=\u{a0}170\u{a0}W/(m\u{a0}K); stainless steel 200, 0.29, 2.5, 16; copper 120, 0.34, 0.9, 390. The softer body yields; k_s\u{a0}=\u{a0}2k₁k₂/(k₁\u{a0}+\u{a0}k₂). The contacts are plastic, so that Mikic's elastic correlation, and GW, do not apply: they show how much that matters.";
-    Ok(beside(3, "Thermal conductance of joints of two metals", &[caption, MARKERS], panels))
+    Ok(beside(3, [row(conductance), row(ratio)].concat()))
 }

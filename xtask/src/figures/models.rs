@@ -57,9 +57,9 @@ pub fn of(column: &str, key: &str, title: &str, mut panel: Panel) -> Panel {
     panel
 }
 
-/// A figure with so many panels beside each other.
-pub fn beside(columns: usize, title: &str, caption: &[&str], panels: Vec<Panel>) -> Figure {
-    let mut figure = Figure::new(title, caption, panels);
+/// A figure with so many panels beside each other; its words stand in `captions.txt`.
+pub fn beside(columns: usize, panels: impl Into<Vec<Panel>>) -> Figure {
+    let mut figure = Figure::new("", &[], panels.into());
     figure.columns = columns;
     figure
 }
@@ -104,9 +104,3 @@ pub fn kucharski() -> Result<Scene> {
     let surface = Surface::new(radius, ROUGHNESS_PARAMETER / (radius * std), std);
     Ok(Scene::new(Interface::against_rigid(&steel)?, surface, 1e-4))
 }
-
-/// The inputs of the paper's scene, for captions.
-pub const INPUTS: &str = "E\u{a0}=\u{a0}116\u{a0}GPa and G\u{a0}=\u{a0}41\u{a0}GPa taken as equivalent moduli (inconsistent for equal materials), ν\u{a0}=\u{a0}0.31, H\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.58, plasticity index 6, A_n\u{a0}=\u{a0}3·10⁻⁵\u{a0}m². Assumed: β_z\u{a0}=\u{a0}ηRσ_z\u{a0}=\u{a0}0.04, Gaussian heights, d measured from the mean of the asperity heights.";
-
-/// The meaning of the markers, for captions.
-pub const MARKERS: &str = "Markers distinguish the curves; they are not data points.";

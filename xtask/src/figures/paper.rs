@@ -5,7 +5,7 @@ use asperity::{Quantity, Scene, linspace};
 use asperity_plot::{Axis, Curve, Figure};
 use rayon::prelude::*;
 
-use super::models::{self, INPUTS, MARKERS, PAPER, beside, named, panel, separation_axis, solve};
+use super::models::{self, PAPER, beside, named, panel, separation_axis, solve};
 use crate::folder::root;
 use crate::table::Table;
 
@@ -52,37 +52,25 @@ fn all_models(quantity: Quantity, scene: &Scene) -> Result<Table> {
 }
 
 /// A linear and a logarithmic panel of the same curves, in units in which the numbers are short.
-fn figure(quantity: Quantity, which: &str, curves: &[Curve], caption: &[&str]) -> Figure {
-    let (what, label, factor) = match quantity {
-        Quantity::Force => ("Contact force against separation", "contact force F (N)", 1.0),
-        Quantity::Area => ("Real contact area against separation", "contact area A (mm²)", 1e6),
-        _ => ("Contact stiffness against separation", "stiffness K (N/µm)", 1e-6),
+fn figure(quantity: Quantity, curves: &[Curve]) -> Figure {
+    let (label, factor) = match quantity {
+        Quantity::Force => ("contact force F (N)", 1.0),
+        Quantity::Area => ("contact area A (mm²)", 1e6),
+        _ => ("stiffness K (N/µm)", 1e-6),
     };
     let y = Axis::new(&quantity.column(), label).times(factor);
-    let panels = [y.clone(), y.log()].map(|y| panel(&separation_axis(), y, curves));
-    beside(2, &format!("{what}, {which}"), caption, panels.to_vec())
+    beside(2, [y.clone(), y.log()].map(|y| panel(&separation_axis(), y, curves)))
 }
 
 /// The picture of [`roughness`].
 pub fn roughness_figure(quantity: Quantity) -> Result<Figure> {
     let curves: Vec<_> = ROUGHNESSES.iter().enumerate().map(|(k, of)| (of.1, k, of.2)).collect();
-    let same = "The model is AT as printed. With plasticity index and β_z fixed, R = 359 σ_z and η ∝ 1/σ_z² follow from σ_z.";
-    let assumed = format!("{INPUTS} Assumed: the four values of σ_z.");
-    Ok(figure(quantity, "AT model", &named(&curves), &[same, &assumed, MARKERS]))
+    Ok(figure(quantity, &named(&curves)))
 }
 
 /// The picture of [`nine_models`].
 pub fn models_figure(quantity: Quantity) -> Result<Figure> {
-    let which = match quantity {
-        Quantity::Stiffness => {
-            " Stiffness is -dF/dd, for Gao and AT the papers' average of asperity stiffnesses."
-        }
-        _ => "",
-    };
-    let assumed = format!(
-        "{INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm, so R\u{a0}=\u{a0}359\u{a0}µm.{which}"
-    );
-    Ok(figure(quantity, "nine models", &models::curves(&PAPER)?, &[&assumed, MARKERS]))
+    Ok(figure(quantity, &models::curves(&PAPER)?))
 }
 
 /// Area of all models for Kucharski's steel, and the measured points of figure 10 if
@@ -104,13 +92,12 @@ pub fn kucharski() -> Result<Table> {
 /// The picture of [`kucharski`].
 pub fn kucharski_figure(csv: &str) -> Result<Figure> {
     let mut curves = models::curves(&PAPER)?;
-    let inputs = "Steel of Kucharski et al. (1994) on a rigid flat: E₁\u{a0}=\u{a0}200\u{a0}GPa, ν\u{a0}=\u{a0}0.3, Y\u{a0}=\u{a0}400\u{a0}MPa, so E\u{a0}=\u{a0}219.8\u{a0}GPa, G\u{a0}=\u{a0}45.2\u{a0}GPa, H\u{a0}=\u{a0}2.8\u{a0}Y\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.577. The surface is not given: assumed σ_z\u{a0}=\u{a0}3\u{a0}µm, R\u{a0}=\u{a0}60\u{a0}µm, β_z\u{a0}=\u{a0}0.04, A_n\u{a0}=\u{a0}10⁻⁴\u{a0}m², Gaussian heights, d from the mean of the asperity heights.";
     let mut points = "No measured points are included: markers distinguish the curves.";
     if csv.lines().any(|line| line.starts_with("measured,")) {
         curves.push(Curve::points(10, "measured", "measured"));
-        points = MARKERS;
+        points = "{markers}";
     }
-    let mut figure = figure(Quantity::Area, "", &curves, &[inputs, points]);
-    figure.title = "Real contact area of a steel, nine models".into();
+    let mut figure = figure(Quantity::Area, &curves);
+    figure.caption = vec![points.into()];
     Ok(figure)
 }

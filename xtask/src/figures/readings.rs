@@ -5,7 +5,7 @@ use asperity::{Model, Quantity, Request, linspace};
 use asperity_plot::{Axis, Figure, Mark, Strip};
 use rayon::prelude::*;
 
-use super::models::{self, MARKERS, curves, named, of, panel};
+use super::models::{self, beside, curves, named, of, panel};
 use crate::table::Table;
 
 /// The readings, with their looks and names in the legend.
@@ -88,6 +88,5 @@ pub fn style(csv: &str) -> Result<Figure> {
         }
         panels.push(panel);
     }
-    let caption = "Printed: I[e;0,1] - I[ep1;1,6] + I[ep2;6,110] + I[p;110,∞]; additive: all plus; overlap: I[e;0,6] - I[ep1;1,6] + I[ep2;1,110] + I[p;110,∞]. Interface and R = 359 µm of the paper's scene; σ_z varies with the plasticity index. Gao and additive almost coincide.";
-    Ok(Figure::new("Three readings of the AT sum", &[caption, MARKERS], panels))
+    Ok(beside(1, panels))
 }

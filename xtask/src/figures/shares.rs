@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::{Model, Quantity, Request, linspace};
 use asperity_plot::{Axis, Figure, Mark};
 
-use super::models::{self, INPUTS, MARKERS, named, of, panel, separation_axis};
+use super::models::{self, beside, named, of, panel, separation_axis};
 use crate::table::Table;
 
 const READINGS: [(&str, &str); 2] =
@@ -49,8 +49,5 @@ pub fn style(_: &str) -> Result<Figure> {
         }
         panel
     });
-    let caption = format!(
-        "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
-    );
-    Ok(Figure::new("Regimes of the AT model's force", &[&caption, MARKERS], panels.to_vec()))
+    Ok(beside(1, panels))
 }

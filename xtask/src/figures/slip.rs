@@ -5,7 +5,7 @@ use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance, linspace};
 use asperity_plot::{Axis, Figure, Mark};
 
-use super::models::{self, INPUTS, MARKERS, TOLERANCE, beside, named, of, panel};
+use super::models::{self, TOLERANCE, beside, named, of, panel};
 use crate::table::Table;
 
 const FRICTION: f64 = 0.3;
@@ -69,9 +69,5 @@ pub fn style(_: &str) -> Result<Figure> {
     let y = Axis::new("loss_J_per_m2", "loss per cycle W/A_n (J/m²)").log();
     let title = "energy dissipated per cycle";
     let losses = of("panel", "loss", title, panel(&x, y, &named(&LOSSES)));
-    let caption = format!(
-        "KE, loaded for the first time to a pressure and then shifted at constant separation, with µ\u{a0}=\u{a0}0.3 and asperities that unload by hertz: Q(u)\u{a0}=\u{a0}µ[F(0)\u{a0}-\u{a0}F(s)], s\u{a0}=\u{a0}4Gu/(µE); steady cycles by Masing's rule. The loss grows as D³ while only the rims of the contacts slip, and as 4µFD in gross slip. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
-    );
-    let title = "Partial slip: loops and dissipated energy";
-    Ok(beside(2, title, &[&caption, MARKERS], vec![loops, losses]))
+    Ok(beside(2, [loops, losses]))
 }

@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark};
 
-use super::models::{MARKERS, beside, of, panel};
+use super::models::{beside, of, panel};
 use super::truth_ranges::{is_plain, material};
 use crate::table::Table;
 
@@ -22,35 +22,22 @@ pub struct Shown {
     label: &'static str,
     /// Largest and smallest ratio of the axis.
     range: (f64, f64),
-    title: &'static str,
-    what: &'static str,
 }
 
 /// The figures.
 pub const SHOWN: [Shown; 3] = [
-    Shown {
-        name: "truth-area",
-        quantity: Compared::Area,
-        label: "area/BEM",
-        range: (0.4, 1.6),
-        title: "Real area of the models over that of boundary elements",
-        what: "Real area",
-    },
+    Shown { name: "truth-area", quantity: Compared::Area, label: "area/BEM", range: (0.4, 1.6) },
     Shown {
         name: "truth-stiffness",
         quantity: Compared::Stiffness,
         label: "stiffness/BEM",
         range: (0.0, 1.6),
-        title: "Stiffness of the models in first loading over that of boundary elements",
-        what: "Stiffness -dp/d(mean gap) in first loading (of boundary elements with a hardness from pressures 5 % to either side)",
     },
     Shown {
         name: "truth-unloading",
         quantity: Compared::UnloadingStiffness,
         label: "unloading stiffness/BEM",
         range: (0.0, 2.0),
-        title: "Unloading stiffness and conductance: models over boundary elements",
-        what: "Stiffness at the start of unloading, of boundary elements at fixed contact (conductances have the same ratio)",
     },
 ];
 
@@ -131,11 +118,5 @@ pub fn style(csv: &str, shown: &Shown) -> Result<Figure> {
         panel.horizontals = vec![Mark::new(1.0, "")];
         panel
     };
-    let panels = rows.chunk_by(|a, b| a[0] == b[0]).map(picture).collect();
-    let (what, hurst) = (shown.what, Evidence::HURST);
-    let how = format!(
-        "{what} over the mean of up to {MOST_SEEDS} surfaces with the same moments, whose standard error is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 256 × 256 to 2048 × 2048 pixels, shortest wave {PIXELS_PER_WAVE} pixels, Hurst exponent {hurst}."
-    );
-    let caveats = "In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. Other ψ, skewed surfaces and surfaces with a lay are in crates/asperity/data/truth.csv.";
-    Ok(beside(3, shown.title, &[&how, caveats, MARKERS], panels))
+    Ok(beside(3, rows.chunk_by(|a, b| a[0] == b[0]).map(picture).collect::<Vec<_>>()))
 }

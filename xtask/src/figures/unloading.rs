@@ -5,9 +5,7 @@ use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{At, Model, Quantity, Separation, Tolerance, linspace};
 use asperity_plot::{Axis, Figure};
 
-use super::models::{
-    self, INPUTS, MARKERS, TOLERANCE, beside, named, panel, separation_axis, solve,
-};
+use super::models::{self, TOLERANCE, beside, named, panel, separation_axis, solve};
 use crate::table::Table;
 
 /// Closest approaches over σ_z.
@@ -61,8 +59,5 @@ pub fn style(_: &str) -> Result<Figure> {
     let force = panel(&x, Axis::new("force_N", "contact force F (N)"), &named(&CURVES));
     let area = Axis::new("area_m2", "contact area A (mm²)").times(1e6);
     let area = panel(&x, area, &named(&CURVES[..3]));
-    let caption = format!(
-        "KE, loaded for the first time to d\u{a0}=\u{a0}0, 0.5 and 1\u{a0}σ_z, and unloaded. Hertz and etsion almost coincide; with brake the area jumps at the start of unloading; etsion's fit of the area is not drawn. Reloading follows the unloading curve, and then the first loading. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
-    );
-    Ok(beside(2, "Unloading by three laws", &[&caption, MARKERS], vec![force, area]))
+    Ok(beside(2, [force, area]))
 }

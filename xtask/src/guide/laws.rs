@@ -7,7 +7,7 @@ use asperity::{
 use asperity_plot::{Axis, Figure, Mark, draw as drawn};
 
 use crate::figures::models::{beside, named, panel, solve};
-use crate::figures::some_laws;
+use crate::figures::{captions, some_laws};
 use crate::folder::{figures_folder, read};
 use crate::table::Table;
 
@@ -16,11 +16,17 @@ use crate::table::Table;
 /// # Errors
 /// A law or a picture that cannot be computed.
 pub fn draw(laws: &str) -> Result<(String, String)> {
-    let (figure, csv, alt) = picture(laws)?;
+    let (mut figure, csv) = picture(laws)?;
+    let (alt, caption) = captions::of(laws).or_else(|_| {
+        let (alt, caption) = captions::of("laws")?;
+        let ids: Vec<&str> = figure.panels[0].curves.iter().map(|curve| &*curve.key).collect();
+        anyhow::Ok((format!("{alt}: {}", ids.join(", ")), caption))
+    })?;
+    figure.caption = caption;
     Ok((drawn(&figure, &csv)?, alt))
 }
 
-type Picture = (Figure, String, String);
+type Picture = (Figure, String);
 
 fn picture(laws: &str) -> Result<Picture> {
     match laws {
@@ -41,10 +47,7 @@ fn of(models: &str) -> Result<Picture> {
     };
     let lines = all.split_inclusive('\n').enumerate().filter(shown);
     let csv = lines.map(|(_, line)| line).collect();
-    let names = keys.join(", ");
-    let alt =
-        format!("Force, area and mean pressure of one asperity against interference: {names}");
-    Ok((some_laws(&keys)?, csv, alt))
+    Ok((some_laws(&keys)?, csv))
 }
 
 /// `count` numbers from `from` to `to`, each the same multiple of the one before.
@@ -99,9 +102,7 @@ fn hardening() -> Result<Picture> {
     let force = Axis::new(COLUMNS[2], "force (N)").log();
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12).log();
     let panels = [force, area].map(|y| panel(&x, y, &curves));
-    let caption = "One asperity of R = 1 mm between two bodies of E_b = 200 GPa, ν = 0.3, S_y = 400 MPa and three tangent moduli E_t.";
-    let alt = "Force and area of one asperity against interference, for three tangent moduli";
-    Ok((beside(2, "", &[caption], panels.to_vec()), table.into_text(), alt.into()))
+    Ok((beside(2, panels), table.into_text()))
 }
 
 fn adhesion() -> Result<Picture> {
@@ -125,10 +126,7 @@ fn adhesion() -> Result<Picture> {
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12);
     let mut panels = [force, area].map(|y| panel(&x, y, &named(&names)));
     panels[0].horizontals = vec![Mark::new(0.0, "")];
-    let caption = "One asperity of R = 0.1 mm on an elastomer of E = 1 MPa (equivalent modulus), with a work of adhesion of 0.05 J/m². Each curve starts where the contact forms, or ends when the bodies separate.";
-    let alt =
-        "Force and area of one asperity against interference: GW, DMT and the two branches of JKR";
-    Ok((beside(2, "", &[caption], panels.to_vec()), table.into_text(), alt.into()))
+    Ok((beside(2, panels), table.into_text()))
 }
 
 fn elastic_area() -> Result<Picture> {
@@ -153,10 +151,7 @@ fn elastic_area() -> Result<Picture> {
     }
     let x = Axis::new(columns[1], "nominal pressure over E g").log();
     let y = Axis::new(columns[2], "real area over nominal area").log();
-    let caption = "An elastic, isotropic Gaussian surface of bandwidth α = 7.5: E is the equivalent modulus, g the root mean square gradient.";
-    let figure = Figure::new("", &[caption], vec![panel(&x, y, &curves)]);
-    let alt = "Share of the nominal area in contact against pressure: GW, GW on a random surface, Persson, Persson corrected";
-    Ok((figure, table.into_text(), alt.into()))
+    Ok((beside(1, [panel(&x, y, &curves)]), table.into_text()))
 }
 
 #[cfg(test)]
@@ -173,7 +168,7 @@ mod tests {
             ("laws elastic area", 4),
         ];
         for (laws, count) in curves {
-            let (figure, csv, _) = picture(laws).unwrap();
+            let (figure, csv) = picture(laws).unwrap();
             assert_eq!(figure.panels[0].curves.len(), count);
             assert!(drawn(&figure, &csv).unwrap().contains("<polyline"));
         }
@@ -181,7 +176,7 @@ mod tests {
 
     #[test]
     fn tension_is_largest_where_the_papers_say() {
-        let (_, csv, _) = adhesion().unwrap();
+        let (_, csv) = adhesion().unwrap();
         let least = |id: &str| {
             let forces = csv.lines().filter(|line| line.split(',').next() == Some(id));
             let force = |line: &str| line.split(',').nth(2).unwrap().parse::<f64>().unwrap();

@@ -8,7 +8,7 @@ use asperity_inputs::SceneFile;
 use asperity_web::Desk;
 use serde_json::{Value, json};
 
-use crate::figures::{FIGURES, FigureSpec, models, paper};
+use crate::figures::{FIGURES, captions, models, paper};
 use crate::folder::{copy, figures_folder, read, write as save};
 use crate::html::escape;
 
@@ -32,7 +32,7 @@ pub(super) fn write(folder: &Path) -> Result<()> {
     for figure in FIGURES.iter().filter(|figure| figure.name.starts_with("fig")) {
         let file = format!("{}.svg", figure.name);
         copy(&figures_folder().join(&file), &folder.join("gallery").join(&file))?;
-        let title = escape(&(figure.style)(&csv(figure)?)?.title);
+        let title = escape(&captions::of(figure.name)?.0);
         let mut links = vec![];
         for one in scenes(figure.name)? {
             let label = escape(&one.label).replace("_z", "<sub>z</sub>");
@@ -49,10 +49,6 @@ pub(super) fn write(folder: &Path) -> Result<()> {
     }
     let path = folder.join("gallery.html");
     save(&path, read(&path)?.replace(PLACE, &sections))
-}
-
-fn csv(figure: &FigureSpec) -> Result<String> {
-    read(&figures_folder().join(format!("{}.csv", figure.name)))
 }
 
 /// The scenes of a figure of the paper.
@@ -92,6 +88,11 @@ fn link(opened: &LinkedScene) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figures::FigureSpec;
+
+    fn csv(figure: &FigureSpec) -> Result<String> {
+        read(&figures_folder().join(format!("{}.csv", figure.name)))
+    }
 
     fn call(desk: &mut Desk, message: Value) -> Value {
         let answer: Value = serde_json::from_str(&desk.call(&message.to_string())).unwrap();

@@ -7,7 +7,6 @@ use anyhow::Result;
 use super::external::External;
 use super::methods::{HARD_TOLERANCE, METHODS};
 use super::tables::significant;
-use super::throughput::Throughput;
 use crate::figures::report_csv::{Row, read};
 use crate::table::{markdown_head, markdown_row};
 
@@ -33,7 +32,7 @@ fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Ro
 /// A csv that is not `speed-vs-error.csv`.
 pub fn text(
     speed: &str,
-    throughput: &[Throughput],
+    throughput: &[[String; 4]],
     libraries: &[External],
     machine: &str,
 ) -> Result<String> {
@@ -79,11 +78,7 @@ Tolerance {HARD_TOLERANCE:e}, for methods that have one.
     text += "\n## Throughput\n\nTolerance 1e-10; the time includes building laws and rules. Each row ran in a separate process.\n\n";
     let heads = ["million evaluations per second", "peak memory of the process"];
     text += &markdown_head(&["sweep", "threads", heads[0], heads[1]], 0);
-    for line in throughput {
-        let memory = line.memory.map_or("–".into(), |bytes| format!("{:.0} MB", bytes / 1e6));
-        let (threads, millions) = (line.threads.to_string(), significant(line.per_second / 1e6));
-        text += &markdown_row(&[&*line.what, &threads, &millions, &memory]);
-    }
+    throughput.iter().for_each(|line| text += &markdown_row(line));
     text += &format!("\n## Methods\n\n{}", markdown_head(&["method", "description"], 0));
     let known: Vec<&str> = names(&methods).collect();
     let missing = ["scipy", "gsl"].into_iter().filter(|name| !known.contains(name));

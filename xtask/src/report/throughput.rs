@@ -11,22 +11,11 @@ use asperity::{Case, Model, Quantity, Request, Scene, Sweep, Tolerance, linspace
 
 use super::points::scenes;
 use super::scope::Scope;
+use super::tables::significant;
 use crate::command::output;
 
 /// The task of `xtask` that runs one sweep; not for users.
 pub const TASK: &str = "report-throughput";
-
-/// One line of the table.
-pub struct Throughput {
-    /// The sweep.
-    pub what: String,
-    /// Threads.
-    pub threads: usize,
-    /// Evaluations in a second.
-    pub per_second: f64,
-    /// Peak of the process's resident memory \[bytes\], where the system reports it.
-    pub memory: Option<f64>,
-}
 
 /// The sweeps: model, kind, count and description.
 const SWEEPS: [(&str, &str, usize, &str); 4] = [
@@ -41,24 +30,27 @@ const SWEEPS: [(&str, &str, usize, &str); 4] = [
     ("gao", "surfaces", 100_000, "scenes of other roughness and density, streamed"),
 ];
 
-/// Measures.
+/// Measures; returns the rows of a table: sweep, threads, million evaluations per second, and peak
+/// of the process's resident memory, where the system reports it.
 ///
 /// # Errors
 /// When a process fails.
-pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
+pub fn measure(scope: Scope) -> Result<Vec<[String; 4]>> {
     let program = std::env::current_exe()?;
     let mut lines = vec![];
     for (model, kind, full, what) in SWEEPS {
         let count = if scope == Scope::Full { full } else { full / 10 };
-        for threads in [1, 2] {
-            let sweep = [TASK, model, kind, &count.to_string(), &threads.to_string()];
+        for threads in ["1", "2"] {
+            let sweep = [TASK, model, kind, &count.to_string(), threads];
             let text = output(Command::new(&program).args(sweep))?;
-            let numbers: Vec<f64> =
-                text.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
-            let per_second = *numbers.first().context("no rate")?;
-            let (what, memory) =
-                (format!("{model} force, {count} {what}"), numbers.get(1).copied());
-            lines.push(Throughput { what, threads, per_second, memory });
+            let mut numbers = text.split_whitespace().map(str::parse::<f64>);
+            let millions = significant(numbers.next().context("no rate")?? / 1e6);
+            let memory = match numbers.next().transpose()? {
+                Some(bytes) => format!("{:.0} MB", bytes / 1e6),
+                None => "–".into(),
+            };
+            let what = format!("{model} force, {count} {what}");
+            lines.push([what, threads.into(), millions, memory]);
         }
     }
     Ok(lines)

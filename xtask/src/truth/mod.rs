@@ -23,6 +23,7 @@ use asperity::Evidence;
 pub use plan::{FULL, QUICK, SMALL, Scope};
 pub use rows::evidence;
 
+use crate::figures::captions::with_caption;
 use crate::figures::truth::{SHOWN, style, table};
 use crate::figures::truth_ranges::table as markdown;
 use crate::folder::{figures_folder, read, root, save, target_folder};
@@ -109,7 +110,7 @@ fn draw(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
     let mut drawn = vec![("truth.md".to_owned(), markdown(&text)?)];
     for shown in &SHOWN {
         let csv = table(&text, shown)?.into_text();
-        let svg = asperity_plot::draw(&style(&csv, shown)?, &csv)?;
+        let svg = asperity_plot::draw(&with_caption(shown.name, style(&csv, shown)?)?, &csv)?;
         drawn.push((format!("{}.csv", shown.name), csv));
         drawn.push((format!("{}.svg", shown.name), svg));
     }

@@ -131,12 +131,11 @@ impl FitCommand {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
         }
         match &ranking.models[..] {
-            [first, ..] if ranking.models.iter().all(|one| one.misfit.is_some()) => {
-                let reason = first.misfit.as_deref().unwrap_or_default();
-                let place = self.data_name().unwrap_or_else(|| scene.name.clone());
-                bail!("{place}: {}: {reason}", first.model)
+            [first, ..] if ranking.models.iter().all(|one| one.misfit().is_some()) => {
+                let reason = first.misfit().unwrap_or_default();
+                bail!("{}: {}: {reason}", self.data_name(&scene), first.model)
             }
-            all if !self.target.is_empty() && all.iter().all(|one| !one.unreachable.is_empty()) => {
+            all if !self.target.is_empty() && all.iter().all(Fitted::has_unreachable) => {
                 bail!("{}: no model reaches the target; the values are the nearest", scene.name)
             }
             _ => Ok(()),
@@ -181,17 +180,16 @@ impl FitCommand {
                             | FitError::Column { .. }
                             | FitError::TooFew { .. }
                             | FitError::NoStart { .. },
-                        ) => self.data_name(),
-                        SceneError::Fit(FitError::Parameter { .. }) => Some("--free".into()),
-                        _ => None,
+                        ) => self.data_name(scene),
+                        SceneError::Fit(FitError::Parameter { .. }) => "--free".into(),
+                        _ => scene.name.clone(),
                     };
-                    return Err(error).context(place.unwrap_or_else(|| scene.name.clone()));
+                    return Err(error).context(place);
                 }
             }
         }
         if fitted.is_empty() {
-            let place = self.data_name().unwrap_or_else(|| scene.name.clone());
-            bail!("{place}: no model has values for the data");
+            bail!("{}: no model has values for the data", self.data_name(scene));
         }
         Ok((fitted, false))
     }
@@ -210,8 +208,9 @@ impl FitCommand {
         }
     }
 
-    fn data_name(&self) -> Option<String> {
-        self.data.as_ref().map(|path| path.display().to_string())
+    /// The file of the data, or of the scene where a target is given.
+    fn data_name(&self, scene: &LoadedScene) -> String {
+        self.data.as_ref().map_or(scene.name.clone(), |path| path.display().to_string())
     }
 
     fn data(&self, scene: &LoadedScene) -> Result<Data> {
@@ -220,10 +219,10 @@ impl FitCommand {
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
-        let (area, free) = (scene.file.scene.nominal_area, |one: &Free| one.name == "nominal_area");
-        let targets = all(&self.target);
+        let (area, targets) = (scene.file.scene.nominal_area, all(&self.target));
+        let is_given = all(&self.free).iter().all(|one| one.name != "nominal_area");
         let largest = targets.iter().find(|(name, value)| name == "area_m2" && *value > area);
-        if let Some((_, value)) = largest.filter(|_| !all(&self.free).iter().any(free)) {
+        if let Some((_, value)) = largest.filter(|_| is_given) {
             let [value, area] = [*value, area].map(rounded);
             bail!("--target: area is {value} m2, above the nominal area of {area} m2")
         }

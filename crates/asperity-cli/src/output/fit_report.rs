@@ -23,12 +23,10 @@ impl Report<'_> {
         let all = &self.ranking.models;
         let usual = all.first().map(|one| self.scene.file.notes_on_bounds(free, one));
         usual.iter().flatten().for_each(|note| print_message("note", note));
-        let hopeless = all.iter().all(|one| one.misfit.is_some());
-        for one in all {
-            let is_error = |text: &str| hopeless && one.misfit.as_deref() == Some(text);
-            for (severity, text) in one.remarks().into_iter().filter(|(_, text)| !is_error(text)) {
-                print_message(&severity.to_string(), &format!("{}: {text}", one.model));
-            }
+        let hopeless = all.iter().all(|one| one.misfit().is_some());
+        let found = all.iter().flat_map(Fitted::findings);
+        for found in found.filter(|one| !hopeless || one.code != "misfit") {
+            print_message(&found.severity.to_string(), &found.message());
         }
         let is_ranked = all.iter().any(|one| one.bic.is_some());
         if !hopeless && (is_ranked || all.len() > 1) {

@@ -38,7 +38,7 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.name())
             .advice(format!(
-                "this model ignores work_of_adhesion, which matters here; use {DMT} or {JKR}"
+                "this model ignores `work_of_adhesion`, which matters here; use {DMT} or {JKR}"
             ));
         return Some(found);
     };
@@ -64,9 +64,9 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
     let name = model.name();
     let remedy = match model.validity().adhesive {
         true => format!(
-            "no model has both yielding and adhesion; use {YIELDING} if adhesion_parameter is above {HIDDEN}"
+            "; no model has both yielding and adhesion; use `{YIELDING}` if `adhesion_parameter` is above {HIDDEN}"
         ),
-        false => format!("use {YIELDING}"),
+        false => format!("`; use {YIELDING}`"),
     };
     let carriers = match model.validity().asperities {
         true => "yielding asperities",
@@ -78,7 +78,7 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         .usual([0.0, YIELDS[0]])
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
         .advice(format!(
-            "{name} ignores yielding and underestimates the area at this load; {remedy}"
+            "`{name}` ignores yielding and underestimates the area at this load{remedy}"
         ));
     (share > YIELDS[0]).then_some(found)
 }
@@ -97,7 +97,7 @@ pub(super) fn missed(
         .fact(format!(
             "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
         ))
-        .advice(format!("{} {summary}", model.name()));
+        .advice(format!("`{}` {summary}", model.name()));
     (share > MISSED).then_some(found)
 }
 
@@ -117,7 +117,7 @@ pub(super) fn beyond_fit(
         .fact(format!(
             "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
         ))
-        .advice(format!("beyond this interference {name} {continued}"));
+        .advice(format!("beyond this interference `{name}` {continued}"));
     (share > BEYOND).then_some(found)
 }
 
@@ -129,7 +129,7 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
     };
     let found = warning((model, at), "crowded", "area_fraction", fraction).severity(severity);
     let advice = format!(
-        "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
+        "contacts merge, and models of independent asperities do not hold; use `{WHOLE_SURFACE}`"
     );
     Some(found.usual([0.0, CROWDED[0]]).advice(advice))
 }
@@ -138,7 +138,7 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
 pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
     let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
-        .advice(format!("the contacts would yield, and the real area is larger; use {YIELDING}"));
+        .advice(format!("the contacts would yield, and the real area is larger`; use {YIELDING}`"));
     (ratio > PLASTIC).then_some(found)
 }
 

@@ -35,9 +35,9 @@ impl Check {
             .usual([0.0, CROWDED[0]])
             .of_model(model.name())
             .at(At::Pressure(pressure))
-            .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
+            .fact(format!("`area_fraction` is {}, above 1", short(area_fraction)))
             .advice(format!(
-                "check the units of modulus and load; at such loads use {FULL_CONTACT}"
+                "check the units of modulus and load; at such loads use `{FULL_CONTACT}`"
             ));
         Some(found)
     }

@@ -141,10 +141,10 @@ impl Strength {
         is_vickers.then_some(vickers).into_iter().chain(pressures).collect()
     }
 
-    /// "hardness over modulus is 9.524e-4, where 0.0015 to 0.3 is usual"
+    /// "`hardness` over modulus is 9.524e-4, where 0.0015 to 0.3 is usual"
     fn over(self, modulus: f64, usual: [f64; 2]) -> String {
         let ([least, most], ratio) = (usual.map(short), short(self.value / modulus));
-        format!("{} over modulus is {ratio}, where {least} to {most} is usual", self.field)
+        format!("`{}` over modulus is {ratio}, where {least} to {most} is usual", self.field)
     }
 
     /// The finding of a strength beside a modulus, in these likely units, if there are any.

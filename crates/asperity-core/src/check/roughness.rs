@@ -79,7 +79,7 @@ impl Surface {
         let found = slips.max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         Some(match within(found.value, found.usual) {
             true => {
-                let fact = format!("{} is {} {}, ", found.field, short(found.value), found.unit);
+                let fact = format!("`{}` is {} {}, ", found.field, short(found.value), found.unit);
                 found.fact(fact + &self.together())
             }
             false => found,
@@ -119,7 +119,7 @@ impl Surface {
             .usual(NUMBERS[0].usual)
             .severity(severity)
             .fact(format!(
-                "asperity_height_std is {} m, asperity_radius {} m",
+                "`asperity_height_std` is {} m, `asperity_radius` {} m",
                 short(std),
                 short(radius)
             ))
@@ -135,7 +135,7 @@ impl Surface {
     fn criteria(&self) -> [(Input, f64); 6] {
         let [std, radius, density] = self.numbers();
         let derived = |field, usual, advice| Input::new(field, usual, "", &[]).advice(advice);
-        let together = "one of asperity_density, asperity_radius and asperity_height_std is wrong, or the scan is noisy or too coarse";
+        let together = "one of `asperity_density`, `asperity_radius` and `asperity_height_std` is wrong, or the scan is noisy or too coarse";
         let needles = "the asperities would be needles, not spherical caps";
         let steep = "half-space contact assumes slopes well below 1";
         let [of_std, of_radius, of_density] = NUMBERS;
@@ -171,7 +171,7 @@ impl Surface {
             beta if within(beta, Self::USUAL_ASPERITY_ROUGHNESS) => {
                 ("the rms slope", self.rms_slope(), [0.0, 1.0])
             }
-            beta => ("density x radius x height_std", beta, Self::USUAL_ASPERITY_ROUGHNESS),
+            beta => ("density x radius x `height_std`", beta, Self::USUAL_ASPERITY_ROUGHNESS),
         };
         let value = short(value);
         format!("which makes {name} {value} (usual: {} to {})", short(from), short(to))

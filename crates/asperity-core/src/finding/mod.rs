@@ -1,6 +1,7 @@
 //! Findings: errors, warnings and notes about scans, scenes, laws and answers.
 
 mod collection;
+mod dialect;
 mod json;
 
 use std::borrow::Cow;
@@ -9,6 +10,7 @@ use std::fmt;
 use serde::Serialize;
 
 pub use self::collection::Findings;
+pub use self::dialect::{AsWritten, Dialect};
 use crate::{At, Quantity};
 
 /// Severity of a finding, the most severe first.
@@ -37,7 +39,8 @@ impl fmt::Display for Severity {
 /// consequence and the remedy. Results stand unless the severity is [`Severity::Error`].
 ///
 /// The text is `origin: model: fact where: advice`, without parts that are not set; the default
-/// fact is the number with its usual range.
+/// fact is the number with its usual range. It is made in the terms of its reader
+/// ([`say`](Self::say)): terms in facts, advice and likely units stand in backticks.
 ///
 /// ```
 /// use asperity_core::{At, Finding};
@@ -259,47 +262,55 @@ const ROUGHNESS_PARAMETER: &str = "roughness-parameter";
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for prefix in self.origin.iter().chain(&self.model) {
-            write!(f, "{prefix}: ")?;
-        }
-        match &self.fact {
-            Some(fact) => f.write_str(fact)?,
-            None => {
-                let space = if self.unit.is_empty() { "" } else { " " };
-                write!(f, "{} is {}{space}{}", self.field, short(self.value), self.unit)?;
-            }
-        }
-        match (&self.at, self.count) {
-            (Some(at), 0 | 1) => write!(f, " at {at}")?,
-            (Some(at), count) => {
-                let which = if self.excess().is_finite() { "worst" } else { "first" };
-                write!(f, " in {count} rows, {which} at {at}")?;
-            }
-            (None, _) => {}
-        }
-        if self.fact.is_none() {
-            self.write_range(f)?;
-        }
-        match self.likely_unit.as_deref().unwrap_or(&self.advice) {
-            "" => {}
-            advice => write!(f, ": {advice}")?,
-        }
-        match &self.also[..] {
-            [] => Ok(()),
-            also => write!(f, " (likewise {})", also.join(", ")),
-        }
+        f.write_str(&self.say(&AsWritten))
     }
 }
 
 impl Finding {
-    fn write_range(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The whole text in the terms of a reader.
+    #[must_use]
+    pub fn say(&self, dialect: &dyn Dialect) -> String {
+        let mut text: String =
+            self.origin.iter().map(|origin| dialect.say(origin) + ": ").collect();
+        text.extend(self.model.iter().map(|model| dialect.term(model) + ": "));
+        match &self.fact {
+            Some(fact) => text += &dialect.say(fact),
+            None => {
+                let space = if self.unit.is_empty() { "" } else { " " };
+                let (field, value) = (dialect.term(&self.field), short(self.value));
+                text += &format!("{field} is {value}{space}{}", self.unit);
+            }
+        }
+        text += &match (&self.at, self.count) {
+            (Some(at), 0 | 1) => dialect.say(&format!(" at {at:#}")),
+            (Some(at), count) => {
+                let which = if self.excess().is_finite() { "worst" } else { "first" };
+                dialect.say(&format!(" in {count} rows, {which} at {at:#}"))
+            }
+            (None, _) => String::new(),
+        };
+        if self.fact.is_none() {
+            text += &self.range();
+        }
+        match self.likely_unit.as_deref().unwrap_or(&self.advice) {
+            "" => {}
+            advice => text += &format!(": {}", dialect.say(advice)),
+        }
+        let also: Vec<String> = self.also.iter().map(|model| dialect.term(model)).collect();
+        if !also.is_empty() {
+            text += &format!(" (likewise {})", also.join(", "));
+        }
+        text
+    }
+
+    fn range(&self) -> String {
         match self.usual {
             [from, to] if from > 0.0 && to.is_finite() => {
-                write!(f, " (usual: {} to {})", short(from), short(to))
+                format!(" (usual: {} to {})", short(from), short(to))
             }
-            [from, _] if from > 0.0 => write!(f, " (usual: at least {})", short(from)),
-            [_, to] if to.is_finite() => write!(f, " (usual: at most {})", short(to)),
-            _ => Ok(()),
+            [from, _] if from > 0.0 => format!(" (usual: at least {})", short(from)),
+            [_, to] if to.is_finite() => format!(" (usual: at most {})", short(to)),
+            _ => String::new(),
         }
     }
 }

@@ -181,8 +181,8 @@ pub trait Contact: fmt::Debug + Send + Sync {
             return Ok(());
         }
         let known = Quantity::ALL.into_iter().filter(|quantity| known(*quantity));
-        let known: Vec<String> = known.map(|quantity| quantity.to_string()).collect();
-        Err(self.unsupported(&format!("{quantity} (available: {})", known.join(", "))))
+        let known: Vec<String> = known.map(|quantity| format!("`{quantity}`")).collect();
+        Err(self.unsupported(&format!("`{quantity}` (available: {})", known.join(", "))))
     }
 
     /// The error for something that this model does not have.

@@ -163,13 +163,17 @@ pub(crate) struct SeparationInSigma {
 }
 
 impl fmt::Display for Separation {
+    /// `2 asperity_height_std`; with `{:#}` a marked term for a [`Dialect`](crate::Dialect).
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mark = if f.alternate() { "`" } else { "" };
         match self.unit {
             // Large numbers are shorter with an exponent.
             SeparationUnit::Sigma if self.value.abs() >= 1e16 => {
-                write!(f, "{:e} asperity_height_std", self.value)?;
+                write!(f, "{mark}{:e} asperity_height_std{mark}", self.value)?;
             }
-            SeparationUnit::Sigma => write!(f, "{} asperity_height_std", self.value)?,
+            SeparationUnit::Sigma => {
+                write!(f, "{mark}{} asperity_height_std{mark}", self.value)?;
+            }
             SeparationUnit::Metres if self.value == 0.0 => f.write_str("0 m")?,
             SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
         }
@@ -260,6 +264,9 @@ impl At {
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Separation(separation) if f.alternate() => {
+                write!(f, "a separation of {separation:#}")
+            }
             Self::Separation(separation) => write!(f, "a separation of {separation}"),
             // Very small and large numbers are shorter with an exponent.
             Self::Load(load) if load.abs() < 1e-5 || load.abs() >= 1e16 => {

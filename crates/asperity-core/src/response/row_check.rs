@@ -129,8 +129,8 @@ impl RowCheck {
         let each = |text: &dyn Fn(&Seen) -> String, by: &str| {
             small().map(text).collect::<Vec<_>>().join(by)
         };
-        let names = each(&|seen| seen.quantity.to_string(), ", ");
-        let logarithms = each(&|seen| format!("{:.6} of {}", seen.value, seen.quantity), ", ");
+        let names = each(&|seen| format!("`{}`", seen.quantity), ", ");
+        let logarithms = each(&|seen| format!("{:.6} of `{}`", seen.value, seen.quantity), ", ");
         let (verb, values) = match small().count() {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
@@ -151,7 +151,7 @@ impl Seen {
         let &Self { quantity, value, .. } = self;
         let one = |seen: &Self| {
             let (name, unit) = (seen.quantity, seen.quantity.unit());
-            format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
+            format!("`{name}` is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
         };
         let negative = |code, fact: String, advice: &'static str| {
             let found = Finding::warning(code, quantity.to_string(), value).unit(quantity.unit());
@@ -177,12 +177,12 @@ impl Seen {
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
                 .advice(format!(
-                    "models of independent asperities do not hold there; use {WHOLE_SURFACE}"
+                    "models of independent asperities do not hold there; use `{WHOLE_SURFACE}`"
                 )),
             Oddity::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
-                .fact(format!("positive and negative parts of the {quantity} cancel"))
+                .fact(format!("positive and negative parts of the `{quantity}` cancel"))
                 .advice(self.accuracy()),
             Oddity::NoContact | Oddity::Underflow => {
                 Finding::warning("no-contact", "contacts", value)

@@ -96,7 +96,7 @@ impl Surface {
         positive("m4", m4)?;
         let bandwidth = moments.bandwidth();
         // β of 0.02493, and σ_z² is 0.402 σ² there.
-        let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
+        let required = "at least 1.5, as of every isotropic Gaussian surface (`asperity_density` times `asperity_radius` times `asperity_height_std` of at least 0.0158),";
         require(bandwidth >= 1.5, "bandwidth (m0 m4/m2^2)", bandwidth, required)?;
         Ok(Self {
             asperity_radius: 0.375 * (std::f64::consts::PI / m4).sqrt(),

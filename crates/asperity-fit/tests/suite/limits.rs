@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactModel, Quantity};
+use asperity_core::{ContactModel, Quantity, Severity};
 use asperity_fit::{Fit, FitError, Parameter};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -17,7 +17,7 @@ fn stiffness_against_load_fixes_one_group_of_gw() {
     let fit = Fit::new(&data, parameters(&[0, 1], 1.7), &scene).unwrap();
     let fitted = fit.run(&GreenwoodWilliamson).unwrap();
     let wanted = "only asperity_density x asperity_radius^0.5 is determined";
-    assert_eq!(fitted.undetermined, [wanted]);
+    assert_eq!(fitted.doubts.texts("undetermined"), [wanted]);
     assert!(fitted.condition.is_none() && fitted.converged, "{fitted:?}");
     assert_eq!(fitted.correlation[0][1], None);
     let [radius, density] = [0, 1].map(|k| fitted.parameters[k].value);
@@ -39,7 +39,8 @@ fn a_number_without_effect_is_named() {
     let scene = varied(&[2, 3]);
     let fit = Fit::new(&data, parameters(&[2, 3], 1.7), &scene).unwrap();
     let fitted = fit.run(&GreenwoodWilliamson).unwrap();
-    assert_eq!(fitted.undetermined, ["hardness is not determined: it does not change the data"]);
+    let doubt = &fitted.doubts[0];
+    assert_eq!((doubt.code, &*doubt.field), ("undetermined", "hardness"));
     let std = fitted.parameters[0].value;
     assert!((std / TRUTH[2] - 1.0).abs() < 1e-8, "{std}");
 }
@@ -56,31 +57,30 @@ fn inverse(value: f64, model: &dyn ContactModel, free: &[usize]) -> asperity_fit
 fn an_area_below_load_over_hardness_is_refused_with_the_hardness_it_needs() {
     let found = inverse(0.001, &KogutEtsion, &[2]);
     let wanted = "an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
-    assert_eq!(found.unreachable, [wanted]);
+    assert_eq!(found.doubts.texts("unreachable"), [wanted]);
     // Those of JG as well, within 2 %.
     let found = inverse(0.001, &JacksonGreen::default(), &[2]);
-    assert_eq!(found.unreachable, [wanted]);
+    assert_eq!(found.doubts.texts("unreachable"), [wanted]);
     // The bound of a free hardness counts.
     let found = inverse(0.002, &KogutEtsion, &[3]);
-    assert!(found.unreachable.is_empty(), "{found:?}");
+    assert!(!found.has_unreachable(), "{found:?}");
     let hardness = found.parameters[0].value;
     assert!(hardness > 2.5e9 && hardness < 60e9, "{hardness:e}");
     // GW has no hardness: the nearest value is at a bound.
     let found = inverse(0.9, &GreenwoodWilliamson, &[2]);
-    assert!(
-        found.unreachable[0].starts_with("an area fraction of 0.9 at a pressure of 5e6 Pa cannot be reached within the bounds: the nearest is ")
-            && found.unreachable[0].contains(" at asperity_height_std = "),
-        "{found:?}"
-    );
+    let text = found.doubts.texts("unreachable").concat();
+    assert!(text.contains("reached within the bounds: the nearest is "), "{text}");
+    assert!(text.contains(" at asperity_height_std = "), "{text}");
 }
 
 #[test]
 fn one_value_and_one_parameter_answer_the_inverse_question() {
     let found = inverse(0.004, &KogutEtsion, &[2]);
-    assert!(found.converged && found.unreachable.is_empty(), "{found:?}");
+    assert!(found.converged && !found.has_unreachable(), "{found:?}");
     assert!((found.residuals[0].fitted / 0.004 - 1.0).abs() < 1e-9, "{found:?}");
     assert_eq!((found.bic, found.parameters[0].lower), (None, None));
-    assert!(found.notes.iter().any(|note| note.starts_with("no intervals: as many")), "{found:?}");
+    let note = found.findings().next().unwrap();
+    assert_eq!((note.code, note.severity), ("notes", Severity::Note), "{found:?}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The unit, the column or the standard deviations that explain a misfit.
 
-use asperity_core::{At, ContactModel, Quantity, Request, Severity};
+use asperity_core::{At, ContactModel, Quantity, Request};
 use asperity_fit::Fit;
 use asperity_ke::KogutEtsion;
 
@@ -15,12 +15,16 @@ fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
         Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
     };
     let good = fitted(&columns);
-    assert_eq!((good.misfit, good.limits), (None, vec![]));
+    assert!(good.doubts.is_empty(), "{good:?}");
     columns[0].1.iter_mut().flatten().for_each(|load| *load *= 1e-3);
     let found = fitted(&columns);
     let unit = "load_N = 1 (row 5) looks like kN; 1 kN is 1000 N";
-    assert!(found.misfit.as_ref().is_some_and(|text| text.ends_with(unit)), "{found:?}");
-    assert_eq!(found.limits, ["asperity_height_std is at its lower bound of 5e-8"]);
+    assert!(found.misfit().is_some_and(|text| text.ends_with(unit)), "{found:?}");
+    let [misfit, limit] = &found.doubts[..] else { panic!("{found:?}") };
+    assert_eq!([misfit.code, limit.code], ["misfit", "limits"]);
+    assert_eq!(limit.field, "asperity_height_std");
+    // The misfit hides the limit.
+    assert_eq!(found.findings().count(), 1);
 }
 
 #[test]
@@ -44,7 +48,7 @@ fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
             let data = data(&columns);
             let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
             let message = match fit.run(&KogutEtsion) {
-                Ok(fitted) => fitted.misfit.unwrap_or_default(),
+                Ok(fitted) => fitted.misfit().unwrap_or_default(),
                 Err(error) => error.to_string(),
             };
             assert!(message.contains(&format!(") looks like {unit}; ")), "{unit}: {message}");
@@ -69,7 +73,7 @@ fn forces_and_pounds_in_a_column_of_pressures_are_named() {
         columns[0].1 = pressures.to_vec();
         let data = data(&columns);
         let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-        let misfit = fit.run(&KogutEtsion).unwrap().misfit.unwrap();
+        let misfit = fit.run(&KogutEtsion).unwrap().misfit().unwrap();
         assert!(misfit.ends_with(unit), "{misfit}");
     }
 }
@@ -82,16 +86,13 @@ fn a_stiffness_in_the_column_of_another_is_named() {
         let data = data(columns);
         Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
     };
-    assert_eq!(fitted(&columns).other_column, None);
+    assert!(fitted(&columns).doubts.is_empty());
     columns[1].0 = Quantity::Tangent.column();
     let found = fitted(&columns);
-    let other = found.other_column.as_deref().unwrap();
-    assert!(
-        other.starts_with("tangent_N_per_m deviates by ")
-            && other.contains(" if it is unloading_stiffness_N_per_m; name the column by"),
-        "{other}"
-    );
-    assert!(found.remarks().contains(&(Severity::Warning, other)), "{found:?}");
+    let other = found.findings().next().unwrap();
+    assert_eq!((other.code, &*other.field), ("other-column", "tangent_N_per_m"));
+    let text = other.message();
+    assert!(text.contains(" if it is unloading_stiffness_N_per_m; name the column by"), "{text}");
 }
 
 #[test]
@@ -111,7 +112,7 @@ fn a_stiffness_of_another_column_is_named_among_noise_and_no_other_is() {
             let found = fit.run(&KogutEtsion).unwrap();
             // The misfit itself is no larger than errors of measurements are.
             assert!(found.rms < Some(0.12), "{:?}", found.rms);
-            let other = found.other_column.unwrap_or_default();
+            let other = found.doubts.texts("other-column").concat();
             let wanted = " if it is unloading_stiffness_N_per_m; name the column by";
             assert_eq!(other.contains(wanted), is_other, "{draw} {column}: {other}");
         }
@@ -137,7 +138,7 @@ fn units_of_load_and_stiffness_that_leave_no_contact_are_named_together() {
         columns[1].1.iter_mut().flatten().for_each(|k| *k *= 1.0 + 0.03 * normal(&mut state));
         let data = data(&columns);
         let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-        let misfit = fit.run(&KogutEtsion).unwrap().misfit.unwrap_or_default();
+        let misfit = fit.run(&KogutEtsion).unwrap().misfit().unwrap_or_default();
         assert_eq!(misfit.contains(" looks like "), is_wrong, "{misfit}");
         for unit in units.into_iter().filter(|_| is_wrong) {
             assert!(misfit.contains(&format!(" looks like {unit};")), "{units:?}: {misfit}");
@@ -160,12 +161,13 @@ fn standard_deviations_far_below_the_residuals_are_named() {
         let data = data(&columns);
         Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
     };
-    let misfit = fitted(&|_| 3.0).misfit.unwrap();
+    let misfit = fitted(&|_| 3.0).misfit().unwrap();
     assert!(misfit.contains(" times the standard deviations (reduced chi squared "), "{misfit}");
     assert!(misfit.contains("tangent_N_per_m_std = 3 looks like per cent of the value; 3 % of "));
-    assert_eq!(fitted(&|_| 3.0).outlier, None);
+    assert_eq!(fitted(&|_| 3.0).doubts.texts("outlier").len(), 0);
     let good = fitted(&|value| 0.04 * value);
-    assert!(good.misfit.is_none() && good.notes.is_empty(), "{good:?}");
+    assert!(good.doubts.is_empty(), "{good:?}");
     let small = fitted(&|value| 0.004 * value);
-    assert!(small.misfit.is_none() && small.notes[0].contains("intervals are too narrow"));
+    let notes = small.doubts.texts("notes").concat();
+    assert!(small.misfit().is_none() && notes.contains("intervals are too narrow"), "{small:?}");
 }

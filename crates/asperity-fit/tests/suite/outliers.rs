@@ -1,10 +1,14 @@
 //! Lines that the other lines contradict.
 
 use asperity_core::{Datum, Quantity, Severity};
-use asperity_fit::{Data, Fit, MeasuredTable};
+use asperity_fit::{Data, Fit, Fitted, MeasuredTable};
 use asperity_ke::KogutEtsion;
 
 use crate::kit::{LOADS, columns, data, normal, parameters, varied};
+
+fn outlier_of(fitted: &Fitted) -> Option<String> {
+    fitted.doubts.texts("outlier").pop()
+}
 
 #[test]
 fn one_line_that_the_others_contradict_is_named_and_kept() {
@@ -21,7 +25,7 @@ fn one_line_that_the_others_contradict_is_named_and_kept() {
     };
     let off = [1.03, 0.97, 1.03, 100.0, 0.97];
     let found = fitted(off, vec![2, 3, 5, 6, 7]);
-    let outlier = found.outlier.unwrap();
+    let outlier = outlier_of(&found).unwrap();
     assert!(
         outlier.starts_with("line 6 (tangent_N_per_m = ")
             && outlier.contains(" at load_N = 300) deviates by a factor of 100 from a fit"),
@@ -30,19 +34,19 @@ fn one_line_that_the_others_contradict_is_named_and_kept() {
     let others =
         " to the other lines, which agree within 3 % (root mean square); check or remove it";
     assert!(outlier.ends_with(others), "{outlier}");
-    let misfit = found.misfit.unwrap();
+    let misfit = found.misfit().unwrap();
     let size =
         "no values within the bounds describe the data: fitted values deviate by a factor of 6";
     assert!(misfit.starts_with(size) && misfit.ends_with(others), "{misfit}");
     assert_eq!(found.residuals.len(), 5);
     // Of arrays the row; a smaller error leaves data that are described.
     let found = fitted([1.01, 0.99, 2.0, 1.01, 0.99], vec![]);
-    let outlier = found.outlier.unwrap();
+    let outlier = outlier_of(&found).unwrap();
     let wanted = " deviates by a factor of 2 from a fit to the other rows";
     assert!(outlier.starts_with("row 3 (") && outlier.contains(wanted), "{outlier}");
-    assert_eq!(found.misfit, None);
+    assert_eq!(found.misfit(), None);
     // Scatter is no outlier.
-    assert_eq!(fitted([1.3, 0.8, 1.1, 0.7, 1.2], vec![]).outlier, None);
+    assert_eq!(outlier_of(&fitted([1.3, 0.8, 1.1, 0.7, 1.2], vec![])), None);
 }
 
 #[test]
@@ -53,7 +57,7 @@ fn one_line_in_another_unit_is_named_among_three() {
     let fitted = |columns: &[asperity_fit::DataColumn]| {
         let data = data(columns);
         let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-        fit.run(&KogutEtsion).unwrap().outlier
+        outlier_of(&fit.run(&KogutEtsion).unwrap())
     };
     let outlier = fitted(&columns).unwrap();
     assert!(outlier.starts_with("row 2 (area_m2 = "), "{outlier}");
@@ -70,13 +74,13 @@ fn a_share_deviates_by_a_difference() {
     let data = data(&columns);
     let scene = varied(&[2]);
     let fit = Fit::new(&data, parameters(&[2], 1.1), &scene).unwrap();
-    let outlier = fit.run(&KogutEtsion).unwrap().outlier.unwrap();
+    let outlier = outlier_of(&fit.run(&KogutEtsion).unwrap()).unwrap();
     let wanted = "deviates by 0.5 from a fit to the other rows, which agree within 1e-8 (root";
     assert!(outlier.contains(wanted), "{outlier}");
 }
 
 /// Tangents of KE whose first is twice the true one, with a standard deviation for each.
-fn doubled(std: impl Fn(f64) -> f64) -> asperity_fit::Fitted {
+fn doubled(std: impl Fn(f64) -> f64) -> Fitted {
     let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
     columns[1].1[0] = columns[1].1[0].map(|value| 2.0 * value);
     let std = columns[1].1.iter().map(|value| value.map(&std)).collect();
@@ -91,17 +95,18 @@ fn doubled(std: impl Fn(f64) -> f64) -> asperity_fit::Fitted {
 fn a_line_many_standard_deviations_off_is_named() {
     for (share, far) in [(0.01, "50"), (0.03, "17")] {
         let found = doubled(|value| share * value);
-        let outlier = found.outlier.as_deref().unwrap();
+        let outlier = outlier_of(&found).unwrap();
         let wanted = format!(" deviates by {far} standard deviations from a fit to the other rows");
         assert!(outlier.starts_with("row 1 (") && outlier.contains(&wanted), "{outlier}");
         // One reason is enough: the line, or the standard deviations.
-        assert!(found.notes.is_empty() && found.misfit.is_none(), "{found:?}");
-        assert_eq!(found.remarks(), [(Severity::Warning, outlier)]);
+        let [only] = &found.doubts[..] else { panic!("{found:?}") };
+        assert_eq!((only.code, only.severity), ("outlier", Severity::Warning));
     }
     let found = doubled(|value| 1e-3 * value);
-    let [outlier, misfit] = [found.outlier.as_deref(), found.misfit.as_deref()].map(Option::unwrap);
-    assert!(misfit.contains("times the standard deviations") && misfit.ends_with(outlier));
-    assert_eq!(found.remarks(), [(Severity::Warning, misfit)]);
+    let [outlier, misfit] = [outlier_of(&found), found.misfit()].map(Option::unwrap);
+    assert!(misfit.contains("times the standard deviations") && misfit.ends_with(&outlier));
+    // The misfit names the outlier and hides it.
+    assert!(found.findings().map(|one| one.code).eq(["misfit"]), "{found:?}");
 }
 
 /// The outlier of tangents of KE under twelve loads, scattered by 1 %, with some rows multiplied.
@@ -121,7 +126,7 @@ fn outlier_of_twelve(off: &[(usize, f64)], std: Option<f64>) -> Option<String> {
     }
     let data = data(&columns);
     let scene = varied(&[2]);
-    Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap().outlier
+    outlier_of(&Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap())
 }
 
 #[test]
@@ -163,7 +168,7 @@ fn outlier_of_noisy(count: usize, draw: u64, off: &[(usize, f64)]) -> Option<Str
     let scene = varied(&[2]);
     let mut fit = Fit::new(&data, parameters(&[2], 1.2), &scene).unwrap();
     fit.more_starts = 0;
-    fit.run(&KogutEtsion).unwrap().outlier
+    outlier_of(&fit.run(&KogutEtsion).unwrap())
 }
 
 #[test]

@@ -37,15 +37,15 @@ pub fn mistaken_unit(
         _ if size.is_infinite() => return None,
         SeparationUnit::Metres if size > LONG.max(FAR * height_std) => {
             let metres = value * height_std;
-            let meant = format!("{digits} asperity_height_std is {metres:e} m");
-            ("m", format!("{digits} looks like asperity_height_std; {meant}"))
+            let meant = format!("`{digits} asperity_height_std` is {metres:e} m");
+            ("m", format!("{digits} looks like `asperity_height_std`; {meant}"))
         }
         SeparationUnit::Sigma if size > FAR => {
-            ("asperity_height_std", "the surfaces are far apart; check the unit".into())
+            ("`asperity_height_std`", "the surfaces are far apart; check the unit".into())
         }
         SeparationUnit::Sigma if size < NEAR && GAPS.contains(&over.abs()) => {
-            let meant = format!("{digits} m is {over} asperity_height_std");
-            ("asperity_height_std", format!("{digits} looks like metres; {meant}"))
+            let meant = format!("{digits} m is `{over} asperity_height_std`");
+            ("`asperity_height_std`", format!("{digits} looks like metres; {meant}"))
         }
         _ => return None,
     };

@@ -39,6 +39,7 @@ from asperity._asperity import Surface as Surface
 from asperity._asperity import Topography as Topography
 from asperity._asperity import Unloading as Unloading
 from asperity._asperity import UnsupportedFormat as UnsupportedFormat
+from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
 from asperity._bem import bem as bem
@@ -65,7 +66,6 @@ from asperity._model import model as model
 from asperity._model import models as models
 from asperity._scene import Scenes as Scenes
 from asperity._surfaces import Picture as Picture
-from asperity._surfaces import random_surface as random_surface
 from asperity._surfaces import read as read
 from asperity._surfaces import topography as topography
 from asperity._sweep import Sensitivity as Sensitivity

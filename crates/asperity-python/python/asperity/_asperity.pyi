@@ -343,6 +343,7 @@ class Contact:
         rtol: _Float,
         separation_unit: str,
     ) -> Contact: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, separation: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -376,6 +377,7 @@ class Unloading:
         rtol: _Float,
         separation_unit: str,
     ) -> Unloading: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, retreat: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -417,6 +419,7 @@ class JointTable:
         tolerance: _Float,
         separation_unit: str,
     ) -> JointTable: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def step(
         self, separation: float, closest: float | None = ...
@@ -435,6 +438,7 @@ class JointTable:
 @final
 class PartialSlip:
     def __new__(cls, unloading: Unloading, friction: _Float) -> PartialSlip: ...
+    def __getnewargs__(self) -> tuple[Any, ...]: ...
     @overload
     def force(self, shift: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -545,7 +549,15 @@ def template() -> str: ...
 def random_surface(
     shape: tuple[int, int],
     pixel_size: _Spacing,
-    wavelengths: tuple[_Float, _Float, _Float],
-    sizes: tuple[_Float | None, _Float | None],
-    options: tuple[_Float, _Float, _Float, _Float | None, int],
+    *,
+    long: _Float,
+    short: _Float,
+    roll_off: _Float | None = None,
+    hurst: _Float = 0.8,
+    sq: _Float | None = None,
+    gradient: _Float | None = None,
+    skewness: _Float | None = None,
+    anisotropy: _Float = 1.0,
+    direction: _Float = 0.0,
+    seed: int = 0,
 ) -> Topography: ...

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from difflib import get_close_matches
 from os import PathLike
 from pathlib import Path
@@ -24,6 +23,12 @@ def _is_wide(values: npt.NDArray[Any]) -> bool:
     """Whether numbers need a logarithmic axis: positive, over more than a decade."""
     numbers = values[np.isfinite(values)]
     return bool(numbers.size and numbers.min() > 0 and numbers.max() > 30 * numbers.min())
+
+
+def _text(table: dict[str, npt.NDArray[Any]]) -> str:
+    """The text of a table with every digit, blank for missing values."""
+    cells = (["" if v != v else str(v) for v in c.tolist()] for c in table.values())
+    return "\n".join([",".join(table), *map(",".join, zip(*cells, strict=True))]) + "\n"
 
 
 class Curve:
@@ -144,17 +149,15 @@ class Curve:
         if not rows.is_one:
             table["scene"] = np.broadcast_to(rows.places, rows.shape).ravel()
         table[AXES[rows.axis]] = np.broadcast_to(rows.given, rows.shape).ravel()
-        for head, values in zip(
-            _asperity.quantities(list(self._columns)).values(), self._columns.values(), strict=True
-        ):
-            table[head] = np.ma.filled(values, np.nan).ravel()
-        return table
+        heads = _asperity.quantities(self._columns)
+        filled = {heads[q]: np.ma.filled(v, np.nan).ravel() for q, v in self._columns.items()}
+        return table | filled
 
     def _labels(self) -> dict[str, str]:
         """Columns, with labels for axes."""
         axis = self._rows.axis
         place = {"load": "load (N)", "pressure": "pressure (Pa)", "m": "separation (m)"}
-        names = _asperity.quantities(list(self._columns)).items()
+        names = _asperity.quantities(self._columns).items()
         labels = {AXES[axis]: place.get(axis, "separation / asperity_height_std")}
         for name, head in names:
             unit = head[len(name) :].strip("_").replace("_per_", "/")
@@ -163,19 +166,14 @@ class Curve:
 
     def _repr_svg_(self) -> str | None:
         """A picture of one scene's curve, for notebooks."""
-        rows = self._rows
-        if not rows.is_one or rows.numbers.size < 3:
+        if not self._rows.is_one or self._rows.numbers.size < 3:
             return None
-        table = self._table()
-        x, *ys = self._labels()
-        order = np.argsort(table[x], kind="stable")
-        lines = [",".join(["curve", *table])]
-        for k in order:
-            cells = ("" if math.isnan(c[k]) else repr(float(c[k])) for c in table.values())
-            lines.append(",".join([self.model, *cells]))
-        labels = self._labels()
+        table, labels = self._table(), self._labels()
+        order = np.argsort(next(iter(table.values())), kind="stable")
         columns = [(name, label, _is_wide(table[name])) for name, label in labels.items()]
-        return _asperity.svg("\n".join(lines) + "\n", columns[0], columns[1:], self.model)
+        shown = {"curve": np.full(len(order), self.model)}
+        shown |= {name: values[order] for name, values in table.items()}
+        return _asperity.svg(_text(shown), columns[0], columns[1:], self.model)
 
     def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
         """Draws a quantity (the first, unless one is named) against separation, load or pressure
@@ -194,7 +192,7 @@ class Curve:
         name = quantity or self.quantities[0]
         x = np.broadcast_to(self._rows.given, self.shape)
         y = self[name]
-        heads = _asperity.quantities(list(self._columns))
+        heads = _asperity.quantities(self._columns)
         labels = self._labels()
         line.setdefault("label", self.model)
         ax.plot(x.T if x.ndim > 1 else x, y.T if y.ndim > 1 else y, **line)
@@ -217,10 +215,7 @@ class Curve:
         1.0,3292.64500634...
         2.0,289.290552625...
         """
-        table = self._table()
-        cells = ([("" if math.isnan(v) else repr(v)) for v in c.tolist()] for c in table.values())
-        lines = [",".join(table), *map(",".join, zip(*cells, strict=True))]
-        text = "\n".join(lines) + "\n"
+        text = _text(self._table())
         if path is not None:
             Path(path).write_text(text, encoding="utf-8", newline="\n")
         return text

@@ -209,30 +209,19 @@ def _free(free: Any) -> list[str | tuple[str, tuple[float, float] | None]]:
 
 
 def _fit(found: dict[str, Any], scene: Scene) -> Fit:
+    fields = {
+        name: tuple(value) if isinstance(value, list) else value
+        for name, value in found.items()
+        if name != "evaluations"
+    }
+    fields["correlation"] = np.array(found["correlation"], dtype=np.float64)
     parameters = {
         one["name"]: Estimate(
             one["value"], one["lower"], one["upper"], one["unit"], tuple(one["bounds"])
         )
         for one in found["parameters"]
     }
+    fields["parameters"] = parameters
     rig = ("separation_offset", "series_compliance")
     numbers = {name: one.value for name, one in parameters.items() if name not in rig}
-    return Fit(
-        model=found["model"],
-        converged=found["converged"],
-        rms=found["rms"],
-        reduced_chi_squared=found["reduced_chi_squared"],
-        bic=found["bic"],
-        parameters=parameters,
-        correlation=np.array(found["correlation"], dtype=np.float64),
-        condition=found["condition"],
-        undetermined=tuple(found["undetermined"]),
-        unreachable=tuple(found["unreachable"]),
-        limits=tuple(found["limits"]),
-        outlier=found["outlier"],
-        other_column=found["other_column"],
-        misfit=found["misfit"],
-        notes=tuple(found["notes"]),
-        residuals=tuple(found["residuals"]),
-        scene=scene.replace(**numbers),
-    )
+    return Fit(**fields, scene=scene.replace(**numbers))

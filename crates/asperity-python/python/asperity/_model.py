@@ -264,7 +264,7 @@ class Model(Engine):
         """
         scene = one_scene(scene, "joint_table")
         given = in_si([deepest, open], "m")
-        if given[:] != [deepest, open] and separation_unit != "m":
+        if tuple(given) != (deepest, open) and separation_unit != "m":
             raise ValueError(
                 f"deepest is {deepest!r} and open {open!r}, but separation_unit is {separation_unit!r}: lengths "
                 'with a unit need separation_unit="m"'
@@ -293,16 +293,12 @@ class Model(Engine):
     def __hash__(self) -> int:
         return hash(self._definition)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuild, (self._definition, self._options)
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], Options]:
+        return (self._definition,), self._options
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
         return f"<asperity.Model {self.id!r}{given}: {self._authors}>"
-
-
-def _rebuild(definition: str | LawsOfAsperity, options: Options) -> Model:
-    return Model(definition, **options)
 
 
 def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity import _asperity
 from asperity._asperity import Topography, UnsupportedFormat
 
 
@@ -23,43 +22,6 @@ class Picture(str):
     def save(self, path: str | PathLike[str]) -> None:
         """Writes the picture to a file."""
         Path(path).write_text(self, encoding="utf-8")
-
-
-def random_surface(
-    shape: tuple[int, int],
-    pixel_size: float | tuple[float, float],
-    *,
-    long: float,
-    short: float,
-    roll_off: float | None = None,
-    hurst: float = 0.8,
-    sq: float | None = None,
-    gradient: float | None = None,
-    skewness: float | None = None,
-    anisotropy: float = 1.0,
-    direction: float = 0.0,
-    seed: int = 0,
-) -> Topography:
-    """A periodic random rough surface with an exact spectrum.
-
-    ``shape`` is rows and columns; lengths are in m. The spectrum is flat from the wavelength ``long``
-    to ``roll_off`` (by default ``long``), falls as q^(-2-2H) down to ``short`` and ends there. The size
-    of the heights is ``sq`` or the rms ``gradient``. ``skewness`` changes the phases of the waves only.
-    ``anisotropy`` is the rms slope across the lay over that along it, ``direction`` the angle of the
-    lay in degrees from the rows towards the columns; the cut-offs are those across the lay. The same
-    arguments make the same heights in the program (``asperity generate``) and in Rust.
-
-    >>> import asperity
-    >>> surface = asperity.random_surface((128, 256), 0.5e-6, long=30e-6, short=2e-6, sq=1e-7, seed=7)
-    >>> report = surface.report()
-    >>> f"{surface.statistics()['sq']:.4g} {report['hurst']:.1f}"
-    '1e-07 0.8'
-    """
-    if (sq is None) == (gradient is None):
-        raise TypeError("exactly one of sq and gradient was required")
-    lengths = (long, long if roll_off is None else roll_off, short)
-    options = (hurst, anisotropy, direction, skewness, seed)
-    return _asperity.random_surface(shape, pixel_size, lengths, (sq, gradient), options)
 
 
 def read(

@@ -10,43 +10,14 @@ use pyo3::prelude::*;
 
 use crate::ask::long::run_stretches;
 use crate::ask::rows::Rows;
-use crate::convert::error::value_error;
 
 /// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.
 pub(crate) const ROWS_PER_TASK: usize = 16;
 /// Rows of one task on a single scene, where most rows are fast.
 pub(crate) const ROWS_PER_TASK_ON_ONE_SCENE: usize = 256;
 
-/// The number read from every evaluation.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Aspect {
-    Value,
-    Ln,
-    Error,
-}
-
-impl Aspect {
-    fn of(self, evaluation: &Evaluation, quantity: Quantity) -> f64 {
-        match self {
-            Self::Value => evaluation.value(),
-            Self::Ln => evaluation.ln_value(),
-            Self::Error => evaluation.bound(quantity),
-        }
-    }
-}
-
-impl<'py> FromPyObject<'_, 'py> for Aspect {
-    type Error = PyErr;
-
-    fn extract(name: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        match name.extract()? {
-            "value" => Ok(Self::Value),
-            "ln" => Ok(Self::Ln),
-            "error" => Ok(Self::Error),
-            other => Err(value_error(format!("{other:?} is no aspect of a value"))),
-        }
-    }
-}
+/// The number read from every evaluation: the value, its logarithm or the bound on its error.
+pub(crate) type Aspect = fn(&Evaluation, Quantity) -> f64;
 
 /// Rows, the model that evaluates them, and the request.
 pub(crate) struct Question<'q> {
@@ -55,6 +26,8 @@ pub(crate) struct Question<'q> {
     /// Quantities and tolerance.
     pub(crate) request: Request,
     pub(crate) aspect: Aspect,
+    /// Whether that is the value.
+    pub(crate) is_value: bool,
 }
 
 /// Columns in the order of the quantities, NaN for missing values; failed rows with the reasons,
@@ -125,7 +98,7 @@ impl Question<'_> {
     /// Many values at once; none if one of them needs a finding.
     fn filled(&self, contact: &dyn Contact, range: Range<usize>) -> Option<Answer> {
         let quantities = &self.request.quantities[..];
-        if self.aspect != Aspect::Value || quantities.iter().any(|q| q.is_absolute()) {
+        if !self.is_value || quantities.iter().any(|q| q.is_absolute()) {
             return None;
         }
         let places = self.rows.sigmas(range, contact.scene())?;
@@ -149,7 +122,7 @@ impl Question<'_> {
         let mut found = Answer { warnings: response.warnings, ..Answer::default() };
         for column in response.columns {
             let values = column.rows.into_iter().zip(first..).map(|(value, row)| match value {
-                Ok(value) => self.aspect.of(&value, column.quantity),
+                Ok(value) => (self.aspect)(&value, column.quantity),
                 Err(error) => {
                     found.failures.push((row, *error));
                     f64::NAN
@@ -177,7 +150,7 @@ impl Question<'_> {
                 (Ok(values), Some(case)) => {
                     for (k, (quantity, value)) in quantities.iter().zip(values).enumerate() {
                         check.check(*quantity, Ok(&value), case.at, &case.scene, |_| None);
-                        found.columns[k].push(self.aspect.of(&value, *quantity));
+                        found.columns[k].push((self.aspect)(&value, *quantity));
                     }
                 }
                 (Err(error), case) => match case.as_ref().and_then(alone) {
@@ -200,20 +173,13 @@ pub(crate) fn evaluate_cases<T>(
     rows: &Rows,
     range: Range<usize>,
     evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
-) -> Vec<(usize, Option<Case>, Result<T, ContactError>)> {
-    let (mut places, mut cases, mut found) = (vec![], vec![], vec![]);
-    for row in range {
-        match rows.case(row) {
-            Ok(case) => {
-                places.push(row);
-                cases.push(case);
-            }
-            Err(error) => found.push((row, None, Err(error))),
-        }
-    }
-    let results = evaluate(&cases);
-    let evaluated = places.into_iter().zip(cases).zip(results);
-    found.extend(evaluated.map(|((row, case), result)| (row, Some(case), result)));
-    found.sort_by_key(|(row, _, _)| *row);
-    found
+) -> impl Iterator<Item = (usize, Option<Case>, Result<T, ContactError>)> {
+    let mut cases = vec![];
+    let mut place = |row| rows.case(row).map(|case| cases.push(case)).err();
+    let refused: Vec<_> = range.clone().map(&mut place).collect();
+    let mut found = evaluate(&cases).into_iter().zip(cases);
+    range.zip(refused).filter_map(move |(row, refused)| match refused {
+        Some(error) => Some((row, None, Err(error))),
+        None => found.next().map(|(found, case)| (row, Some(case), found)),
+    })
 }

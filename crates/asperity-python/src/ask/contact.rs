@@ -115,12 +115,8 @@ impl Contact {
         self.current().model().into()
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { model, scene, rtol, separation_unit, .. } = slf.get();
-        let arguments = (model, scene, slf.get().names(), rtol, separation_unit);
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    fn __getnewargs__(&self) -> (&Py<Engine>, &Py<SceneFile>, Vec<String>, f64, &str) {
+        (&self.model, &self.scene, self.names(), self.rtol, &self.separation_unit)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

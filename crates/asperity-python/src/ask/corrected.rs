@@ -1,6 +1,6 @@
 //! Models divided by their expected ratio to boundary elements.
 
-use asperity::{ContactError, Corrected, CorrectedRow, Request};
+use asperity::{ContactError, Corrected, Quantity, Request};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -11,11 +11,10 @@ use crate::convert::axis::Axis;
 use crate::convert::quantities::Quantities;
 use crate::model::engine::Engine;
 
-/// Value, lower and upper end of each quantity, row by row; NaN for what is refused.
+/// Value, lower and upper end of each quantity and of the separation, row by row; NaN for what is
+/// refused.
 struct Found {
     columns: Vec<[Vec<f64>; 3]>,
-    /// The same of the separation; NaN where the evidence does not determine it.
-    separations: [Vec<f64>; 3],
     refused: Vec<(usize, ContactError)>,
     /// Rows without a separation only.
     apart: Vec<(usize, ContactError)>,
@@ -39,7 +38,7 @@ pub(crate) fn corrected<'py>(
     let found = py.detach(|| answer((&model, &asked), rows, unit, &request));
     let arrays = |column: [Vec<f64>; 3]| column.map(|numbers| PyArray1::from_vec(py, numbers));
     let names = quantities.names().into_iter().chain(["separation".into()]);
-    let columns = found.columns.into_iter().chain([found.separations]).map(arrays);
+    let columns = found.columns.into_iter().map(arrays);
     let columns = names.zip(columns).into_py_dict(py)?;
     let raised = |rows| failures(py, engine, rows);
     Ok((format!("{asked}-corrected"), columns, raised(found.refused), raised(found.apart)))
@@ -52,13 +51,8 @@ fn answer(
     unit: Axis,
     request: &Request,
 ) -> Found {
-    let mut columns: Vec<[Vec<f64>; 3]> =
-        request.quantities.iter().map(|_| [const { vec![] }; 3]).collect();
-    let mut separations = [const { vec![] }; 3];
-    let add = |column: &mut [Vec<f64>; 3], numbers: [f64; 3]| {
-        column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
-    };
-    let (mut refused, mut apart) = (vec![], vec![]);
+    let columns = (0..=request.quantities.len()).map(|_| [const { vec![] }; 3]);
+    let mut found = Found { columns: columns.collect(), refused: vec![], apart: vec![] };
     // Prepared once for neighbouring rows of a scene.
     let mut prepared: Option<(usize, Result<Corrected, ContactError>)> = None;
     for row in 0..rows.len() {
@@ -71,33 +65,30 @@ fn answer(
             }),
         };
         let at = compiled.as_ref().map_err(Clone::clone).and_then(|found| found.at(rows.at(row)));
-        let mut reason = at.as_ref().err().cloned();
-        for (column, quantity) in columns.iter_mut().zip(&request.quantities) {
-            let found = at.as_ref().ok().map(|at| at.value(*quantity));
-            let numbers = match found {
-                Some(Ok(found)) => [found.value, found.lower, found.upper],
-                Some(Err(error)) => {
-                    reason.get_or_insert(error);
-                    [f64::NAN; 3]
-                }
-                None => [f64::NAN; 3],
-            };
-            add(column, numbers);
-        }
-        let separation = |at: &CorrectedRow<'_>| {
-            let (found, scene) = (at.separation()?, rows.scene(row)?);
-            let of = |separation| unit.of(separation, rows.datum(row), &scene);
-            Ok::<_, ContactError>([of(found.value)?, of(found.lower)?, of(found.upper)?])
+        let at = at.as_ref().map_err(Clone::clone);
+        let value = |quantity: &Quantity| {
+            let found = at.clone()?.value(*quantity)?;
+            Ok([found.value, found.lower, found.upper])
         };
-        let found = at.as_ref().map_err(Clone::clone).and_then(separation);
-        add(&mut separations, *found.as_ref().unwrap_or(&[f64::NAN; 3]));
-        match (reason, found) {
-            (Some(reason), _) => refused.push((row, reason)),
-            (None, Err(reason)) => apart.push((row, reason)),
-            (None, Ok(_)) => {}
+        let separation = || {
+            let (found, scene) = (at.clone()?.separation()?, rows.scene(row)?);
+            let of = |separation| unit.of(separation, rows.datum(row), &scene);
+            Ok([of(found.value)?, of(found.lower)?, of(found.upper)?])
+        };
+        let mut numbers: Vec<Result<_, ContactError>> =
+            request.quantities.iter().map(value).collect();
+        let refused = numbers.iter().find_map(|found| found.clone().err());
+        numbers.push(separation());
+        let apart = numbers.last().and_then(|found| found.clone().err());
+        match refused {
+            Some(reason) => found.refused.push((row, reason)),
+            None => found.apart.extend(apart.map(|reason| (row, reason))),
         }
-        drop(at);
+        for (column, numbers) in found.columns.iter_mut().zip(numbers) {
+            let numbers = numbers.unwrap_or([f64::NAN; 3]);
+            column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
+        }
         prepared = Some((place, compiled));
     }
-    Found { columns, separations, refused, apart }
+    found
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{
-    At, Contact, ContactError, ContactModel, Findings, Model, Quantity, Request, Scene, Separation,
-    Share, Sweep,
+    At, Case, Contact, ContactError, ContactModel, Evaluation, Findings, Model, Quantity, Request,
+    Scene, Separation, Share, Sweep,
 };
 use numpy::PyArray1;
 use pyo3::IntoPyObjectExt;
@@ -46,14 +46,20 @@ pub(crate) fn answer<'py>(
     rows: Rows,
     quantities: Quantities,
     rtol: f64,
-    aspect: Aspect,
+    aspect: &str,
     stop: bool,
     threads: Option<usize>,
     checked: bool,
 ) -> PyResult<(String, Bound<'py, PyDict>, Failures, Vec<String>)> {
     let (rows, model) = (&rows, &engine.on_all(&rows.files)?);
+    let is_value = aspect == "value";
+    let aspect: Aspect = match aspect {
+        "ln" => |found, _| found.ln_value(),
+        "error" => Evaluation::bound,
+        _ => |found, _| found.value(),
+    };
     let request = quantities.request(rtol)?;
-    let question = Question { rows, model, request, aspect };
+    let question = Question { rows, model, request, aspect, is_value };
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
     let found = py.detach(|| {
         let of_scenes = if checked { check_rows(engine, model, rows) } else { Findings::default() };
@@ -64,25 +70,6 @@ pub(crate) fn answer<'py>(
     let columns = columns.map(|(name, column)| (name, PyArray1::from_vec(py, column)));
     let failures = failures(py, engine, answer.failures);
     Ok((model.name().into(), columns.into_py_dict(py)?, failures, texts.collect()))
-}
-
-/// Separations of a stretch of rows, with their number for each row, and the failed rows.
-#[derive(Default)]
-struct Found {
-    separations: Vec<f64>,
-    counts: Vec<usize>,
-    failures: Vec<(usize, ContactError)>,
-}
-
-impl Found {
-    fn push(&mut self, row: usize, found: Result<Vec<f64>, ContactError>) {
-        let found = found.unwrap_or_else(|error| {
-            self.failures.push((row, error));
-            vec![f64::NAN]
-        });
-        self.counts.push(found.len());
-        self.separations.extend(found);
-    }
 }
 
 /// The separations that carry the load or pressure of every row, in `unit` and from the scene's
@@ -100,64 +87,69 @@ pub(crate) fn separations<'py>(
     let (rows, model) = (&rows, &engine.on_all(&rows.files)?);
     let request = &Request::new([Quantity::Force]).within(tolerance(rtol)?);
     let contacts = Contacts::new(py, engine, rows, model, request)?;
-    let sweep = Sweep::new(model, &request.quantities, request.tolerance);
     let in_unit = |row, scene: &Scene, found| unit.of(found, rows.datum(row), scene);
-    let largest = |range: Range<usize>| {
-        let mut found = Found::default();
-        for (row, case, s) in evaluate_cases(rows, range, |cases| sweep.separations(cases)) {
-            let in_unit = |s| match &case {
-                Some(case) => in_unit(row, &case.scene, Separation::sigmas(s)),
-                None => Ok(s),
-            };
-            found.push(row, s.and_then(in_unit).map(|s| vec![s]));
-        }
-        found
+    // A separation or all of them at the load of a row.
+    let one = |contact: &dyn Contact, row| {
+        let found = contact.separation_at(load(contact, rows.at(row))?)?;
+        in_unit(row, contact.scene(), found)
     };
-    let each = |range: Range<usize>| {
-        let (mut contacts, mut found) = (contacts.clone(), Found::default());
-        for row in range {
-            let separations = contacts.of(row).and_then(|contact| {
-                let load = match rows.at(row) {
-                    At::Load(load) => load,
-                    At::Pressure(pressure) => {
-                        asperity::positive("pressure", pressure)? * contact.scene().nominal_area
-                    }
-                    at => return Err(contact.unsupported(&format!("the load at {at}"))),
-                };
-                let all = match all {
-                    true => contact.separations_at(load)?,
-                    false => vec![contact.separation_at(load)?],
-                };
-                all.into_iter().map(|s| in_unit(row, contact.scene(), s)).collect()
-            });
-            found.push(row, separations);
-        }
-        found
+    let every = |contact: &dyn Contact, row| {
+        let found = contact.separations_at(load(contact, rows.at(row))?)?;
+        found.into_iter().map(|found| in_unit(row, contact.scene(), found)).collect()
     };
-    // All separations of a load take long.
-    let together = if all { ROWS_PER_TASK / 8 } else { ROWS_PER_TASK };
-    let run = |range| if contacts.one.is_some() || all { each(range) } else { largest(range) };
-    let ends = |found: &Found| stop && !found.failures.is_empty();
-    let stretches = run_stretches(py, None, (rows.len(), together), run, ends)?;
-    let (mut arrays, mut separations, mut failed) = (vec![], vec![], vec![]);
-    for mut found in stretches {
-        failed.append(&mut found.failures);
-        if all {
-            let mut rest = &found.separations[..];
-            for count in found.counts {
-                let (row, others) = rest.split_at(count);
-                arrays.push(PyArray1::from_slice(py, row));
-                rest = others;
-            }
-        } else {
-            separations.append(&mut found.separations);
-        }
+    if all {
+        let run = |range| contacts.each(range, every);
+        let ends = |found: &Vec<Found<Vec<f64>>>| stop && found.iter().any(Result::is_err);
+        // All separations of a load take long.
+        let found = run_stretches(py, None, (rows.len(), ROWS_PER_TASK / 8), run, ends)?;
+        let (found, failed) = split(py, engine, found, &vec![]);
+        let found: Vec<_> = found.into_iter().map(|row| PyArray1::from_vec(py, row)).collect();
+        return Ok((found.into_bound_py_any(py)?, failed));
     }
-    let found = match all {
-        true => arrays.into_bound_py_any(py)?,
-        false => PyArray1::from_vec(py, separations).into_any(),
+    let sweep = Sweep::new(model, &request.quantities, request.tolerance);
+    let swept = |(row, case, found): (usize, Option<Case>, Result<f64, ContactError>)| match case {
+        Some(case) => Ok(in_unit(row, &case.scene, Separation::sigmas(found?))?),
+        None => Ok(found?),
     };
-    Ok((found, failures(py, engine, failed)))
+    let run = |range| match contacts.one {
+        Some(_) => contacts.each(range, one),
+        None => evaluate_cases(rows, range, |cases| sweep.separations(cases)).map(swept).collect(),
+    };
+    let ends = |found: &Vec<Found<f64>>| stop && found.iter().any(Result::is_err);
+    let found = run_stretches(py, None, (rows.len(), ROWS_PER_TASK), run, ends)?;
+    let (found, failed) = split(py, engine, found, &f64::NAN);
+    Ok((PyArray1::from_vec(py, found).into_any(), failed))
+}
+
+/// What is found in a row; boxed, as there may be millions.
+type Found<T> = Result<T, Box<ContactError>>;
+
+/// The results of all rows, with `missing` for the failed ones, and these.
+fn split<T: Clone>(
+    py: Python<'_>,
+    engine: &Engine,
+    found: Vec<Vec<Found<T>>>,
+    missing: &T,
+) -> (Vec<T>, Failures) {
+    let mut failed = vec![];
+    let kept = found.into_iter().flatten().zip(0..).map(|(found, row)| {
+        found.unwrap_or_else(|error| {
+            failed.push((row, *error));
+            missing.clone()
+        })
+    });
+    (kept.collect(), failures(py, engine, failed))
+}
+
+/// The load at a place.
+fn load(contact: &dyn Contact, at: At) -> Result<f64, ContactError> {
+    match at {
+        At::Load(load) => Ok(load),
+        At::Pressure(pressure) => {
+            Ok(asperity::positive("pressure", pressure)? * contact.scene().nominal_area)
+        }
+        at => Err(contact.unsupported(&format!("the load at {at}"))),
+    }
 }
 
 /// The share of every part of the law in a quantity of every row, by the part's name.
@@ -176,15 +168,14 @@ pub(crate) fn shares<'py>(
     // Sorted by scene: a contact is compiled once per scene.
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|row| rows.place(*row));
-    let run = |range: Range<usize>| -> Result<Vec<Vec<Share>>, ContactError> {
-        let mut contacts = contacts.clone();
-        let one = |row: &usize| contacts.of(*row)?.shares_at(quantity, rows.at(*row));
-        order[range].iter().map(one).collect()
+    let one = |contact: &dyn Contact, row| contact.shares_at(quantity, rows.at(row));
+    let run = |range: Range<usize>| -> Result<Vec<Vec<Share>>, Box<ContactError>> {
+        contacts.each(order[range].iter().copied(), one).into_iter().collect()
     };
     let mut columns: Vec<(String, Vec<f64>)> = vec![];
     let mut places = order.iter();
     for found in run_stretches(py, None, (rows.len(), ROWS_PER_TASK), run, Result::is_err)? {
-        let found = found.map_err(|error| engine.raise(py, error))?;
+        let found = found.map_err(|error| engine.raise(py, *error))?;
         for (shares, row) in found.into_iter().zip(&mut places) {
             for Share { name, share, .. } in shares {
                 let existing = columns.iter().position(|(column, _)| *column == name);
@@ -225,6 +216,16 @@ impl<'a> Contacts<'a> {
         });
         let one = one.transpose().map_err(|error| engine.raise(py, error))?;
         Ok(Self { rows, model, request, one: one.map(Arc::from), held: None })
+    }
+
+    /// `of` a contact at each row of a stretch.
+    fn each<T>(
+        &self,
+        rows: impl Iterator<Item = usize>,
+        of: impl Fn(&dyn Contact, usize) -> Result<T, ContactError>,
+    ) -> Vec<Found<T>> {
+        let mut contacts = self.clone();
+        rows.map(|row| Ok(contacts.of(row).and_then(|found| of(found, row))?)).collect()
     }
 
     fn of(&mut self, row: usize) -> Result<&dyn Contact, ContactError> {

@@ -9,7 +9,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-use super::scan::{Scan, load_case};
+use super::scan::{Pressed, load_case};
 use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{refused, value_error, warn};
 use crate::convert::quantities::Quantities;
@@ -25,8 +25,11 @@ type Contacts<'py> = (
     f64,
 );
 
+/// The name of a number of a solution, and the number.
+type Head = (&'static str, fn(&Solution) -> f64);
+
 /// The numbers of a solution by name; the load still over the area.
-const HEADS: [(&str, fn(&Solution) -> f64); 9] = [
+const HEADS: [Head; 9] = [
     ("load", |s| s.mean_pressure),
     ("pressure", |s| s.mean_pressure),
     ("area_fraction", |s| s.area),
@@ -51,12 +54,9 @@ pub(crate) fn bem<'py>(
 ) -> PyResult<Contacts<'py>> {
     let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
-    let (bem, interface) = scan.bem(py, boundary, elastic)?;
-    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
-    let elements = bem.elements(&interface).map_err(refused)?;
-    let area = scan.area(&bem);
-    let contact = scan.contact(&bem, interface);
+    let Pressed { bem, scene: contact } = Pressed::new(&scan, boundary, elastic)?;
+    let elements = bem.elements(&contact.interface).map_err(refused)?;
+    let area = contact.nominal_area;
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
     bem.compile(&contact, &request).map_err(refused)?;

@@ -8,7 +8,7 @@ use asperity_answer::{ContactState, Truth, beside_table, compare_with_bem, summa
 use pyo3::prelude::*;
 use serde_json::json;
 
-use super::scan::Scan;
+use super::scan::Pressed;
 use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{refused, value_error, warn};
 use crate::convert::objects::object;
@@ -34,8 +34,7 @@ pub(crate) fn truth<'py>(
 ) -> PyResult<Truths<'py>> {
     let (refine, mask) = refine_and_mask;
     let scene = &*scene.0;
-    let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
-    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary, elastic)?;
     let (models, left_out) = match models {
         None => scene.models_beside_bem(),
         Some(ids) => {

@@ -8,9 +8,9 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::scan::{Scan, load_case};
+use super::scan::{Pressed, load_case};
 use crate::ask::long::{continue_unless, run_interruptible};
-use crate::convert::error::{refused, value_error, warn};
+use crate::convert::error::{refused, value_error};
 
 /// Numbers of the contacts by name, the retreat at which contact ends, the boundary, and the area
 /// of loads.
@@ -28,11 +28,9 @@ pub(crate) fn bem_unloading<'py>(
     points: usize,
 ) -> PyResult<Path<'py>> {
     let py = scan.0.py();
-    let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
-    let (bem, interface) = scan.bem(py, boundary, elastic)?;
-    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
-    let elements = bem.elements(&interface).map_err(refused)?;
-    let area = scan.area(&bem);
+    let Pressed { bem, scene } = Pressed::new(&scan, boundary, elastic)?;
+    let elements = bem.elements(&scene.interface).map_err(refused)?;
+    let area = scene.nominal_area;
     let greatest = load_case(given.0, given.1, area);
     let (retreats, end, found) = run_interruptible(py, None, |stop| -> Result<_, BemError> {
         let path = elements.unloading_from(greatest)?;

@@ -69,17 +69,13 @@ pub(crate) fn texts_in_si<'py>(
     si: &str,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
     let py = numbers.py();
+    let read = |text: &Bound<'_, PyString>| {
+        with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si))
+    };
     if let Ok(text) = numbers.cast::<PyString>() {
-        return Ok(Some(
-            PyFloat::new(
-                py,
-                with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si))?,
-            )
-            .into_any(),
-        ));
+        return Ok(Some(PyFloat::new(py, read(text)?).into_any()));
     }
-    let is_tuple = numbers.is_instance_of::<PyTuple>();
-    if !is_tuple && !numbers.is_instance_of::<PyList>() {
+    if !numbers.is_instance_of::<PyTuple>() && !numbers.is_instance_of::<PyList>() {
         return Ok(None);
     }
     let items = numbers.try_iter()?.collect::<PyResult<Vec<_>>>()?;
@@ -87,7 +83,7 @@ pub(crate) fn texts_in_si<'py>(
         return Ok(None);
     }
     let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
-        Ok(text) => with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si)),
+        Ok(text) => read(text),
         Err(_) => {
             let shown = item.repr()?;
             let advice = "give every value a unit, or no value";
@@ -95,10 +91,7 @@ pub(crate) fn texts_in_si<'py>(
         }
     };
     let read = items.iter().map(each).collect::<PyResult<Vec<f64>>>()?;
-    Ok(Some(match is_tuple {
-        true => PyTuple::new(py, read)?.into_any(),
-        false => PyList::new(py, read)?.into_any(),
-    }))
+    Ok(Some(PyTuple::new(py, read)?.into_any()))
 }
 
 /// Texts with a unit as numbers in an SI unit; numbers as they are.

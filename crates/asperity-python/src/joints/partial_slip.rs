@@ -3,7 +3,6 @@
 use asperity::ContactError;
 use asperity::joints;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
 
 use super::{ROWS_PER_TASK, Unloading};
 use crate::ask::over::Given;
@@ -84,11 +83,8 @@ impl PartialSlip {
         py.detach(|| self.slip.shift_at(share)).map_err(|error| self.raise(py, error))
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let arguments = (&slf.get().unloading, slf.get().friction);
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    fn __getnewargs__(&self) -> (&Py<Unloading>, f64) {
+        (&self.unloading, self.friction)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

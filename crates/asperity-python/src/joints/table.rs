@@ -2,7 +2,7 @@
 
 use asperity::joints;
 use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
-use numpy::PyArrayMethods;
+use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
@@ -104,16 +104,19 @@ impl JointTable {
         let infinity = PyFloat::new(py, f64::INFINITY).into_any();
         let closest = closest.unwrap_or(&infinity);
         let raise = |error| self.model.get().raise(py, error);
-        let (separation, closest) = match (scalar(separation), scalar(closest)) {
-            (Some(separation), Some(closest)) => (Given::One([separation]), Given::One([closest])),
-            _ => {
-                let both = (floats(separation, "separation")?, floats(closest, "closest")?);
-                let both = py.import("numpy")?.call_method1("broadcast_arrays", both)?;
-                let (separation, closest): (Bound<'py, PyAny>, Bound<'py, PyAny>) =
-                    both.extract()?;
-                (Given::of(&separation, "separation")?, Given::of(&closest, "closest")?)
-            }
-        };
+        if let (Some(separation), Some(closest)) = (scalar(separation), scalar(closest)) {
+            return PyTuple::new(py, self.one(separation, closest).map_err(raise)?);
+        }
+        let (mut separation, mut closest) =
+            (floats(separation, "separation")?, floats(closest, "closest")?);
+        if separation.shape() != closest.shape() {
+            let numpy = py.import("numpy")?;
+            let both = numpy.call_method1("broadcast_arrays", (separation, closest))?;
+            let both: (Bound<'py, PyAny>, Bound<'py, PyAny>) = both.extract()?;
+            (separation, closest) = (floats(&both.0, "separation")?, floats(&both.1, "closest")?);
+        }
+        let (separation, closest) =
+            (Given::Many(separation.readonly()), Given::Many(closest.readonly()));
         let states = closest.numbers()?;
         let one = |k: usize, separation| self.one(separation, states[k]);
         PyTuple::new(py, separation.each(py, usize::MAX, one, raise)?)
@@ -137,12 +140,10 @@ impl JointTable {
         PyTuple::new(py, given.each(py, usize::MAX, one, raise)?)
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { model, scene, ends, law, tolerance, separation_unit, .. } = slf.get();
-        let arguments = (model, scene, ends, law, tolerance, separation_unit);
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    #[expect(clippy::type_complexity, reason = "the arguments of a call")]
+    fn __getnewargs__(&self) -> (&Py<Engine>, &Py<SceneFile>, (f64, f64), &str, f64, &str) {
+        let Self { model, scene, law, separation_unit, .. } = self;
+        (model, scene, self.ends, law, self.tolerance, separation_unit)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

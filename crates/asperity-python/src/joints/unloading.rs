@@ -3,7 +3,6 @@
 use asperity::joints;
 use asperity::{ContactError, Severity};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
 
 use super::{PartialSlip, ROWS_PER_TASK};
 use crate::ask::over::Given;
@@ -128,12 +127,10 @@ impl Unloading {
         self.joint.law().to_string()
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { model, scene, place, rtol, separation_unit, .. } = slf.get();
-        let arguments = (model, scene, place, slf.get().law(), rtol, separation_unit);
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    #[expect(clippy::type_complexity, reason = "the arguments of a call")]
+    fn __getnewargs__(&self) -> (&Py<Engine>, &Py<SceneFile>, &(String, f64), String, f64, &str) {
+        let Self { model, scene, place, separation_unit, .. } = self;
+        (model, scene, place, self.law(), self.rtol, separation_unit)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -168,10 +168,7 @@ impl Engine {
     /// The id of the model with its own options, without those of a scene; that of `model` if it
     /// is written in Python or exists on a scan only.
     pub(crate) fn id_asked(&self, model: &Model) -> String {
-        let own = match &self.0 {
-            Kind::Named { .. } => self.with(ModelOptions::default(), None).ok(),
-            Kind::Python { .. } => None,
-        };
+        let own = self.alone().ok().flatten().filter(|_| !self.is_written());
         own.as_ref().unwrap_or(model).id().to_string()
     }
 

@@ -96,29 +96,10 @@ impl PythonModel {
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);
         let kinks: Vec<f64> = kinks.into_iter().map(|kink| kink / unit).collect();
-        // The law may use every field; a new one must be added here to compile.
-        let asperity::Asperity {
-            equivalent_modulus,
-            equivalent_shear_modulus,
-            poissons_ratio,
-            hardness,
-            yield_strength,
-            tangent_modulus,
-            pressure_factor,
-            work_of_adhesion,
-            radius,
-        } = *asperity;
-        let optional =
-            |value: Option<f64>| [f64::from(u8::from(value.is_some())), value.unwrap_or(0.0)];
-        let optional_numbers =
-            [equivalent_shear_modulus, hardness, yield_strength, tangent_modulus, work_of_adhesion];
-        let numbers = [equivalent_modulus, poissons_ratio, pressure_factor, radius]
-            .into_iter()
-            .chain(optional_numbers.into_iter().flat_map(optional))
-            .collect();
-        let form =
-            Formula::sampled(Arc::new(PythonLaw { function, unit, raised: self.raised.clone() }))
-                .known_as(format!("python model {} {quantity}", self.number), numbers);
+        // The law may use every field of the asperity.
+        let id = format!("python model {} {quantity} {asperity:?}", self.number);
+        let law = PythonLaw { function, unit, raised: self.raised.clone() };
+        let form = Formula::sampled(Arc::new(law)).known_as(id, vec![]);
         let mut law = Law::in_units(unit, 1.0);
         let mut part = |name: String, regime, range, kinks| {
             let (name, form) = (name.into(), form.clone());

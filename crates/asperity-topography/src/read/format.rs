@@ -56,13 +56,8 @@ const FIRST_BYTES: &[(&[u8], &str)] = &[
 ];
 
 /// First bytes and names of formats of pictures.
-const PICTURES: &[(&[u8], &str)] = &[
-    (b"\x89PNG\r\n", "PNG"),
-    (b"\xff\xd8\xff", "JPEG"),
-    (b"BM6\0", "BMP"),
-    (b"GIF87a", "GIF"),
-    (b"GIF89a", "GIF"),
-];
+const PICTURES: &[(&[u8], &str)] =
+    &[(b"\x89PNG\r\n", "PNG"), (b"\xff\xd8\xff", "JPEG"), (b"BM6\0", "BMP"), (b"GIF8", "GIF")];
 
 /// Extensions of binary files and names of formats without first bytes of their own.
 const EXTENSIONS: &[(&[u8], &str)] = &[

@@ -168,12 +168,9 @@ fn names(text: &str, table: &Table) -> Option<Vec<String>> {
         (parts.len() == table.columns).then_some(parts)
     };
     // A unit over each column, whatever separates the numbers.
-    let units = || split(&Delimiter(b' ')).filter(|names| names.iter().all(|name| is_unit(name)));
+    let units =
+        || split(&Delimiter(b' ')).filter(|names| names.iter().all(|name| unit(name).is_some()));
     delimiters.iter().find_map(split).or_else(bracketed).or_else(units)
-}
-
-fn is_unit(name: &str) -> bool {
-    unit(name).is_some()
 }
 
 fn pixel_size(value: &str) -> Option<PixelSize> {

@@ -2,7 +2,6 @@
 
 mod format;
 mod gwy;
-mod gzip;
 mod header;
 mod npy;
 mod points;
@@ -17,14 +16,17 @@ mod x3p;
 mod x3p_xml;
 
 use std::borrow::Cow;
+use std::fmt::Display;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use flate2::read::MultiGzDecoder;
+
 pub use scan::ReadOptions;
 
 use self::format::Format;
-use crate::error::at_most;
+use crate::error::{at_most, refuse};
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -84,8 +86,8 @@ fn scan(
     bytes: impl AsRef<[u8]>,
     options: &ReadOptions,
 ) -> Result<scan::Scan, TopographyError> {
-    let (name, bytes) = match gzip::is_packed(bytes.as_ref()) {
-        true => (name.trim_end_matches(".gz"), Cow::from(gzip::unpack(bytes.as_ref())?)),
+    let (name, bytes) = match bytes.as_ref().starts_with(GZIP) {
+        true => (name.trim_end_matches(".gz"), Cow::from(unpack(bytes.as_ref())?)),
         false => (name, Cow::from(bytes.as_ref())),
     };
     let channel = options.channel.as_deref();
@@ -98,13 +100,9 @@ fn scan(
         Format::Sdf => sdf::scan(&bytes),
         Format::Text => text::scan(&bytes),
     };
-    match channel {
-        None => scan,
-        Some(channel) => Err(scan::unknown_channel(
-            channel,
-            "a file with several channels (.gwy or .sur)".into(),
-        )),
-    }
+    let Some(channel) = channel else { return scan };
+    let names = "a file with several channels (.gwy or .sur)".into();
+    Err(scan::unknown_channel(channel, names))
 }
 
 fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
@@ -119,4 +117,62 @@ fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
     let size = size.max(bytes.len() as u64);
     at_most("the number of bytes of the file", size, MAX_FILE_BYTES)?;
     Ok(bytes)
+}
+
+/// First bytes of files packed by gzip.
+const GZIP: &[u8] = b"\x1f\x8b\x08";
+/// The largest ratio of unpacked to packed size: heights pack to a tenth of their size, a bomb to
+/// a thousandth.
+const MAX_RATIO: usize = 100;
+/// Small files may have any ratio.
+const SMALL: usize = 1 << 20;
+
+/// The unpacked file.
+fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
+    let limit = packed.len().saturating_mul(MAX_RATIO).max(SMALL).min(MAX_FILE_BYTES as usize);
+    let refuse = |found: &dyn Display, required: &str| refuse("gzip content", found, required);
+    let mut bytes = Vec::new();
+    MultiGzDecoder::new(packed)
+        .take(limit as u64 + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| refuse(&error, "a whole gzip file"))?;
+    if bytes.len() > limit {
+        let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
+        return Err(refuse(&"more", &required));
+    }
+    if bytes.starts_with(GZIP) {
+        return Err(refuse(&"another gzip file", "a scan; unpack the file once"));
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+
+    use super::*;
+
+    fn packed(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    }
+
+    #[test]
+    fn a_file_is_unpacked_once_and_within_limits() {
+        let text = b"1 2 3 4\n5 6 7 8\n";
+        assert_eq!(unpack(&packed(text)).unwrap(), text);
+        // Several members, as `cat a.gz b.gz` writes them.
+        assert_eq!(unpack(&[packed(b"1 2\n"), packed(b"3 4\n")].concat()).unwrap(), b"1 2\n3 4\n");
+        let message = |bytes: &[u8]| unpack(bytes).unwrap_err().to_string();
+        assert!(message(&packed(&packed(text))).contains("another gzip file"));
+        assert!(message(&packed(&vec![0; 4 << 20])).contains("at most 1048576 bytes"));
+        let whole = packed(text);
+        for length in GZIP.len()..whole.len() {
+            assert!(message(&whole[..length]).contains("a whole gzip file"), "{length}");
+        }
+    }
 }

@@ -33,7 +33,7 @@ pub struct ReadOptions {
 impl ReadOptions {
     /// Checks the range of every option, before a file is read.
     pub(crate) fn check(&self) -> Result<(), TopographyError> {
-        for size in self.pixel_size.into_iter().flatten().map(Distance::value) {
+        for size in self.pixel_size.into_iter().flatten().map(|size| size.value) {
             if !(f64::MIN_POSITIVE..=f64::MAX).contains(&size) {
                 return Err(out_of_range("pixel_size", size, "a finite length above 0"));
             }
@@ -83,9 +83,9 @@ impl Scan {
         let named = self.unit(options)?;
         let unit = named.metres();
         let pixel_size = self.pixel_size(options, named)?;
-        let mut bare = options.pixel_size.into_iter().flatten().filter(|size| size.is_bare());
-        if let Some(tiny) = bare.find(|size| size.value() * unit < ATOM) {
-            let (value, metres) = (tiny.value(), tiny.value() * unit);
+        let mut bare = options.pixel_size.into_iter().flatten().filter(|size| size.unit.is_none());
+        if let Some(tiny) = bare.find(|size| size.value * unit < ATOM) {
+            let (value, metres) = (tiny.value, tiny.value * unit);
             return Err(TopographyError::TinyPixel { value, unit: named, metres });
         }
         let Self { mut heights, columns, notes, .. } = self;

@@ -7,17 +7,10 @@ use super::scan::{PixelSize, Scan, points, positive};
 use crate::error::refuse;
 use crate::{LengthUnit, TopographyError};
 
-/// Types of the heights by their number: those of C, and their names in text.
-const TYPES: [(&[u8; 2], &str); 8] = [
-    (b"u1", "UCHAR"),
-    (b"u2", "UINTEGER"),
-    (b"u4", "ULONGINT"),
-    (b"f4", "FLOAT"),
-    (b"i1", "CHAR"),
-    (b"i2", "INTEGER"),
-    (b"i4", "LONGINT"),
-    (b"f8", "DOUBLE"),
-];
+/// Types of the heights by their number, and the names of these types in text.
+const TYPES: [&[u8; 2]; 8] = [b"u1", b"u2", b"u4", b"f4", b"i1", b"i2", b"i4", b"f8"];
+const NAMES: [&str; 8] =
+    ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
 
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
     let (kind, family) = (bytes.first(), bytes.get(1..5).unwrap_or_default());
@@ -68,7 +61,7 @@ impl Header {
         }
         let n = points(self.columns, self.rows)?;
         match TYPES.get(usize::from(self.data_type)) {
-            Some((name, _)) => Ok((n, Sample::new(**name))),
+            Some(name) => Ok((n, Sample::new(**name))),
             None => Err(refuse("sdf DataType", self.data_type, "0 to 7")),
         }
     }
@@ -214,7 +207,7 @@ impl Header {
         let y = if rows == 1 && value("Yscale").is_none() { "Xscale" } else { "Yscale" };
         // Doubles, if the header does not say so: numbers of text have no other limits.
         let kind = value("DataType").unwrap_or("7");
-        let named = TYPES.iter().position(|(_, name)| kind.eq_ignore_ascii_case(name));
+        let named = NAMES.iter().position(|name| kind.eq_ignore_ascii_case(name));
         let data_type = named.map(|at| at as u8).or_else(|| kind.parse().ok());
         Ok(Self {
             columns,

@@ -160,7 +160,7 @@ impl Evidence {
             true => String::new(),
             false => format!(" of a surface with {}", place.shape.differences().join(" and ")),
         };
-        let plasticity = format!("plasticity_index{of_shape}");
+        let plasticity = format!("`plasticity_index`{of_shape}");
         let ([lightest, load], [_, hardness]) =
             (range(|place| place.load), range(Coordinates::of_hardness));
         let SurfaceShape { skewness, slope_ratio, .. } = place.shape;

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::{
-    Compared, Comparison, ContactError, Described, EvidenceAt, ExpectedContact, Model, Ratio,
-    Recommendation, evidence::NONE, ranking,
+    AsWritten, Compared, Comparison, ContactError, Described, Dialect, EvidenceAt, ExpectedContact,
+    Model, Ratio, Recommendation, evidence::NONE, ranking,
 };
 
 impl Recommendation {
@@ -34,10 +34,12 @@ impl Recommendation {
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
-        self.summary_named(&asked.collect::<Vec<_>>())
+        let marked = self.summary_named(&asked.collect::<Vec<_>>());
+        marked.iter().map(|line| AsWritten.say(line)).collect()
     }
 
-    /// The lines of [`Recommendation::summary`] with other names of the quantities.
+    /// The lines of [`Recommendation::summary`] with other names of the quantities, and with terms
+    /// marked for a [`Dialect`].
     #[must_use]
     pub fn summary_named(&self, names: &[(Compared, &str)]) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
@@ -145,13 +147,14 @@ impl Recommendation {
     /// The line for places without evidence, for the same reason.
     fn without(&self, group: &[&EvidenceAt]) -> String {
         let [first, last] = [0, group.len() - 1].map(|k| group[k].at.rounded());
-        let reason = group[0].expected.as_ref().err().map_or_else(String::new, |e| e.to_string());
+        let reason =
+            group[0].expected.as_ref().err().map_or_else(String::new, ContactError::marked);
         let places = match (group.len(), self.evidence.len()) {
             (some, all) if some == all => return reason,
             (1, _) => format!(" at {first}"),
             (some, _) => format!(" at {some} places from {first} to {last}"),
         };
-        format!("{NONE}{places}{}", reason.trim_start_matches(NONE))
+        format!("{NONE}{places}{}", reason.trim_start_matches('`').trim_start_matches(NONE))
     }
 }
 

@@ -58,7 +58,8 @@ class Part:
         failed = np.isin(rows - first_row, list(errors)) if errors else None
         columns = {"row": rows, **inputs}
         columns |= {column_name(q): pa.array(v, mask=failed) for q, v in values.items()}
-        columns["error"] = pa.array([errors.get(k) for k in range(len(rows))], pa.string())
+        reasons = map(errors.get, range(len(rows))) if errors else pa.nulls(len(rows))
+        columns["error"] = pa.array(reasons, pa.string())
         return Part(pa.table(columns), tuple(inputs), tuple(values))
 
     def __len__(self) -> int:

@@ -1,0 +1,274 @@
+//! The terms of the page: labels in place of keys, ids of models as legends have them, symbols in
+//! Greek, and what the page offers in place of commands of the program.
+
+use std::borrow::Cow;
+
+use asperity::recommended::{BEM, YIELDING};
+use asperity::{Described, Dialect, Finding, Findings, Model, Quantity, Severity};
+use asperity_inputs::SceneFile;
+use serde::Serialize;
+
+/// Labels of keys whose words do not give them.
+const LABELS: [(&str, &str); 4] = [
+    ("youngs_modulus", "Young's modulus"),
+    ("poissons_ratio", "Poisson's ratio"),
+    ("asperity_height_std", "height std σ_z"),
+    ("surface_height_std", "height std of the surface"),
+];
+
+/// What the page offers in place of commands and options.
+const OFFERS: [(&str, &str); 4] = [
+    ("asperity truth", "boundary elements on the scan"),
+    ("asperity materials", "the form"),
+    ("asperity surface --scales", "the table of slopes and curvatures"),
+    ("despike = true (--despike)", "\"Replace outliers\" in \"More about the scan\""),
+];
+
+const SYMBOLS: [(&str, &str); 9] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("pi", "π"),
+    ("psi", "ψ"),
+    ("sigma", "σ"),
+    ("sqrt", "√"),
+    ("nu", "ν"),
+];
+
+/// The dialect of the page.
+pub(crate) struct Page {
+    /// The models of the scene that describe yielding.
+    yielding: Cow<'static, str>,
+    /// Whether contacts merge, so that no model of asperities is advised.
+    merged: bool,
+}
+
+/// The dialect without a scene.
+pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING), merged: false };
+
+/// What the page offers in place of commands; other words in backticks keep these.
+pub(crate) struct Commands;
+
+impl Dialect for Commands {
+    fn term(&self, term: &str) -> String {
+        offer(term).map_or_else(|| format!("`{term}`"), String::from)
+    }
+}
+
+fn offer(term: &str) -> Option<&'static str> {
+    OFFERS.iter().find(|(known, _)| *known == term).map(|(_, offer)| *offer)
+}
+
+impl Dialect for Page {
+    fn term(&self, term: &str) -> String {
+        if let Some(offer) = offer(term) {
+            return offer.into();
+        }
+        if let Some(lead) = term.strip_suffix(YIELDING) {
+            let silent = self.merged && !lead.is_empty();
+            return if silent { String::new() } else { format!("{lead}{}", self.yielding) };
+        }
+        if let Some(number) = term.strip_suffix(" asperity_height_std") {
+            return format!("{number} σ_z");
+        }
+        if let Some(rest) = term.strip_prefix(BEM) {
+            return format!("boundary elements{rest}");
+        }
+        if let Some(model) = Model::named().iter().find(|model| model.name() == term) {
+            return model_name(model).into();
+        }
+        term.parse().map_or_else(|_| label(term), quantity_name)
+    }
+}
+
+/// A text with marked terms as the page shows it.
+pub(crate) fn said(marked: &str) -> String {
+    symbols(&PAGE.say(marked))
+}
+
+/// The name of a model, for a variant its id, as legends have it: `KE`, `persson-fudge`.
+pub(crate) fn model_name(model: &Model) -> &str {
+    if model.id().contains('-') { model.id() } else { model.name() }
+}
+
+/// The name of a quantity in tables and sentences; the tangent stiffness is that on first loading.
+pub(crate) fn quantity_name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::Tangent => format!("{} (first loading)", quantity.label()),
+        _ => quantity.label().into(),
+    }
+}
+
+/// The label of a key of scene files, without its section but with the number of a body; other
+/// terms as they are.
+fn label(term: &str) -> String {
+    if let Some((body, key)) = term.strip_prefix("body[").and_then(|rest| rest.split_once(']')) {
+        return match key.strip_prefix('.') {
+            Some(key) => format!("{} of body {body}", label(key)),
+            None => format!("body {body}"),
+        };
+    }
+    let key = term.strip_prefix("surface.").unwrap_or(term);
+    let known = LABELS.iter().find(|(known, _)| *known == key);
+    let is_symbol = symbols(key) != key || key.split('_').any(|part| part.len() < 2);
+    match known {
+        Some((_, label)) => (*label).into(),
+        None if is_symbol => key.into(),
+        None => key.replace('_', " "),
+    }
+}
+
+/// Latin names of Greek letters as these, and squares and cubes as raised digits.
+pub(crate) fn symbols(text: &str) -> String {
+    let ends = [' ', '(', ')', '/', '^', ',', ';', ':'];
+    let mut made = String::new();
+    for piece in text.split_inclusive(ends) {
+        let word = piece.trim_end_matches(ends);
+        let (letter, index) = word.split_once('_').map_or((word, ""), |(a, b)| (a, b));
+        let greek = SYMBOLS.iter().find(|(latin, _)| *latin == letter && index.len() < 2);
+        match (greek, word) {
+            (Some((latin, greek)), _) => made += &word.replacen(latin, greek, 1),
+            (None, "2" | "3") if made.ends_with('^') => {
+                made.pop();
+                made.push(if word == "2" { '²' } else { '³' });
+            }
+            _ => made += word,
+        }
+        made += &piece[word.len()..];
+    }
+    made
+}
+
+/// A finding as the page shows it.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct FindingShown {
+    pub(crate) code: &'static str,
+    pub(crate) severity: Severity,
+    /// The path of the field of the form, or the name of another number.
+    pub(crate) field: String,
+    pub(crate) message: String,
+}
+
+impl Page {
+    pub(crate) fn finding(&self, found: &Finding) -> FindingShown {
+        let (code, severity, field) = (found.code, found.severity, found.field.to_string());
+        FindingShown { code, severity, field, message: symbols(&found.say(self)) }
+    }
+}
+
+/// All findings as shown, with the models that the scene has: of random asperities those for them.
+pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Vec<FindingShown> {
+    let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
+    let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ").into();
+    let page = Page { yielding, merged: all.iter().any(|found| found.code == "crowded") };
+    all.iter().map(|found| page.finding(found)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::At;
+    use asperity_inputs::{HandedFiles, parse_handed};
+
+    use super::*;
+    use crate::surface_keys::with_scan;
+
+    #[test]
+    fn terms_are_said_as_labels_symbols_and_offers() {
+        for (text, wanted) in [
+            ("`area_fraction` is 0.2", "real over nominal area is 0.2"),
+            (
+                "`gao` has no law for `unloading-stiffness`",
+                "gao has no law for unloading stiffness",
+            ),
+            ("`asperity_height_std` is 2", "height std σ_z is 2"),
+            ("`body[1].youngs_modulus` is 210 Pa", "Young's modulus of body 1 is 210 Pa"),
+            ("`body[2]` has none", "body 2 has none"),
+            ("psi = sqrt(sigma_z/w_c), by Chang", "ψ = √(σ_z/w_c), by Chang"),
+            ("w_c = (pi S H/(2 E))^2 R", "w_c = (π S H/(2 E))² R"),
+            ("theta = E sigma_z^1.5/(w_a sqrt(R))", "θ = E σ_z^1.5/(w_a √(R))"),
+            ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),
+            ("`surface.pixel_size` is µm long – é", "pixel size is µm long – é"),
+            ("my_scan.x3p of alpha.txt is empty", "my_scan.x3p of alpha.txt is empty"),
+            ("`plasticity_index` = 14.5 (alpha 8, psi 2)", "plasticity index = 14.5 (α 8, ψ 2)"),
+            ("`Persson fudge`, `JG cosine random`, `KE`", "persson-fudge, jg-cosine-random, KE"),
+            ("at `-3 asperity_height_std`", "at -3 σ_z"),
+            ("; use `bem, or persson`", "; use boundary elements, or persson"),
+        ] {
+            assert_eq!(said(text), wanted);
+        }
+    }
+
+    #[test]
+    fn findings_name_models_that_the_scene_has() {
+        let text = include_str!("../../asperity-inputs/examples/ground-steel.toml");
+        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let model = file.model("persson-fudge").unwrap();
+        let found = file.findings_at(&model, &[asperity::At::Pressure(1e9)]);
+        let shown = findings(&found, &file);
+        assert!(shown.iter().any(|found| found.message.ends_with("use ke-random or jg-random")));
+    }
+
+    #[test]
+    fn where_contacts_merge_no_model_of_asperities_is_advised() {
+        let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
+        let file = file.unwrap();
+        let messages = |pressure: f64| {
+            let found = |id: &str| {
+                let at = [asperity::At::Pressure(pressure)];
+                file.findings_at(&file.model(id).unwrap(), &at).into_iter()
+            };
+            let all = ["gw", "ke"].into_iter().flat_map(found).collect();
+            findings(&all, &file).into_iter().map(|found| found.message).collect::<String>()
+        };
+        assert!(messages(1e7).contains("use ke or jg"), "{}", messages(1e7));
+        let merged = messages(5e8);
+        assert!(merged.contains("GW ignores yielding") && merged.contains("contacts merge"));
+        assert!(!merged.contains("use ke or jg"), "{merged}");
+    }
+
+    /// The template on a scan of waves with one point far above the others.
+    fn spiked() -> SceneFile {
+        let height = |k: u32| {
+            let (x, y) = (f64::from(k % 64), f64::from(k / 64));
+            let waves = (0.9 * x + 0.3 * y).cos() + (0.8 * y - 0.4 * x).sin();
+            let end = if k % 64 == 63 { '\n' } else { '\t' };
+            format!("{:.4}{end}", waves + if k == 2080 { 60.0 } else { 0.0 })
+        };
+        let scan = (0..64 * 64).map(height).collect::<String>().into_bytes();
+        let files = HandedFiles::from([("scan.txt".to_string(), scan)]);
+        let text = with_scan(asperity_inputs::template(), "scan.txt").unwrap();
+        let keys = "file = \"scan.txt\"\nunit = \"nm\"\npixel_size = \"1 um\"";
+        parse_handed(&text.replace("file = \"scan.txt\"", keys), &files).unwrap()
+    }
+
+    #[test]
+    fn no_advice_names_a_command() {
+        let refused = |body: &str| {
+            let text = format!(
+                "nominal_area = 1e-4\nrigid_counterface = true\n[[body]]\n{body}\n[surface]\n\
+                 asperity_radius = 1e-4\nasperity_density = 1e9\nasperity_height_std = 1e-6\n"
+            );
+            parse_handed(&text, &HandedFiles::new()).unwrap_err().to_string()
+        };
+        let file = spiked();
+        let ke = file.model("ke").unwrap();
+        let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
+        let merged = file.findings_at(&ke, &[At::Pressure(1e11)]);
+        let refusal = |text: String| crate::refusal::Refusal::new(text).message;
+        let shown = |all: &Findings| findings(all, &file).into_iter().map(|found| found.message);
+        let messages = shown(&merged).chain(shown(&check.findings)).chain(shown(&file.warnings));
+        let all: Vec<String> = messages
+            .chain([
+                said(&file.surface_shape().unwrap_err().marked()),
+                refusal(refused("material = \"unobtainium\"")),
+                refusal(refused("material = \"steel-a36\"\nhardness = 2e9")),
+            ])
+            .collect();
+        for (_, offer) in OFFERS.iter().chain(&[("", "use boundary elements, or")]) {
+            assert!(all.iter().any(|message| message.contains(offer)), "{offer}: {all:#?}");
+        }
+        let no_command = |text: &String| !text.contains("asperity ") && !text.contains("--");
+        assert!(all.iter().all(no_command), "{all:#?}");
+    }
+}

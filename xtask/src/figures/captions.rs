@@ -1,0 +1,44 @@
+//! The words of the figures: titles and captions by name, and what several captions have in common.
+
+use anyhow::{Context, Result};
+use asperity::Evidence;
+use asperity_plot::Figure;
+
+use super::truth::{MOST_SEEDS, PIXELS_PER_WAVE};
+
+const TEXT: &str = include_str!("captions.txt");
+
+/// The title and the paragraphs of a caption.
+///
+/// # Errors
+/// A name without a caption.
+pub fn of(name: &str) -> Result<(String, Vec<String>)> {
+    let start = format!("## {name}: ");
+    let own = TEXT.split("\n\n").find_map(|part| part.trim().strip_prefix(&start));
+    let own = own.with_context(|| format!("{name} has no caption"))?;
+    let mut lines = own.lines().map(filled);
+    Ok((lines.next().unwrap_or_default(), lines.collect()))
+}
+
+/// A paragraph with what stands for `{words}` in it.
+fn filled(paragraph: &str) -> String {
+    let mut filled = paragraph.to_owned();
+    for (key, words) in TEXT.lines().filter_map(|line| line.strip_prefix('{')?.split_once("}: ")) {
+        filled = filled.replace(&format!("{{{key}}}"), words);
+    }
+    filled
+        .replace("{most surfaces}", &MOST_SEEDS.to_string())
+        .replace("{pixels}", &PIXELS_PER_WAVE.to_string())
+        .replace("{hurst}", &Evidence::HURST.to_string())
+}
+
+/// A figure with its title and caption, to which it adds the paragraphs that it has.
+///
+/// # Errors
+/// A name without a caption.
+pub fn with_caption(name: &str, mut figure: Figure) -> Result<Figure> {
+    let (title, mut caption) = of(name)?;
+    caption.extend(figure.caption.iter().map(|paragraph| filled(paragraph)));
+    (figure.title, figure.caption) = (title, caption);
+    Ok(figure)
+}
