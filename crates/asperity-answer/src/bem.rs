@@ -1,9 +1,7 @@
 //! Boundary elements on the scan of a scene.
 
-use std::ops::ControlFlow;
-
 use asperity::bem::{Bem, BemError, Continuation, LoadCase, Progress, Solution};
-use asperity::{ContactError, ContactModel, Findings, Quantity, Request};
+use asperity::{ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::models::once;
@@ -50,16 +48,8 @@ pub struct Press<'a> {
     pub keep: bool,
 }
 
-/// What solutions remark.
-#[derive(Default)]
-struct Remarks {
-    maps: Vec<Vec<f64>>,
-    errors: Vec<String>,
-    found: Findings,
-}
-
-/// The cells of a solution; `None` without one.
-type Solved = Option<Vec<Cell>>;
+/// The cells of each solution, `None` without one, the maps that are kept, and the findings.
+type Solved = (Vec<Option<Vec<Cell>>>, Vec<Vec<f64>>, Findings);
 
 impl Press<'_> {
     /// Fills a sheet with a row for each load or gap, and returns the pressures \[Pa\] of the
@@ -77,7 +67,6 @@ impl Press<'_> {
         let mut quantities = once(self.quantities);
         let own = |quantity: &Quantity| COLUMNS.contains(&&*quantity.column());
         quantities.retain(|quantity| !own(quantity));
-        let mut remarks = Remarks::default();
         sheet.under(&[&COLUMNS]);
         // Refuses what boundary elements or the scene lack before anything is solved.
         let request = Request::new(quantities.iter().copied());
@@ -88,15 +77,16 @@ impl Press<'_> {
             Continuation::Periodic => format!("{REFINE_PERIODIC}: {error}"),
             _ => format!("{REFINE}: {error}"),
         })?;
-        let whole = self.rows(self.bem, &quantities, watch, &mut remarks)?;
-        let maps = std::mem::take(&mut remarks.maps);
+        let (whole, maps, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
         let half = match half.filter(|_| !watch.is_stopped()) {
-            Some(half) => Some(self.rows(&half, &quantities, watch, &mut remarks)?),
+            Some(half) => {
+                let (half, _, of_half) = self.rows(&half, &quantities, sheet, watch)?;
+                found.extend(of_half);
+                Some(half)
+            }
             None => None,
         };
-        remarks.maps = maps;
-        remarks.errors.iter().for_each(|text| sheet.warn("unsolved", text));
-        sheet.report(self.file, std::mem::take(&mut remarks.found));
+        sheet.report(self.file, found);
         sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
         let width = sheet.heads.len();
         if half.is_some() {
@@ -129,31 +119,30 @@ impl Press<'_> {
         if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
             sheet.note("free-stiffnesses", FREE_STIFFNESSES);
         }
-        Ok(remarks.maps)
+        Ok(maps)
     }
 
-    /// The cells of each load or gap on a grid.
+    /// The loads or gaps on a grid.
     fn rows(
         &self,
         bem: &Bem,
         quantities: &[Quantity],
+        sheet: &mut Sheet,
         watch: &dyn Watch,
-        remarks: &mut Remarks,
-    ) -> Result<Vec<Solved>, ContactError> {
+    ) -> Result<Solved, ContactError> {
         let ([rows, columns], scene) = (bem.map().shape(), &self.file.scene);
         let elements = bem.elements(&scene.interface)?;
-        let mut answers: Vec<Solved> = vec![None; self.given.len()];
+        let mut answers: Vec<Option<Vec<Cell>>> = vec![None; self.given.len()];
         let mut maps = vec![vec![]; self.given.len()];
-        let (mut found, mut errors, mut lacks) = (vec![], vec![], vec![]);
+        let (mut found, mut errors, mut lacks) = (Vec::<Finding>::new(), vec![], vec![]);
         let progress = |progress: &Progress| {
-            watch.progress(&format!(
+            watch.step(&format!(
                 "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
                 progress.done + 1,
                 self.given.len(),
                 progress.iterations,
                 progress.residual
-            ));
-            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            ))
         };
         elements.solve_each(self.given, progress, |index, solution| match solution {
             Ok(solution) => {
@@ -175,12 +164,11 @@ impl Press<'_> {
             Err(BemError::Cancelled) => {}
             Err(error) => errors.push(error.to_string()),
         });
-        remarks.maps = maps.into_iter().filter(|map| !map.is_empty()).collect();
+        maps.retain(|map| !map.is_empty());
         errors.append(&mut lacks);
-        remarks.errors.extend(once(&errors));
+        once(&errors).iter().for_each(|text| sheet.warn("unsolved", text));
         let grid = format!("{rows} x {columns} pixels");
-        remarks.found.extend(found.into_iter().map(|found| found.from_origin(grid.clone())));
-        Ok(answers)
+        Ok((answers, maps, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
     }
 }
 

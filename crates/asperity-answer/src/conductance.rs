@@ -34,13 +34,6 @@ pub struct Conductance<'a> {
     pub gas: Option<Gas>,
 }
 
-/// A load, and the same as a pressure.
-struct Loaded {
-    at: At,
-    load: f64,
-    pressure: f64,
-}
-
 impl Conductance<'_> {
     /// Fills a sheet with the conductance per area of each model and correlation at loads or
     /// pressures; those that cannot tell are left out with a warning.
@@ -55,16 +48,10 @@ impl Conductance<'_> {
             heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
         }
         sheet.heads = heads;
-        let contact = &self.file.scene;
-        let loaded = |at: &At| {
-            let (load, pressure) = at.load(contact).zip(at.pressure(contact))?;
-            Some(Loaded { at: *at, load, pressure })
-        };
-        let loads: Vec<Loaded> = places.iter().filter_map(loaded).collect();
         let mut answered = vec![];
         for (id, model) in &self.models {
             let rows = model.as_ref().map_err(|reason| reason.clone().into());
-            match rows.and_then(|model| self.add_model(sheet, &loads, id, model)) {
+            match rows.and_then(|model| self.add_model(sheet, places, id, model)) {
                 Ok(()) => answered.extend(model),
                 Err(reason) => self.leave_out(sheet, id, &reason.to_string())?,
             }
@@ -73,7 +60,7 @@ impl Conductance<'_> {
         sheet.report(self.file, found.collect());
         let mut used = vec![];
         for &correlation in &self.correlations {
-            match self.add_correlation(sheet, &loads, correlation) {
+            match self.add_correlation(sheet, places, correlation) {
                 Ok(()) => used.push(correlation.id()),
                 Err(reason) => self.leave_out(sheet, correlation.id(), &reason.to_string())?,
             }
@@ -87,22 +74,22 @@ impl Conductance<'_> {
         Ok(())
     }
 
-    fn add_model(&self, sheet: &mut Sheet, loads: &[Loaded], id: &str, model: &Model) -> Outcome {
+    fn add_model(&self, sheet: &mut Sheet, places: &[At], id: &str, model: &Model) -> Outcome {
         let contact = &self.file.scene;
-        let request = Request::new([CONDUCTANCE]).at(loads.iter().map(|load| load.at));
+        let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
         let compiled = model.compile(contact, &request)?;
-        let row = |load: &Loaded| {
-            let contacts = compiled.evaluate(CONDUCTANCE, load.at)?.value();
-            let mut row = cells(id, load, [None, Some(contacts)], "");
+        let row = |at: &At| {
+            let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
+            let mut row = self.cells(id, *at, [None, Some(contacts)], "");
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                let gap = compiled.separation(load.at)?.measured_in(unit, plane, contact)?;
+                let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
                 let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
                 row.extend([gas, contacts + gas].map(Cell::from));
             }
             Ok(row)
         };
-        let rows = loads.iter().map(row).collect::<Result<Vec<_>, asperity::ContactError>>()?;
+        let rows = places.iter().map(row).collect::<Result<Vec<_>, asperity::ContactError>>()?;
         sheet.rows.extend(rows);
         Ok(())
     }
@@ -112,24 +99,25 @@ impl Conductance<'_> {
     fn add_correlation(
         &self,
         sheet: &mut Sheet,
-        loads: &[Loaded],
+        places: &[At],
         correlation: Correlation,
     ) -> Outcome {
         let ([from, to], id) = (correlation.range(), correlation.id());
         let (mut rows, mut outside) = (vec![], None);
-        for load in loads {
-            let found = correlation.at(&self.file.scene, &self.roughness(), load.pressure)?;
+        for at in places {
+            let Some(pressure) = at.pressure(&self.file.scene) else { continue };
+            let found = correlation.at(&self.file.scene, &self.roughness(), pressure)?;
             let relative = found.relative_pressure;
             if outside.is_none() && !(from..=to).contains(&relative) {
                 outside = Some(format!(
                     "{} is {} at {}, outside the range of the correlation, {from:e} to {to}",
                     correlation.relative_pressure(),
                     rounded(relative),
-                    load.at
+                    at
                 ));
             }
             let holds = if found.holds { "yes" } else { "no" };
-            let mut row = cells(id, load, [relative, found.conductance].map(Some), holds);
+            let mut row = self.cells(id, *at, [relative, found.conductance].map(Some), holds);
             row.resize(sheet.heads.len(), Cell::BLANK);
             rows.push(row);
         }
@@ -170,12 +158,13 @@ impl Conductance<'_> {
         let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
         sheet.note("gap-roughness", text);
     }
-}
 
-fn cells(id: &str, at: &Loaded, [relative, found]: [Option<f64>; 2], holds: &str) -> Vec<Cell> {
-    let numbers = [Some(at.load), Some(at.pressure), relative, found];
-    let mut row = vec![Cell::from(id)];
-    row.extend(numbers.map(Cell::from));
-    row.push(holds.into());
-    row
+    fn cells(&self, id: &str, at: At, found: [Option<f64>; 2], holds: &str) -> Vec<Cell> {
+        let scene = &self.file.scene;
+        let numbers = [at.load(scene), at.pressure(scene)].into_iter().chain(found);
+        let mut row = vec![Cell::from(id)];
+        row.extend(numbers.map(Cell::from));
+        row.push(holds.into());
+        row
+    }
 }

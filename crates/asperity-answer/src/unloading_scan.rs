@@ -1,7 +1,5 @@
 //! The opening of a scan along its own path, by boundary elements.
 
-use std::ops::ControlFlow;
-
 use asperity::bem::{BemError, LoadCase};
 use asperity::{At, Datum, Separation, SeparationUnit, linspace};
 
@@ -44,8 +42,7 @@ pub fn unloading_scan(
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, POINTS));
         let found = path.at_retreats(&retreats, |progress| {
-            watch.progress(&format!("{id}: retreat {} of {}", progress.done + 1, retreats.len()));
-            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            watch.step(&format!("{id}: retreat {} of {}", progress.done + 1, retreats.len()))
         });
         let mut reasons: Vec<String> = vec![];
         for (retreat, found) in retreats.iter().zip(found) {

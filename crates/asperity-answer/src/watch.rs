@@ -1,5 +1,7 @@
 //! Progress of long work, and the wish to end it.
 
+use std::ops::ControlFlow;
+
 /// Watches long work: a terminal, a notebook or a worker of the page.
 pub trait Watch {
     /// What is done now: a model, a load of many.
@@ -10,6 +12,12 @@ pub trait Watch {
     /// Whether the work is to end; what is done by then is returned.
     fn is_stopped(&self) -> bool {
         false
+    }
+
+    /// One step of the work: whether to go on.
+    fn step(&self, doing: &str) -> ControlFlow<()> {
+        self.progress(doing);
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

@@ -1,7 +1,6 @@
 //! Models beside boundary elements on the scan of a scene, as a sheet.
 
 use std::mem::discriminant;
-use std::ops::ControlFlow;
 
 use asperity::bem::{Bem, BemError};
 use asperity::{ContactError, Described, Finding, Model};
@@ -43,8 +42,7 @@ pub fn truth(
     let solve = |bem: &Bem, models: &[Model]| {
         compare_with_bem(&file.scene, bem, pressures, models, |progress| {
             let all = 3 * pressures.len();
-            watch.progress(&format!("truth: contact {} of {all}", progress.done + 1));
-            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            watch.step(&format!("truth: contact {} of {all}", progress.done + 1))
         })
     };
     let found = solve(bem, &models)?;

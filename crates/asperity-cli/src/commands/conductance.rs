@@ -101,7 +101,7 @@ impl Conductance {
     fn open(&self) -> Result<LoadedScene> {
         let mut scene = LoadedScene::load_for(&self.scene, &self.ids())?;
         let interface = &mut scene.file.scene.interface;
-        let Some(given) = self.conductivity else {
+        let Some(given) = &self.conductivity else {
             if interface.thermal_conductivity.is_none() {
                 bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
             }

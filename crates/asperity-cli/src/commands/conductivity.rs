@@ -9,24 +9,21 @@ use crate::input::numbers::{of_unit, positive};
 use crate::output::print_message;
 
 /// The conductivity of an interface, or those of its two bodies \[W/(m K)\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Conductivity {
-    Interface(f64),
-    Bodies(f64, f64),
-}
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conductivity(Vec<f64>);
 
 impl Conductivity {
     /// The conductivity of the interface \[W/(m K)\].
-    pub fn value(self) -> f64 {
-        match self {
-            Self::Interface(conductivity) => conductivity,
-            Self::Bodies(first, second) => Interface::mean_conductivity(first, second),
+    pub fn value(&self) -> f64 {
+        match self.0[..] {
+            [first, second] => Interface::mean_conductivity(first, second),
+            _ => self.0[0],
         }
     }
 
     /// Prints how two values are read.
-    pub fn note(self) {
-        let Self::Bodies(first, second) = self else { return };
+    pub fn note(&self) {
+        let [first, second] = self.0[..] else { return };
         let [k1, k2, k] = [first, second, self.value()].map(rounded);
         // No decimal has two points.
         let may_be_decimal = ![&k1, &k2].iter().any(|k| k.contains(['.', 'e']));
@@ -47,10 +44,9 @@ pub fn interface_conductivity(text: &str) -> Result<Conductivity, String> {
     if text.contains(':') {
         return Err("a range is not possible here; write K of the interface, or K1,K2".into());
     }
-    match Numbers::read(text, conductivity)?.0[..] {
-        [one] => Ok(Conductivity::Interface(one)),
-        [first, second] => Ok(Conductivity::Bodies(first, second)),
-        ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
+    match Numbers::read(text, conductivity)?.0 {
+        one_or_two if one_or_two.len() <= 2 => Ok(Conductivity(one_or_two)),
+        all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
     }
 }
 

@@ -297,3 +297,35 @@ fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
     assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));
     assert_eq!(bench.run("unload scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
 }
+
+#[test]
+fn former_names_of_commands_give_the_same_rows_and_messages() {
+    let bench = crate::bem::bench();
+    for (former, now) in [
+        (
+            "unload scene.toml --model ke --load 100 --retreat 0,0.2",
+            "joint scene.toml --model ke --load 100 --retreat 0,0.2",
+        ),
+        (
+            "slip scene.toml --friction 0.3 --load 100,1000 --amplitude 1nm",
+            "joint scene.toml --friction 0.3 --load 100,1000 --amplitude 1nm",
+        ),
+        (
+            "truth scan.toml --pressure 1e8 --model gw",
+            "bem scan.toml --pressure 1e8 --model gw --compare",
+        ),
+    ] {
+        let [former, now] = [former, now].map(|line| bench.run(line));
+        assert_eq!(former.code, Some(0), "{}", former.messages);
+        assert_eq!((former.out, former.messages), (now.out, now.messages));
+    }
+    for refused in [
+        "joint scene.toml --load 100 --friction 0.3",
+        "joint scene.toml --load 100 --friction 0.3 --amplitude 1nm --law hertz,brake",
+        "joint scene.toml --history 2,1 --friction 0.3 --amplitude 1nm",
+        "bem scan.toml --pressure 1e8 --model gw",
+        "bem scan.toml --gap 1e-6 --compare",
+    ] {
+        assert_eq!(bench.run(refused).code, Some(2), "{refused}");
+    }
+}
