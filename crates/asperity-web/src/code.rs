@@ -62,7 +62,7 @@ pub(crate) fn table(
         TableFormat::Ansys => "mac",
         _ => "inp",
     };
-    let units: UnitSystem = units.parse()?;
+    let units: UnitSystem = units.parse().map_err(Refusal::new)?;
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =

@@ -32,21 +32,19 @@ impl Desk {
     /// Takes the bytes of a file that scenes may name; returns json with its checksum, or with a
     /// refusal.
     pub fn hand(&mut self, name: &str, bytes: Vec<u8>) -> String {
-        let handed = || {
-            admit(name, bytes.len() as u64)?;
-            Ok(json!({ "name": name, "checksum": link::checksum(&bytes) }))
-        };
-        let answer = handed();
-        if answer.is_ok() {
-            self.files.insert(name.into(), bytes);
-            self.forget();
-        }
-        reply(answer)
+        reply(admit(name, bytes.len() as u64).map(|()| self.keep(name, bytes)))
+    }
+
+    fn keep(&mut self, name: &str, bytes: Vec<u8>) -> Value {
+        let checksum = link::checksum(&bytes);
+        self.files.insert(name.into(), bytes);
+        self.forget();
+        json!({ "name": name, "checksum": checksum })
     }
 
     /// Answers a message in json with json: `{"ok": ..}` or `{"error": {message, line, field}}`.
     pub fn call(&mut self, message: &str) -> String {
-        let message = serde_json::from_str(message).map_err(Refusal::new);
+        let message = serde_json::from_str(message).map_err(Refusal::from);
         reply(message.and_then(|message| self.answer(message)))
     }
 
@@ -122,11 +120,8 @@ impl Desk {
             }
             Message::Admit { name, size } => json(admit(&name, size)?),
             Message::Random { keys } => {
-                let (name, bytes) = (keys.name(), keys.file()?);
-                let checksum = link::checksum(&bytes);
-                self.files.insert(name.clone(), bytes);
-                self.forget();
-                json(json!({ "name": name, "checksum": checksum }))
+                let bytes = keys.file()?;
+                Ok(self.keep(&keys.name(), bytes))
             }
             Message::Answer { models, load } => json(self.values(&models, &load)?),
             Message::Curve { models } => {
@@ -199,7 +194,7 @@ impl Desk {
 }
 
 fn json(value: impl Serialize) -> Result<Value, Refusal> {
-    serde_json::to_value(value).map_err(Refusal::new)
+    Ok(serde_json::to_value(value)?)
 }
 
 fn reply<T: Serialize>(answer: Result<T, Refusal>) -> String {

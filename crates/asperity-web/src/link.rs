@@ -61,8 +61,8 @@ pub(crate) fn checksum(bytes: &[u8]) -> String {
 /// The text of a link behind `#s=`.
 pub(crate) fn link(state: &PageState) -> Result<String, Refusal> {
     let state = PageState { version: VERSION, ..state.clone() };
-    let json = serde_json::to_vec(&state).map_err(Refusal::new)?;
-    let bytes = if json.len() > PLAIN { packed(&json).map_err(Refusal::new)? } else { json };
+    let json = serde_json::to_vec(&state)?;
+    let bytes = if json.len() > PLAIN { packed(&json)? } else { json };
     Ok(URL_SAFE_NO_PAD.encode(bytes))
 }
 

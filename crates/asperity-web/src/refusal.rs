@@ -1,6 +1,7 @@
 //! Errors with the place that they are about.
 
 use std::collections::BTreeMap;
+use std::error::Error;
 
 use asperity::{ContactError, Dialect};
 use asperity_inputs::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
@@ -72,9 +73,8 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
     })
 }
 
-impl From<SceneError> for Refusal {
-    fn from(error: SceneError) -> Self {
-        let message = error.to_string();
+impl Refusal {
+    fn of_scene(error: &SceneError) -> Self {
         let (SceneError::Unreadable { at, .. }
         | SceneError::Unwritable { at, .. }
         | SceneError::Syntax { at, .. }
@@ -86,36 +86,24 @@ impl From<SceneError> for Refusal {
         | SceneError::Measured { at, .. }
         | SceneError::Contact { at, .. }) = error
         else {
-            return Self::new(message);
+            return Self::new(error);
         };
         // A field that names its file has it behind: `surface.file = "a.x3p"`.
         let field = at.field.split(" = ").next().unwrap_or_default();
-        Self { line: at.line, ..Self::at(field, message) }
+        Self { line: at.line, ..Self::at(field, error) }
     }
 }
 
-impl From<ContactError> for Refusal {
-    fn from(error: ContactError) -> Self {
-        Self::new(said(&error.marked()))
-    }
-}
-
-macro_rules! refusals {
-    ($($error:ty),*) => {$(
-        impl From<$error> for Refusal {
-            fn from(error: $error) -> Self {
-                Self::new(error)
-            }
+impl<E: Error + 'static> From<E> for Refusal {
+    fn from(error: E) -> Self {
+        let any: &dyn Error = &error;
+        match (any.downcast_ref(), any.downcast_ref::<ContactError>()) {
+            (Some(error), _) => Self::of_scene(error),
+            (_, Some(error)) => Self::new(said(&error.marked())),
+            _ => Self::new(error),
         }
-    )*};
+    }
 }
-refusals!(
-    asperity::QuadratureError,
-    asperity::bem::BemError,
-    asperity_plot::PlotError,
-    asperity_topography::TopographyError,
-    String
-);
 
 #[cfg(test)]
 mod tests {
