@@ -74,12 +74,12 @@ pub(crate) struct Forward<'f> {
 struct Group<'f> {
     quantities: Vec<Quantity>,
     sweep: Sweep<'f>,
-    places: Vec<Place>,
+    places: Vec<PlaceValues>,
 }
 
 /// A load or reading with what was measured there.
 #[derive(Debug)]
-struct Place {
+struct PlaceValues {
     at: At,
     /// The measured values, each with its place among the quantities; none for the separation.
     values: Vec<(usize, Option<usize>)>,
@@ -106,7 +106,7 @@ impl<'f> Forward<'f> {
                 quantities.extend(quantity);
                 values.push((k, quantity.map(|_| place)));
             }
-            let place = Place { at, values };
+            let place = PlaceValues { at, values };
             match groups.iter_mut().find(|group| group.quantities == quantities) {
                 Some(group) => group.places.push(place),
                 None => {

@@ -28,7 +28,7 @@ const BEYOND: Range<f64> = ELASTIC_END..f64::INFINITY;
 
 /// The numbers of the law beyond x = 1.9. None depends on the radius.
 #[derive(Debug, Clone, Copy)]
-struct Fit {
+struct FittedLaw {
     c: f64,
     /// √(w_y/R) = π C S_y/(2E).
     strain: f64,
@@ -39,7 +39,7 @@ struct Fit {
     k: f64,
 }
 
-impl Fit {
+impl FittedLaw {
     fn new(asperity: &Asperity) -> Result<Self, ContactError> {
         let (strength, modulus) = (asperity.yield_strength()?, asperity.equivalent_modulus);
         let tangent = asperity.tangent_modulus.ok_or_else(|| ContactError::Missing {
@@ -115,7 +115,7 @@ impl Described for Ghaednia {
 
 impl AsperityModel for Ghaednia {
     fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
-        let (fit, r) = (Fit::new(asperity)?, asperity.radius);
+        let (fit, r) = (FittedLaw::new(asperity)?, asperity.radius);
         // F/F_y = x^1.5, then the fit; F_y = (4/3) E R² strain³
         let unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * fit.strain.powi(3);
         let form = Formula::function(move |x| fit.force(x)).known_as("Ghaednia force", fit.key());
@@ -125,7 +125,7 @@ impl AsperityModel for Ghaednia {
     }
 
     fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
-        let (fit, r) = (Fit::new(asperity)?, asperity.radius);
+        let (fit, r) = (FittedLaw::new(asperity)?, asperity.radius);
         // A/A_y = x, then the fit
         let unit = fit.strain * fit.strain * r;
         let form = Formula::function(move |x| fit.area(x)).known_as("Ghaednia area", fit.key());

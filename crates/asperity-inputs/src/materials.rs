@@ -29,7 +29,8 @@ pub fn materials() -> &'static [Material] {
     static ALL: LazyLock<Vec<Material>> = LazyLock::new(|| {
         let sources = rows(include_str!("sources.csv"));
         let sources = sources.iter().filter_map(|row| Some((row.get("word")?, row.get("source")?)));
-        let sources: Row = sources.map(|(word, source)| (word.clone(), source.clone())).collect();
+        let sources: Record =
+            sources.map(|(word, source)| (word.clone(), source.clone())).collect();
         rows(include_str!("materials.csv"))
             .iter()
             .filter_map(|row| material(row, &sources))
@@ -39,14 +40,14 @@ pub fn materials() -> &'static [Material] {
 }
 
 /// The cells of a row by the head of their column.
-type Row = BTreeMap<String, String>;
+type Record = BTreeMap<String, String>;
 
-fn rows(text: &str) -> Vec<Row> {
+fn rows(text: &str) -> Vec<Record> {
     csv::Reader::from_reader(text.as_bytes()).into_deserialize().filter_map(Result::ok).collect()
 }
 
 /// A material, whose numbers are named as the keys of a body.
-fn material(row: &Row, sources: &Row) -> Option<Material> {
+fn material(row: &Record, sources: &Record) -> Option<Material> {
     let number = |name: &str| row.get(name)?.parse::<f64>().ok();
     let mut body = Body::elastic(number("youngs_modulus")?, number("poissons_ratio")?);
     for field in BODY {

@@ -108,7 +108,7 @@ impl Sampler for AreaFit {
 
 /// F/F_c' beyond x = 1.9 with the error of the exponent B, for the same yield strengths.
 struct ForceFit {
-    fit: Fit,
+    fit: FittedLaw,
     /// Of the area, over ln(x/1.9).
     error: f64,
 }
@@ -189,7 +189,7 @@ impl AsperityModel for JacksonGreen {
         // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³
         let (r, hardness) = (asperity.radius, self.hardness);
         let unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
-        let fit = Fit { c, strain, b, hardness };
+        let fit = FittedLaw { c, strain, b, hardness };
         let error = area_exponent_error(asperity, b)?;
         let form = if error > ROUNDING {
             Formula::sampled(Arc::new(ForceFit { fit, error }))
@@ -225,14 +225,14 @@ impl AsperityModel for JacksonGreen {
 /// The fit of the force beyond x = 1.9. Powers as exponentials of one logarithm: half the time of
 /// `powf`, and the scenes of a sweep, whose laws do not recur, are little but this.
 #[derive(Debug, Clone, Copy)]
-struct Fit {
+struct FittedLaw {
     c: f64,
     strain: f64,
     b: f64,
     hardness: GeometricHardness,
 }
 
-impl Fit {
+impl FittedLaw {
     /// F/F_c'.
     fn force(self, x: f64) -> f64 {
         let [elastic, plastic] = self.terms(x.ln(), x);
@@ -262,7 +262,7 @@ mod tests {
         // ν = 0.3, small S_y/E: 1.9^1.5 against the fit, +0.47 %.
         let c = 1.295 * (0.736f64 * 0.3).exp();
         let (strain, b, hardness) = (1e-4, 0.14, GeometricHardness::Original);
-        let fit = Fit { c, strain, b, hardness }.force(1.9);
+        let fit = FittedLaw { c, strain, b, hardness }.force(1.9);
         assert!((fit / 1.9f64.powf(1.5) - 1.0047).abs() < 1e-4);
     }
 

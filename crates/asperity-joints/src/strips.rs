@@ -29,12 +29,12 @@ pub(crate) struct Strip {
     pub(crate) from: f64,
     pub(crate) scale: f64,
     /// Ascending in u.
-    pub(crate) cells: Vec<Cell>,
+    pub(crate) cells: Vec<StripCell>,
 }
 
 /// Retreats from `from` to `to`.
 #[derive(Debug, Clone)]
-pub(crate) struct Cell {
+pub(crate) struct StripCell {
     pub(crate) from: f64,
     pub(crate) to: f64,
     /// Coefficients of Tᵢ(c) Tⱼ(u), `terms[i][j]`.
@@ -137,7 +137,7 @@ impl Joint {
             }
             let is_positive = samples.iter().flatten().all(|force| *force >= 0.0);
             let least = if is_positive { 0.0 } else { f64::NEG_INFINITY };
-            let cell = Cell { from: low, to: high, terms: transformed(&samples), least };
+            let cell = StripCell { from: low, to: high, terms: transformed(&samples), least };
             let [mut by_closest, mut by_retreat] = tails(&cell.terms);
             if by_closest <= aim && by_retreat <= aim {
                 // A kink between the nodes need not show in the last terms.
@@ -223,7 +223,7 @@ fn tails(terms: &[[f64; TERMS]; TERMS]) -> [f64; 2] {
     [of(&|i, j| terms[i][j].abs()), of(&|i, j| terms[j][i].abs())]
 }
 
-impl Cell {
+impl StripCell {
     /// The force and its negative slope by the retreat; c from -1 to 1.
     #[inline]
     pub(crate) fn at(&self, c: f64, retreat: f64) -> (f64, f64) {

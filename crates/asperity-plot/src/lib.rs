@@ -44,7 +44,7 @@ pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
 #[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
-pub use matrix::{Cell, Matrix, draw_matrix};
+pub use matrix::{Matrix, MatrixCell, draw_matrix};
 #[cfg(feature = "scan")]
 pub use scan::draw_surface;
 pub use style::Curve;

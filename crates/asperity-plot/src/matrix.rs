@@ -19,12 +19,12 @@ pub struct Matrix {
     /// Names of the rows.
     pub rows: Vec<String>,
     /// The cells, row by row.
-    pub cells: Vec<Vec<Cell>>,
+    pub cells: Vec<Vec<MatrixCell>>,
 }
 
 /// One cell.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Cell {
+pub struct MatrixCell {
     /// A number or a text.
     pub text: String,
     /// A smaller line below it.
@@ -82,7 +82,7 @@ pub fn draw_matrix(matrix: &Matrix) -> Result<String, PlotError> {
     })
 }
 
-fn draw_cell(canvas: &Canvas, cell: &Cell, rect: &Rect) {
+fn draw_cell(canvas: &Canvas, cell: &MatrixCell, rect: &Rect) {
     canvas.polygon(&rect.corners(), INDIGO, cell.shade.clamp(0.0, 1.0));
     let colour = if cell.shade >= DARK { WHITE } else { BLACK };
     let size = SMALL.min(SMALL * (rect.width() - 4.0) / width(&cell.text, SMALL).max(1.0));
@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     fn matrix(shade: f64) -> Matrix {
-        let cell = Cell { text: "10⁻¹³".into(), note: "1 of 7".into(), shade };
+        let cell = MatrixCell { text: "10⁻¹³".into(), note: "1 of 7".into(), shade };
         Matrix {
             title: "a < b".into(),
             caption: vec!["One.".into(), "Two.".into()],

@@ -10,7 +10,7 @@ use crate::error::PlotError;
 use crate::figure::{Figure, Legend, Panel, Strip};
 use crate::legend::{AREA, draw_line};
 use crate::ruler::Ruler;
-use crate::series::{self, Area, Point, Series, Table};
+use crate::series::{self, Area, CsvTable, Point, Series};
 use crate::size::{LABEL, SMALL, TICK, TITLE_GAP, labels_that_fit};
 use crate::style::{BLACK, DARK_GREY, GREY};
 use crate::text::{CAPITAL, LINE, power_of_ten, widest, width};
@@ -40,7 +40,7 @@ pub(crate) struct Plot<'a> {
 
 /// The panels of a figure with their data, all of which are drawn.
 pub(crate) fn plots<'a>(figure: &'a Figure, csv: &str) -> Result<Vec<Plot<'a>>, PlotError> {
-    let table = Table::read(csv)?;
+    let table = CsvTable::read(csv)?;
     let each = (0..figure.panels.len()).map(|index| Plot::new(figure, index, &table));
     let all = each.collect::<Result<_, _>>()?;
     series::check_all_drawn(figure, &table)?;
@@ -49,7 +49,7 @@ pub(crate) fn plots<'a>(figure: &'a Figure, csv: &str) -> Result<Vec<Plot<'a>>, 
 
 impl<'a> Plot<'a> {
     /// Takes the data of panel number `index` from the table.
-    fn new(figure: &'a Figure, index: usize, table: &Table) -> Result<Self, PlotError> {
+    fn new(figure: &'a Figure, index: usize, table: &CsvTable) -> Result<Self, PlotError> {
         let panel = &figure.panels[index];
         let tag = char::from(b'a' + (index % 26) as u8);
         let tag = if figure.panels.len() > 1 { format!("({tag}) ") } else { String::new() };

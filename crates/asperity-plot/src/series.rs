@@ -13,12 +13,12 @@ use crate::style::{Colour, Curve};
 pub(crate) type Point = (f64, f64);
 
 /// The csv: a head, then rows of as many cells.
-pub(crate) struct Table {
+pub(crate) struct CsvTable {
     head: StringRecord,
     rows: Vec<StringRecord>,
 }
 
-impl Table {
+impl CsvTable {
     pub(crate) fn read(csv: &str) -> Result<Self, PlotError> {
         let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(csv.as_bytes());
         Ok(Self {
@@ -67,7 +67,7 @@ pub(crate) struct Area<'a> {
 }
 
 /// Takes the curves of a panel from the table.
-pub(crate) fn curves<'a>(panel: &'a Panel, table: &Table) -> Result<Vec<Series<'a>>, PlotError> {
+pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Series<'a>>, PlotError> {
     let take = |curve: &'a Curve| {
         let marked = match &curve.marked {
             Some(key) => pieces(panel, table, key)?.concat(),
@@ -78,7 +78,7 @@ pub(crate) fn curves<'a>(panel: &'a Panel, table: &Table) -> Result<Vec<Series<'
     panel.curves.iter().map(take).collect()
 }
 
-fn pieces(panel: &Panel, table: &Table, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
+fn pieces(panel: &Panel, table: &CsvTable, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
     let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
     let keys = table.column(&panel.curve_column)?;
     let only = match &panel.only {
@@ -107,7 +107,7 @@ fn pieces(panel: &Panel, table: &Table, key: &str) -> Result<Vec<Vec<Point>>, Pl
 /// The areas of a panel. Stacked curves are lifted, each by those before it.
 pub(crate) fn areas<'a>(
     panel: &'a Panel,
-    table: &Table,
+    table: &CsvTable,
     all: &mut [Series<'a>],
 ) -> Result<Vec<Area<'a>>, PlotError> {
     let whole = |mut pieces: Vec<Vec<Point>>, curve: &str, x: Option<&[Point]>| {
@@ -146,7 +146,7 @@ fn same_x(a: &[Point], b: &[Point]) -> bool {
 }
 
 /// Refuses a csv with a curve that no panel draws.
-pub(crate) fn check_all_drawn(figure: &Figure, table: &Table) -> Result<(), PlotError> {
+pub(crate) fn check_all_drawn(figure: &Figure, table: &CsvTable) -> Result<(), PlotError> {
     for column in figure.panels.iter().map(|panel| &panel.curve_column).collect::<BTreeSet<_>>() {
         let panels = || figure.panels.iter().filter(|panel| panel.curve_column == *column);
         let curves = panels().flat_map(|panel| &panel.curves);
@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn empty_and_infinite_cells_split_a_curve_and_quotes_are_read() {
         let csv = "curve,x,y\n\"a, b\",0,1\n\"a, b\",1,\n\"a, b\",2,3\nc,0,1\nc,1,NaN\nc,2,2\n";
-        let table = Table::read(csv).unwrap();
+        let table = CsvTable::read(csv).unwrap();
         let panel = panel(&["a, b", "c"]);
         let all = curves(&panel, &table).unwrap();
         assert_eq!(all[0].pieces, [vec![(0.0, 1.0)], vec![(2.0, 3.0)]]);
@@ -187,16 +187,16 @@ mod tests {
 
     #[test]
     fn a_text_in_a_column_of_numbers_is_refused_with_its_line() {
-        let table = Table::read("curve,x,y\na,abc,1\n").unwrap();
+        let table = CsvTable::read("curve,x,y\na,abc,1\n").unwrap();
         let panel = panel(&["a"]);
         let refused = curves(&panel, &table).err().map(|error| error.to_string()).unwrap();
         assert!(refused.starts_with("line 2 of the csv: `abc`"), "{refused}");
-        assert!(Table::read("curve,x\na,1,2\n").is_err());
+        assert!(CsvTable::read("curve,x\na,1,2\n").is_err());
     }
 
     #[test]
     fn stacked_curves_add_up_and_areas_lie_between_curves_with_the_same_x() {
-        let table = Table::read("curve,x,y\na,0,1\na,1,2\nb,0,3\nb,1,4\nc,0,1\n").unwrap();
+        let table = CsvTable::read("curve,x,y\na,0,1\na,1,2\nb,0,3\nb,1,4\nc,0,1\n").unwrap();
         let mut panel = panel(&["a", "b"]);
         panel.stacked = true;
         let mut all = curves(&panel, &table).unwrap();

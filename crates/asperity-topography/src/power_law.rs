@@ -51,17 +51,17 @@ impl PowerLaw {
                 "the radial spectrum has {n} points over {all:.1} octaves: at least {POINTS} over {OCTAVES} octaves were required"
             ));
         }
-        let try_fit = |from: usize, to: usize| -> Option<Fit> {
-            (octaves(from, to) >= OCTAVES).then(|| Fit::new(&x, &y, from, to)).flatten()
+        let try_fit = |from: usize, to: usize| -> Option<PowerLawFit> {
+            (octaves(from, to) >= OCTAVES).then(|| PowerLawFit::new(&x, &y, from, to)).flatten()
         };
         let best = |from: std::ops::Range<usize>, to: std::ops::RangeInclusive<usize>| {
             let pairs = from.flat_map(|a| to.clone().map(move |b| (a, b)));
-            let fits = pairs.filter_map(|(a, b)| try_fit(a, b)).filter(Fit::is_self_affine);
+            let fits = pairs.filter_map(|(a, b)| try_fit(a, b)).filter(PowerLawFit::is_self_affine);
             fits.min_by(|one, other| one.squares.total_cmp(&other.squares))
         };
         let mut found = best(0..1, last..=last);
 
-        let worth = |fit: &Fit, found: &Option<Fit>| {
+        let worth = |fit: &PowerLawFit, found: &Option<PowerLawFit>| {
             let least = found.as_ref().map_or(f64::INFINITY, |found| found.squares);
             fit.squares < (1.0 - WORTH) * least && least > n as f64 * SCATTER * SCATTER
         };
@@ -74,12 +74,12 @@ impl PowerLaw {
             }
         }
         let Some(found) = found else {
-            let hurst = Fit::new(&x, &y, 0, last).map_or(f64::NAN, |fit| fit.hurst());
+            let hurst = PowerLawFit::new(&x, &y, 0, last).map_or(f64::NAN, |fit| fit.hurst());
             return Err(format!(
                 "no two octaves of the radial spectrum have a Hurst exponent from 0 to 1 (of the whole: {hurst:.2})"
             ));
         };
-        let Fit { from, to, level, scatter, .. } = found;
+        let PowerLawFit { from, to, level, scatter, .. } = found;
         if scatter.is_nan() || scatter >= LOOSE {
             return Err(format!(
                 "the radial spectrum scatters by {scatter:.2} in ln C about its best power law: at most {LOOSE} was required"
@@ -105,7 +105,7 @@ impl PowerLaw {
 }
 
 /// A continuous line of three parts.
-struct Fit {
+struct PowerLawFit {
     from: usize,
     to: usize,
     level: f64,
@@ -115,7 +115,7 @@ struct Fit {
     scatter: f64,
 }
 
-impl Fit {
+impl PowerLawFit {
     fn hurst(&self) -> f64 {
         -0.5 * self.slope - 1.0
     }

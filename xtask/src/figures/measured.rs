@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity_plot::{Axis, Cell, Curve, Legend, Matrix, Strip, draw, draw_matrix, power_of_ten};
+use asperity_plot::{
+    Axis, Curve, Legend, Matrix, MatrixCell, Strip, draw, draw_matrix, power_of_ten,
+};
 
 use super::captions::{of as caption, with_caption};
 use super::models::{beside, of, panel};
@@ -149,9 +151,11 @@ fn hard_cases(csv: &str) -> Result<String> {
 /// Errors above this count as off.
 const OFF: f64 = 1e-6;
 
-fn cell(errors: Vec<&str>) -> Cell {
+fn cell(errors: Vec<&str>) -> MatrixCell {
     let worst = errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
-    let Some(worst) = worst else { return Cell { text: "–".into(), ..Cell::default() } };
+    let Some(worst) = worst else {
+        return MatrixCell { text: "–".into(), ..MatrixCell::default() };
+    };
     let off = errors.iter().filter(|error| size(error) > OFF).count();
     let note = format!("{off} of {}", errors.len());
     // White at 1e-14 and dark at 1; still light at seven digits.
@@ -159,7 +163,7 @@ fn cell(errors: Vec<&str>) -> Cell {
         f64::INFINITY => 1.0,
         number => 0.9 * ((number.max(1e-300).log10() + 14.0) / 14.0).clamp(0.0, 1.0).powf(1.4),
     };
-    Cell { text: typeset(worst), note, shade }
+    MatrixCell { text: typeset(worst), note, shade }
 }
 
 /// `1.5e-7` as 1.5·10⁻⁷; a failure unchanged.

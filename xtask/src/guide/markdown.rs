@@ -26,7 +26,7 @@ pub struct Heading {
 
 /// Where a link leads.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Target {
+pub enum LinkTarget {
     /// An address to link.
     Address(String),
     /// Nowhere in the guide: the text stays, followed by this, if it is not empty.
@@ -97,7 +97,7 @@ pub fn outline(text: &str, ids: &mut Ids) -> (String, Vec<Heading>) {
 pub fn render(
     text: &str,
     headings: &[Heading],
-    mut resolve: impl FnMut(&str, bool) -> Result<Target>,
+    mut resolve: impl FnMut(&str, bool) -> Result<LinkTarget>,
 ) -> Result<String> {
     let mut ids = headings.iter().map(|heading| CowStr::from(heading.id.as_str()));
     let (mut events, mut in_title) = (vec![], false);
@@ -115,11 +115,14 @@ pub fn render(
             }
             Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
                 let nowhere = link_type == LinkType::Email || dest_url.contains("::");
-                let target =
-                    if nowhere { Target::Text(String::new()) } else { resolve(&dest_url, false)? };
+                let target = if nowhere {
+                    LinkTarget::Text(String::new())
+                } else {
+                    resolve(&dest_url, false)?
+                };
                 links.push(match target {
-                    Target::Text(behind) => Some(behind),
-                    Target::Address(address) => {
+                    LinkTarget::Text(behind) => Some(behind),
+                    LinkTarget::Address(address) => {
                         let dest_url = address.into();
                         events.push(Event::Start(Tag::Link { link_type, dest_url, title, id }));
                         None
@@ -131,7 +134,7 @@ pub fn render(
                 None => Event::End(TagEnd::Link),
             }),
             Event::Start(Tag::Image { link_type, dest_url, title, id }) => {
-                let (Target::Address(dest_url) | Target::Text(dest_url)) =
+                let (LinkTarget::Address(dest_url) | LinkTarget::Text(dest_url)) =
                     resolve(&dest_url, true)?;
                 let dest_url = dest_url.into();
                 events.push(Event::Start(Tag::Image { link_type, dest_url, title, id }));
@@ -201,7 +204,7 @@ mod tests {
 
     fn html(text: &str) -> String {
         let (_, found) = outline(text, &mut Ids::default());
-        let resolve = |address: &str, _| Ok(Target::Address(format!("to/{address}")));
+        let resolve = |address: &str, _| Ok(LinkTarget::Address(format!("to/{address}")));
         render(text, &found, resolve).unwrap()
     }
 
@@ -254,7 +257,7 @@ mod tests {
 
     #[test]
     fn a_link_that_leads_nowhere_is_text_with_its_address() {
-        let behind = |_: &str, _| Ok(Target::Text(" (example.org)".into()));
+        let behind = |_: &str, _| Ok(LinkTarget::Text(" (example.org)".into()));
         let html = render("[there](https://example.org)", &[], behind).unwrap();
         assert_eq!(html, "<p>there (example.org)</p>\n");
     }

@@ -7,7 +7,7 @@ use anyhow::{Context, Result, ensure};
 
 use super::chapters::{self, Chapter};
 use super::links::{DOI, normal};
-use super::markdown::{self, Heading, Ids, Target};
+use super::markdown::{self, Heading, Ids, LinkTarget};
 use crate::folder::root;
 
 /// What a chapter shows, one after the other.
@@ -83,14 +83,14 @@ impl Site {
     ///
     /// # Errors
     /// A link that leads nowhere.
-    pub fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<Target> {
+    pub fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<LinkTarget> {
         // The guide works where there is no network: an address is text.
         if let Some((_, rest)) = link.split_once("://").filter(|_| !link.starts_with(DOI)) {
-            return Ok(Target::Text(format!(" ({})", rest.trim_end_matches('/'))));
+            return Ok(LinkTarget::Text(format!(" ({})", rest.trim_end_matches('/'))));
         }
         // To the pages themselves, from the chapters written for the guide.
         if link.starts_with(DOI) || link.starts_with("../") && link.ends_with("index.html") {
-            return Ok(Target::Address(link.into()));
+            return Ok(LinkTarget::Address(link.into()));
         }
         let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
         let path = match path {
@@ -102,13 +102,13 @@ impl Site {
             let found = self.anchors.get(&(path, anchor.to_owned())).cloned();
             let found =
                 found.with_context(|| format!("{}: no page of the guide has this heading", from()));
-            return found.map(Target::Address);
+            return found.map(LinkTarget::Address);
         }
         if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
-            return Ok(Target::Address(page.clone()));
+            return Ok(LinkTarget::Address(page.clone()));
         }
         ensure!(root().join(&path).is_file(), "{}: no such file", from());
-        Ok(Target::Address(self.file(&path)))
+        Ok(LinkTarget::Address(self.file(&path)))
     }
 }
 
@@ -120,7 +120,7 @@ mod tests {
     fn links_between_files_become_links_between_pages() {
         let (mut site, _) = Site::read().unwrap();
         let mut to = |from: &str, link: &str| site.resolve(Path::new(from), link, false);
-        let address = |text: &str| Target::Address(text.into());
+        let address = |text: &str| LinkTarget::Address(text.into());
         let cli = "crates/asperity-cli/README.md";
         let files = to(cli, "../asperity-topography/README.md#files").unwrap();
         assert_eq!(files, address("surface-files.html#files"));
@@ -131,7 +131,7 @@ mod tests {
         let code = to("README.md", "crates/asperity-bem/src/random_surface/mod.rs").unwrap();
         assert_eq!(code, address("files/crates/asperity-bem/src/random_surface/mod.rs.txt"));
         let outside = to(cli, "https://example.org/a/").unwrap();
-        assert_eq!(outside, Target::Text(" (example.org/a)".into()));
+        assert_eq!(outside, LinkTarget::Text(" (example.org/a)".into()));
         for wrong in ["nowhere.md", "#nowhere"] {
             let message = to("README.md", wrong).unwrap_err().to_string();
             assert!(message.starts_with("README.md: ") && message.contains(wrong), "{message}");

@@ -83,7 +83,7 @@ impl Numbers {
 
 /// A row of `hard_cases.csv`, or of `models.csv`, which has fewer columns.
 #[derive(Deserialize)]
-struct Row {
+struct CaseRow {
     #[serde(default)]
     family: String,
     case: String,
@@ -119,8 +119,8 @@ fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
 /// A table that is missing or malformed.
 pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
     let scenes: Vec<Named> = table("models_scenes.csv")?;
-    let rows = [table("hard_cases.csv")?, table::<Row>("models.csv")?].into_iter().flatten();
-    let case = |row: Row| {
+    let rows = [table("hard_cases.csv")?, table::<CaseRow>("models.csv")?].into_iter().flatten();
+    let case = |row: CaseRow| {
         // Rows of the lateral models with other options have other names and are left out.
         let wanted = |(model, quantity): &&(Model, Quantity)| {
             model.id() == row.model && quantity.to_string() == row.quantity
@@ -136,7 +136,7 @@ pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
 
 fn case(
     laws: &Laws,
-    row: &Row,
+    row: &CaseRow,
     mut scene: Scene,
     (model, quantity): &(Model, Quantity),
 ) -> Result<Case> {

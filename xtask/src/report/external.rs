@@ -32,7 +32,7 @@ pub struct External {
 pub type Task = (f64, usize, Arc<Problem>);
 
 /// The result of a task.
-pub struct Answer {
+pub struct ExternalAnswer {
     /// Value and evaluations, or failure.
     pub found: Result<Outcome, Failure>,
     /// Median time \[ns\].
@@ -87,7 +87,7 @@ impl External {
     ///
     /// # Errors
     /// When the process fails or its output is malformed.
-    pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
+    pub fn run(&self, tasks: &[Task]) -> Result<Vec<ExternalAnswer>> {
         let [program, arguments @ ..] = &self.command[..] else { bail!("no program") };
         let path = arguments.last().unwrap_or(program).with_extension("tasks");
         save(&path, tasks.iter().map(line).collect::<Result<String>>()?)?;
@@ -120,11 +120,11 @@ fn line((tolerance, repeats, problem): &Task) -> Result<String> {
 }
 
 /// Reads a line: value, evaluations, 1 for converged, time.
-fn answer(problem: &Problem, line: &str) -> Result<Answer> {
+fn answer(problem: &Problem, line: &str) -> Result<ExternalAnswer> {
     let fields: Vec<&str> = line.split_whitespace().collect();
     let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
     let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
     let found = Outcome { value, scaled: true, evaluations };
     let found = if converged == "1" { Ok(found) } else { Err(NOT_CONVERGED) };
-    Ok(Answer { found, ns: ns.parse()? })
+    Ok(ExternalAnswer { found, ns: ns.parse()? })
 }

@@ -73,7 +73,7 @@ pub struct Joint {
     #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: Option<String>,
     #[command(flatten)]
-    place: Place,
+    place: Closed,
     /// Unloading laws of the asperities: hertz, brake, etsion, or several
     #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
     laws: Vec<UnloadingLaw>,
@@ -104,7 +104,7 @@ pub struct Joint {
 /// The closest approach, the largest load, or turning points.
 #[derive(Debug, Args)]
 #[group(id = "place", required = true, multiple = false)]
-struct Place {
+struct Closed {
     /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
     #[arg(long, value_name = "D")]
     closest: Option<Distances>,
@@ -137,7 +137,7 @@ struct Cycle {
     tangential_force: Option<Numbers>,
 }
 
-impl Place {
+impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
     fn all(&self, scene: &LoadedScene, model: &NamedModel, turns: SeparationUnit) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;

@@ -43,7 +43,7 @@ pub fn csv(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
 fn json(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
     for (k, cells) in sheet.rows.iter().enumerate() {
         out.write_all(if k == 0 { b"[\n" } else { b",\n" })?;
-        serde_json::to_writer(&mut *out, &Row { heads: &sheet.heads, cells })?;
+        serde_json::to_writer(&mut *out, &JsonRow { heads: &sheet.heads, cells })?;
     }
     out.write_all(if sheet.rows.is_empty() { b"[]\n" } else { b"\n]\n" })
 }
@@ -87,12 +87,12 @@ fn quoted(text: String) -> String {
 }
 
 /// A row as an object with its keys in order.
-struct Row<'t> {
+struct JsonRow<'t> {
     heads: &'t [String],
     cells: &'t [Cell],
 }
 
-impl Serialize for Row<'_> {
+impl Serialize for JsonRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.heads.iter().zip(self.cells))
     }

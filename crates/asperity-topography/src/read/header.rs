@@ -1,7 +1,7 @@
 //! Headers of text files, in English, German and French.
 
 use super::scan::PixelSize;
-use super::table::{Delimiter, Table};
+use super::table::{Delimiter, NumberTable};
 use crate::error::{refuse, refuse_line};
 use crate::unit::{length, quantity, unit, unit_in};
 use crate::{LengthUnit, TopographyError};
@@ -37,7 +37,7 @@ pub(super) struct Header {
 }
 
 impl Header {
-    pub(super) fn read(table: &Table) -> Result<Self, TopographyError> {
+    pub(super) fn read(table: &NumberTable) -> Result<Self, TopographyError> {
         let mut header = Self::default();
         // A unit that is no length, such as rad, needs a factor.
         let mut other_unit = None;
@@ -78,7 +78,7 @@ impl Header {
     }
 
     /// The last lines may name the columns, in one line, or their units in a second one.
-    fn read_columns(&mut self, table: &Table) {
+    fn read_columns(&mut self, table: &NumberTable) {
         if table.columns > 3 {
             return;
         }
@@ -149,7 +149,7 @@ fn is_factor(key: &str) -> bool {
 }
 
 /// The names over the columns, if the line has as many.
-fn names(text: &str, table: &Table) -> Option<Vec<String>> {
+fn names(text: &str, table: &NumberTable) -> Option<Vec<String>> {
     let delimiters = [table.delimiter, Delimiter(b',')];
     let split = |delimiter: &Delimiter| {
         let names: Vec<_> = delimiter
@@ -197,7 +197,7 @@ mod tests {
     use super::*;
 
     fn header(text: &str) -> Result<Header, TopographyError> {
-        Header::read(&Table::parse(text.as_bytes())?)
+        Header::read(&NumberTable::parse(text.as_bytes())?)
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::error::{at_most, refuse_line};
 use crate::{MAX_POINTS, TopographyError};
 
 /// A table of numbers; NaN for missing values.
-pub(super) struct Table {
+pub(super) struct NumberTable {
     /// Lines before the first row, with their numbers.
     pub(super) header: Vec<(usize, String)>,
     pub(super) values: Vec<f64>,
@@ -53,7 +53,7 @@ impl Delimiter {
     }
 }
 
-impl Table {
+impl NumberTable {
     /// # Errors
     /// [`TopographyError`] when there is no row of numbers, when rows differ in length, when a
     /// field is neither a number nor a mark of a missing point, or when there are too many values.
@@ -211,12 +211,12 @@ mod tests {
     }
 
     fn values(text: &str) -> (usize, Vec<f64>) {
-        let table = Table::parse(text.as_bytes()).unwrap();
+        let table = NumberTable::parse(text.as_bytes()).unwrap();
         (table.columns, table.values)
     }
 
     fn message(bytes: &[u8]) -> String {
-        Table::parse(bytes).err().unwrap().to_string()
+        NumberTable::parse(bytes).err().unwrap().to_string()
     }
 
     #[test]

@@ -6,12 +6,12 @@ use super::header::Header;
 use super::points::grid;
 use super::profile::profile;
 use super::scan::{PixelSize, Scan, points};
-use super::table::Table;
+use super::table::NumberTable;
 use crate::TopographyError;
 use crate::error::refuse_line;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let mut table = Table::parse(&without_words(decode(bytes)?))?;
+    let mut table = NumberTable::parse(&without_words(decode(bytes)?))?;
     table.drop_empty();
     let header = Header::read(&table)?;
     if header.index && table.columns > 1 {
@@ -65,7 +65,7 @@ fn without_words(mut bytes: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
 }
 
 /// A row of heights to a line; a single column is a profile.
-fn matrix(table: Table, header: &Header) -> Result<Scan, TopographyError> {
+fn matrix(table: NumberTable, header: &Header) -> Result<Scan, TopographyError> {
     let n = table.values.len();
     let (columns, over) = if table.columns == 1 { (n, Some(0)) } else { (table.columns, None) };
     let rows = n / columns;
@@ -82,7 +82,7 @@ fn matrix(table: Table, header: &Header) -> Result<Scan, TopographyError> {
 }
 
 /// A profile of positions and heights.
-fn positions(table: Table, header: &Header) -> Result<Scan, TopographyError> {
+fn positions(table: NumberTable, header: &Header) -> Result<Scan, TopographyError> {
     let rows = table.values.chunks(table.columns);
     let (places, heights) = rows.map(|row| (row[0], row[1])).unzip();
     drop(table);
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn no_data_is_one_mark() {
-        let table = |text: &'static str| Table::parse(&without_words(text.as_bytes().into()));
+        let table = |text: &'static str| NumberTable::parse(&without_words(text.as_bytes().into()));
         let found = table("0 0 No Data\n1 0 2.5\n2 0 no data\n").unwrap();
         assert_eq!((found.columns, found.values.len()), (3, 9));
         let missing: Vec<_> = (0..9).filter(|k| found.values[*k].is_nan()).collect();
