@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import one_scene
+from asperity._arguments import one_scene, record
 from asperity._asperity import Engine, Scene, floats
 from asperity._model import Model
 from asperity._scene import Floats
@@ -209,19 +209,9 @@ def _free(free: Any) -> list[str | tuple[str, tuple[float, float] | None]]:
 
 
 def _fit(found: dict[str, Any], scene: Scene) -> Fit:
-    fields = {
-        name: tuple(value) if isinstance(value, list) else value
-        for name, value in found.items()
-        if name != "evaluations"
-    }
-    fields["correlation"] = np.array(found["correlation"], dtype=np.float64)
-    parameters = {
-        one["name"]: Estimate(
-            one["value"], one["lower"], one["upper"], one["unit"], tuple(one["bounds"])
-        )
-        for one in found["parameters"]
-    }
-    fields["parameters"] = parameters
+    parameters = {one["name"]: record(Estimate, one) for one in found["parameters"]}
     rig = ("separation_offset", "series_compliance")
     numbers = {name: one.value for name, one in parameters.items() if name not in rig}
-    return Fit(**fields, scene=scene.replace(**numbers))
+    correlation = np.array(found["correlation"], dtype=np.float64)
+    made = {"correlation": correlation, "parameters": parameters, "scene": scene.replace(**numbers)}
+    return record(Fit, found | made)
