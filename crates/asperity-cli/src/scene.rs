@@ -108,6 +108,8 @@ impl LoadedScene {
     pub fn answer<T>(&self, fill: impl FnOnce(&mut Sheet) -> Result<T>) -> Result<(Sheet, T)> {
         let mut sheet = Sheet::default();
         let filled = fill(&mut sheet);
+        let accepted = |code: &str| self.file.accept.iter().any(|accepted| accepted == code);
+        sheet.findings.retain(|one| one.severity == Severity::Error || !accepted(one.code));
         output::show(&sheet.findings);
         match filled.map_err(anyhow::Error::downcast::<AnswerError>) {
             Ok(filled) => Ok((sheet, filled)),

@@ -1,4 +1,4 @@
-//! The calculation of the page as lines for a shell and Python, and as tables.
+//! The calculation of the page as lines for a shell, Python and Rust, and as tables.
 
 use asperity::{At, Quantity, Tolerance};
 use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
@@ -18,11 +18,14 @@ const TABLE_ERROR: f64 = 0.01;
 pub(crate) struct Code {
     pub(crate) shell: String,
     pub(crate) python: String,
+    pub(crate) rust: String,
 }
 
 /// The same models at the same load.
 pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown)) -> Code {
     let names: Vec<String> = quantities(file).iter().map(Quantity::to_string).collect();
+    let variants: Vec<String> =
+        quantities(file).iter().map(|quantity| format!("Quantity::{quantity:?}")).collect();
     let (option, number) = match at {
         At::Pressure(_) => ("pressure", load.pascals),
         _ => ("load", load.newtons),
@@ -37,6 +40,18 @@ pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown
             "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in {ids:?}:\n    \
              answer = asperity.model(name).solve(scene, {option}={number:?}, quantities=[\"area-fraction\", \"tangent\"])\n    \
              print(name, answer.area_fraction, answer.tangent)\n"
+        ),
+        rust: format!(
+            "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
+             fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
+             let file = asperity_inputs::load(\"scene.toml\")?;\n    \
+             let quantities = [\n        {},\n    ];\n    \
+             let request = Request::new(quantities).at([At::{}({number:?})]);\n    \
+             for id in {ids:?} {{\n        \
+             println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
+             }}\n    Ok(())\n}}\n",
+            variants.join(",\n        "),
+            if option == "load" { "Load" } else { "Pressure" },
         ),
     }
 }

@@ -51,7 +51,7 @@ pub(crate) enum Message {
     Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// The same calculation in a shell and in Python.
+    /// The same calculation in a shell, in Python and in Rust.
     Code { models: Vec<String>, load: LoadKeys },
     /// The law of one asperity.
     Law { model: String },

@@ -86,7 +86,7 @@ function advise() {
 async function code() {
   if (!$("code").open || !answers() || !state.load) return;
   const found = await ask(desks.quick, "code", { models: chosen(), load: loadKeys() });
-  for (const language of ["shell", "python"]) $(`code-${language}`).textContent = found[language];
+  for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = found[language];
 }
 
 function law() {
@@ -138,7 +138,7 @@ export const takeAway = {
     if (ids.length === 0) {
       noPicture($("law-picture"));
       $("law-source").replaceChildren();
-      for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
+      for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = "";
     } else law();
   },
 };
