@@ -3,6 +3,7 @@
 use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
 use asperity_inputs::SceneFile;
 
+use crate::models::note_adhesion;
 use crate::number::rounded;
 use crate::{AnswerError, Cell, NamedModel, Sheet};
 
@@ -23,6 +24,7 @@ pub fn pull_off(
     let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
     let (scene, from) = (&file.scene, file.separation_from);
     sheet.under(&[&heads]);
+    note_adhesion(file, sheet);
     for (id, model) in models {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let contact = model.compile(scene, &request);

@@ -143,7 +143,7 @@ impl BemCommand {
             let text = "--model names models to compare with boundary elements; add --compare";
             usage_error("bem", ErrorKind::MissingRequiredArgument, text);
         }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic())?;
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), false)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.bem(&scene)?;
@@ -190,7 +190,7 @@ impl BemCommand {
         {
             usage_error(command, ErrorKind::ArgumentConflict, only);
         }
-        let scene = LoadedScene::load_any(&self.scene, self.periodic())?;
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), true)?;
         let bem = self.bem(&scene)?;
         let area = scene.file.scene.nominal_area;
         let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);

@@ -96,7 +96,7 @@ impl Check {
                 })
             })?;
             if !findings {
-                output::report(&checked.findings);
+                output::show(&checked.findings);
             }
         }
         if let Some(refused) = refused {

@@ -93,13 +93,13 @@ impl Conductance {
             roughness: self.roughness(),
             gas: self.gas(),
         };
-        let (sheet, ()) = scene.answer(|sheet| Ok(question.answer(&self.places(), sheet)?))?;
+        let (sheet, ()) = scene.answer(|sheet| question.answer(&self.places(), sheet))?;
         self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.
     fn open(&self) -> Result<LoadedScene> {
-        let mut scene = LoadedScene::load_for(&self.scene, &self.ids())?;
+        let mut scene = LoadedScene::load(&self.scene, &self.ids())?;
         let interface = &mut scene.file.scene.interface;
         let Some(given) = &self.conductivity else {
             if interface.thermal_conductivity.is_none() {

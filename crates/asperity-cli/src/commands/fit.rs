@@ -17,10 +17,10 @@ use crate::input::target::metres;
 use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
-use crate::output::number::rounded;
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
+use asperity_answer::rounded;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
 #[derive(Debug, Args)]
@@ -95,7 +95,7 @@ pub struct FitCommand {
 impl FitCommand {
     pub fn run(self) -> Result<()> {
         self.check_plot();
-        let scene = LoadedScene::load(&self.scene)?;
+        let scene = LoadedScene::load(&self.scene, &[])?;
         if output::has_error() {
             bail!("{}: fits need a scene without errors; correct it first", scene.name);
         }

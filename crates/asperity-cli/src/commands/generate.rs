@@ -9,8 +9,8 @@ use clap::Args;
 
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
-use crate::output::number::rounded;
 use crate::output::{self, contact_map, print_message};
+use asperity_answer::rounded;
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]

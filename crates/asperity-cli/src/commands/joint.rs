@@ -139,7 +139,7 @@ struct Cycle {
 
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
-    fn all(&self, scene: &LoadedScene, model: &NamedModel, turns: SeparationUnit) -> Vec<At> {
+    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel, turns: SeparationUnit) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
         for (name, list, plain) in
@@ -155,7 +155,7 @@ impl Closed {
         places.extend(loads.copied().map(At::Load));
         let pressures = self.pressure.iter().flat_map(|list| &list.0);
         places.extend(pressures.copied().map(At::Pressure));
-        scene.report_answers(&[model], &places);
+        scene.report(scene.file.findings_at(model, &places));
         places
     }
 
@@ -168,7 +168,7 @@ impl Joint {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
         self.output.check(command);
-        let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
+        let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
         let model = self.model.as_deref();
         let named = model.map_or_else(|| scene.default_model(), |id| scene.model(id))?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
@@ -190,8 +190,7 @@ impl Joint {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
         if self.place.turns() {
-            let (sheet, ()) =
-                scene.answer(|sheet| Ok(history(&subject, &laws, &places, sheet)?))?;
+            let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.separation_from;
             return self.output.write(&sheet, || joint_plots::history(&sheet, from));
         }
@@ -204,12 +203,12 @@ impl Joint {
         if is_scan {
             let watch = terminal()?;
             let fill =
-                |sheet: &mut Sheet| Ok(unloading_scan(&subject, closest, retreats, sheet, &watch)?);
+                |sheet: &mut Sheet| unloading_scan(&subject, closest, retreats, sheet, &watch);
             let (sheet, ()) = scene.answer(fill)?;
             drop(watch);
             return self.output.write(&sheet, || joint_plots::opening(&sheet, &sheet));
         }
-        let fill = |sheet: &mut Sheet| Ok(unloading(&subject, &laws, closest, retreats, sheet)?);
+        let fill = |sheet: &mut Sheet| unloading(&subject, &laws, closest, retreats, sheet);
         let (sheet, ()) = scene.answer(fill)?;
         self.output.write(&sheet, || {
             let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
@@ -226,7 +225,7 @@ impl Joint {
             print_message("note", &text);
         }
         let points = self.points.unwrap_or(POINTS);
-        let fill = |sheet: &mut Sheet| Ok(slip.answer(preloads, &amplitudes, points, sheet)?);
+        let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet);
         let (sheet, ()) = scene.answer(fill)?;
         self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
     }

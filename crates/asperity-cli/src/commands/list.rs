@@ -42,24 +42,9 @@ enum What {
     Materials,
 }
 
-/// The models: `list models`
+/// The word that models or materials are chosen by, and the output.
 #[derive(Debug, Args)]
-#[command(hide = true)]
-pub struct Models {
-    #[command(flatten)]
-    like: Like,
-}
-
-/// The materials that a scene file may name: `list materials`
-#[derive(Debug, Args)]
-#[command(hide = true)]
-pub struct Materials {
-    #[command(flatten)]
-    like: Like,
-}
-
-#[derive(Debug, Args)]
-struct Like {
+pub struct Like {
     /// Only models of this id, or with this word in their name, authors or year; or materials with
     /// this word in their name, or the nearest ones
     word: Option<String>,
@@ -76,21 +61,9 @@ impl List {
     }
 }
 
-impl Models {
-    pub fn run(self) -> Result<()> {
-        self.like.show(models)
-    }
-}
-
-impl Materials {
-    pub fn run(self) -> Result<()> {
-        self.like.show(materials)
-    }
-}
-
 impl Like {
     /// Writes a list, narrow in a terminal, and its notes.
-    fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
+    pub fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
         let narrow = self.output.format == Format::Table;
         let sheet = list(&self.word.unwrap_or_default(), narrow)?;
         self.output.write(&sheet)?;
@@ -112,7 +85,7 @@ const OF_MODELS: [&str; 9] =
 /// Those of a terminal, as places in [`OF_MODELS`]; the others are too wide.
 const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
-fn models(word: &str, narrow: bool) -> Result<Sheet> {
+pub fn models(word: &str, narrow: bool) -> Result<Sheet> {
     let all: Vec<usize> = (0..OF_MODELS.len()).collect();
     let shown = if narrow { &NARROW[..] } else { &all };
     let mut sheet = Sheet::new(&shown.iter().map(|k| OF_MODELS[*k]).collect::<Vec<_>>());
@@ -186,7 +159,7 @@ const OF_MATERIALS: [&str; 9] = [
     "source",
 ];
 
-fn materials(word: &str, narrow: bool) -> Result<Sheet> {
+pub fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::new(&OF_MATERIALS[..OF_MATERIALS.len() - usize::from(narrow)]);
     let found = asperity_inputs::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity materials` lists all");

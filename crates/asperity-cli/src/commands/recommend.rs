@@ -55,7 +55,7 @@ Examples:
 
 impl Recommend {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.asked.scene)?;
+        let scene = LoadedScene::load(&self.asked.scene, &[])?;
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let asked = asperity_answer::Recommend {
@@ -66,7 +66,7 @@ impl Recommend {
             at_defaults: self.asked.is_nowhere(),
         };
         let working = progress("comparing models");
-        let (sheet, ()) = scene.answer(|sheet| Ok(asked.answer(&scene.file, sheet)?))?;
+        let (sheet, ()) = scene.answer(|sheet| asked.answer(&scene.file, sheet))?;
         drop(working);
         self.output.write(&sheet)
     }

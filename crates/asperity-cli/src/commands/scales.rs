@@ -75,7 +75,7 @@ impl Scales {
         finish: impl Fn(Topography) -> Result<Topography>,
     ) -> Result<Sheet> {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
-        let scene = self.with.as_deref().map(LoadedScene::load).transpose()?;
+        let scene = self.with.as_deref().map(|path| LoadedScene::load(path, &[])).transpose()?;
         let asked = match &scene {
             Some(scene) => Some((scene, scene.reference(self.model.as_deref())?)),
             None => None,

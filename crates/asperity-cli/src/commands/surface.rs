@@ -178,7 +178,7 @@ impl Surface {
             each.push(both);
         }
         drop(working);
-        output::report(&found);
+        output::show(&found);
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);
