@@ -10,10 +10,9 @@ use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
-use crate::commands::fit_lists::{List, all, free, targets};
 use crate::input::args::{OutputArgs, model_id, svg_file};
 use crate::input::numbers::{load, pressure};
-use crate::input::target::metres;
+use crate::input::target::{metres, target};
 use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
@@ -67,15 +66,15 @@ pub struct FitCommand {
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
     /// Free parameters, at least one, each with bounds if these are given
-    #[arg(long, value_name = "KEY[=A:B]", value_parser = free)]
-    free: Vec<List<Free>>,
+    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
+    free: Vec<Free>,
     /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
-    #[arg(long, value_name = "Q=V", value_parser = targets)]
+    #[arg(long, value_name = "Q=V", value_delimiter = ',', value_parser = target)]
     #[arg(group = "source", requires = "place")]
-    target: Vec<List<(String, f64)>>,
+    target: Vec<(String, f64)>,
     /// Load of the target, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "P", value_parser = load, group = "place", conflicts_with = "data")]
     load: Option<f64>,
@@ -161,7 +160,7 @@ impl FitCommand {
                     false => ControlFlow::Continue(()),
                 }
             };
-            match scene.file.fit(model, data, &all(&self.free), &mut watch) {
+            match scene.file.fit(model, data, &self.free, &mut watch) {
                 Ok(mut found) => {
                     // The name in the result, where options of the scene give the model another.
                     found.model.clone_from(id);
@@ -195,7 +194,7 @@ impl FitCommand {
     }
 
     fn write(&self, report: &Report<'_>) -> Result<()> {
-        report.print_notes(&all(&self.free));
+        report.print_notes(&self.free);
         report.print_findings()?;
         if let Some(file) = &self.plot {
             output::write_text(Some(file), &report.svg()?)?;
@@ -219,8 +218,8 @@ impl FitCommand {
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
-        let (area, targets) = (scene.file.scene.nominal_area, all(&self.target));
-        let is_given = all(&self.free).iter().all(|one| one.name != "nominal_area");
+        let (area, targets) = (scene.file.scene.nominal_area, &self.target);
+        let is_given = self.free.iter().all(|one| one.name != "nominal_area");
         let largest = targets.iter().find(|(name, value)| name == "area_m2" && *value > area);
         if let Some((_, value)) = largest.filter(|_| is_given) {
             let [value, area] = [*value, area].map(rounded);
@@ -233,7 +232,7 @@ impl FitCommand {
         ];
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
-        let columns = places.chain(targets);
+        let columns = places.chain(targets.iter().cloned());
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
         scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
     }

@@ -9,7 +9,6 @@ mod conductivity;
 mod curve;
 mod export;
 mod fit;
-mod fit_lists;
 mod generate;
 mod init;
 mod joint;

@@ -182,11 +182,6 @@ pub fn print_message(kind: &str, text: &str) {
         return;
     }
     ERROR.fetch_or(kind == "error", Ordering::Relaxed);
-    print_always(kind, text);
-}
-
-/// A message on standard error, also where warnings and notes are left out.
-pub fn print_always(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
