@@ -83,7 +83,7 @@ pub fn one_or_usual(
 /// allows; a note names the others.
 ///
 /// # Errors
-/// Those of [`SceneFile::model`], and [`AnswerError::NoModel`].
+/// Those of [`SceneFile::model`], and where it allows none.
 pub fn models(
     file: &SceneFile,
     requested: &[String],
@@ -101,7 +101,7 @@ pub fn models(
     }
     let models = available(file, quantities, sheet);
     if models.is_empty() {
-        return Err(AnswerError::NoModel);
+        return Err("no model is available for this scene".into());
     }
     Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
 }

@@ -42,7 +42,7 @@ impl Recommend<'_> {
         let models = models_beside_bem(file, self.models, &request.quantities, sheet)?;
         let advice = file
             .recommend_among(models, request, &reference, *within)
-            .map_err(|error| AnswerError::Reference { id, error })?;
+            .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;
 
         let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
         let off = if unloading { &OFF[..] } else { &OFF[..2] };
