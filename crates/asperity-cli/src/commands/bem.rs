@@ -31,10 +31,7 @@ planes), patches, iterations, residual; then those of --quantity, with the names
 models have; with --refine the same on half the grid;
 boundary (periodic, periodic-part or free).
 --compare solves the same contacts by models, with the asperities of the same scan. Deviations
-are relative to bem; of the mean gap, over the rms height of the scan. A model that needs
-more than the nominal area, or a mean pressure above 1.5 times the hardness, has no result.
-Rows and values without a result are blank; the reason is printed. Where contacts yield, the
-stiffness of bem is the chord between pressures up to 5 % to either side.
+are relative to bem; of the mean gap, over the rms height of the scan.
 After Ctrl-C the loads solved so far are written; the exit code is 130.
 
 Examples:

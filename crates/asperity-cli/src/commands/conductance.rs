@@ -13,7 +13,7 @@ use super::conductance_picture::picture;
 use super::conductivity::{
     Conductivity, conductivity, interface_conductivity, missing_conductivity,
 };
-use crate::input::args::{DrawnArgs, model_id};
+use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, slope};
 use crate::output::print_message;
@@ -34,9 +34,7 @@ slope, are those of --sigma and --mean-slope, of the scan or, without both, of a
 with the scene's asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
 power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
-With --model, the models and correlations of the list only.
-Values of models and correlations are for contacts in vacuum; the models neglect their
-thermal interaction.
+Values are for contacts in vacuum; the models neglect their thermal interaction.
 
 Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
@@ -93,7 +91,8 @@ impl Conductance {
             roughness: self.roughness(),
             gas: self.gas(),
         };
-        let (sheet, ()) = scene.answer(|sheet| question.answer(&self.places(), sheet))?;
+        let places: Vec<At> = loads(&self.load, &self.pressure).collect();
+        let (sheet, ()) = scene.answer(|sheet| question.answer(&places, sheet))?;
         self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
@@ -114,12 +113,6 @@ impl Conductance {
         let found = interface.findings().into_iter();
         scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
         Ok(scene)
-    }
-
-    fn places(&self) -> Vec<At> {
-        let [loads, pressures] =
-            [&self.load, &self.pressure].map(|list| list.iter().flat_map(|list| &list.0).copied());
-        loads.map(At::Load).chain(pressures.map(At::Pressure)).collect()
     }
 
     fn gas(&self) -> Option<Gas> {

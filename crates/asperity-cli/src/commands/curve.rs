@@ -23,25 +23,20 @@ const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
 separation_m, then the quantities with their units: force_N, area_m2.
-Where several separations carry a load (jg, at), the largest is used, which is the
-first on approach, or --all give each its row, the smallest first; a tension (dmt, jkr) has
-its stable separation, the smallest. Values that do not exist are blank; a message gives the
-reason.
+Where several separations carry a load (jg, at), the largest is used, the first on
+approach; a tension (dmt, jkr) has its stable separation, the smallest. Values that do not
+exist are blank; a message gives the reason.
 Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
 unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
 yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
 describes shear without slip.
-With --pull-off, force_N and pressure_Pa are below 0, or blank where there is no tension;
-jkr means jkr-separation then, the branch on which surfaces separate. dmt is for small,
-hard asperities (tabor_parameter below 0.1), jkr for large, soft ones (above 5); `asperity
-check` prints the tabor_parameter.
-Conductances are of the whole area, or with -per-area per nominal area.
+With --pull-off, jkr means jkr-separation, the branch on which surfaces separate. dmt is
+for small, hard asperities (tabor_parameter below 0.1), jkr for large, soft ones (above 5);
+`asperity check` prints the tabor_parameter.
 With --reference, deviations are relative to that model (differences for logarithms and
-shares), and 0 where two values differ by less than their error bounds. At a load, each
-model has its own separation.
+shares), and 0 where two values differ by less than their error bounds.
 With --corrected each model has two sets of rows: ke, as it is, and ke-corrected with the
-intervals, which hold nine of ten surfaces; quantities and loads without evidence are
-blank there, and a message gives the reason.
+intervals, which hold nine of ten surfaces.
 Default: force, area and tangent (at loads without the force) at separations of
 0:4:401 in units of asperity_height_std.
 

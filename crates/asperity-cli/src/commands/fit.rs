@@ -10,7 +10,7 @@ use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
-use crate::input::args::{OutputArgs, model_id, svg_file};
+use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::input::usage_error;
@@ -47,10 +47,8 @@ do not fix that end within the bounds), unit, rms (relative) and bic. Models are
 BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
 condition, undetermined combinations, limits at which parameters stop, residuals,
 unreachable data, an outlier and another stiffness that fits. If no model describes the
-data, or none reaches the target, the exit code is 1; the line, or two of more than six, or the
-unit that explains the data is named. No line is left out.
+data, or none reaches the target, the exit code is 1.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
-Default model: ke (gw without a hardness).
 
 Examples:
   asperity curve scene.toml --model ke --pressure 1e5:1e7:8:log --quantity area,unloading-stiffness --output data.csv
@@ -85,15 +83,12 @@ pub struct FitCommand {
     #[arg(long, value_name = "D", value_parser = metres, group = "place", conflicts_with = "data")]
     separation: Option<f64>,
     #[command(flatten)]
-    output: OutputArgs,
-    /// Also plot data and fitted models, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
-    plot: Option<PathBuf>,
+    output: DrawnArgs,
 }
 
 impl FitCommand {
     pub fn run(self) -> Result<()> {
-        self.check_plot();
+        self.output.check("fit");
         let scene = LoadedScene::load(&self.scene, &[])?;
         if output::has_error() {
             bail!("{}: fits need a scene without errors; correct it first", scene.name);
@@ -196,14 +191,13 @@ impl FitCommand {
     fn write(&self, report: &Report<'_>) -> Result<()> {
         report.print_notes(&self.free);
         report.print_findings()?;
-        if let Some(file) = &self.plot {
-            output::write_text(Some(file), &report.svg()?)?;
-        }
-        match self.output.format {
+        self.output.draw(|| report.svg())?;
+        let output = &self.output.output;
+        match output.format {
             Format::Json => {
-                self.output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
+                output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
             }
-            _ => self.output.write(&report.table()),
+            _ => output.write(&report.table()),
         }
     }
 
@@ -235,15 +229,5 @@ impl FitCommand {
         let columns = places.chain(targets.iter().cloned());
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
         scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
-    }
-
-    /// Ends the program where plot and data have the same destination.
-    fn check_plot(&self) {
-        let files = [self.plot.as_deref(), self.output.output.as_deref()];
-        let both = self.plot.is_some() && files.map(output::is_standard) == [true; 2];
-        if both || matches!(files, [Some(plot), Some(data)] if output::is_same(plot, data)) {
-            let text = "--plot and the result have the same destination; name two files";
-            usage_error("fit", ErrorKind::ArgumentConflict, text);
-        }
     }
 }

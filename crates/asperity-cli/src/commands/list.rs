@@ -13,11 +13,7 @@ use crate::output::{self, table::Format};
 #[command(
     after_help = "Models: R is the radius of an asperity, w_c the critical interference, at which it begins
 to yield (w_c' with another constant in jg, w_1 in zmc). The column equations holds the
-provenance of each model's equations:
-  seen      read in public text or code that quotes the paper
-  derived   proved or checked numerically, not read in the paper
-  recalled  from general knowledge of the literature, the paper was not available
-csv and json also hold titles, notes and how variants differ. The models from gw to af,
+provenance of each model's equations; notes explain its words. csv and json also hold titles, notes and how variants differ. The models from gw to af,
 and ghaednia, exist with -random behind the id as well: averaged over the asperities of
 a random surface, whose heights and radii differ. bem, boundary elements, needs a scan.
 Materials: write material = \"steel-100cr6\" in [[body]] instead of the numbers. The numbers
