@@ -55,9 +55,12 @@ impl Conductance<'_> {
             Correlation::ALL.into_iter().filter(is_asked).collect();
         let models = self.models(sheet)?;
         let alone = models.len() + correlations.len() == 1;
-        let leave_out = |sheet: &mut Sheet, id: &str, reason: String| match alone {
-            true => Err(AnswerError::Reason(format!("{id}: {reason}"))),
-            false => Ok(sheet.warn("left-out", format!("left out: {id}: {reason}"))),
+        let leave_out = |sheet: &mut Sheet, id: &str, reason: String| -> Outcome {
+            if alone {
+                return Err(format!("{id}: {reason}").into());
+            }
+            sheet.warn("left-out", format!("left out: {id}: {reason}"));
+            Ok(())
         };
         let mut answered = vec![];
         for (id, model) in models {
