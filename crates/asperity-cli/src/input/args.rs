@@ -75,7 +75,7 @@ pub struct DrawnArgs {
     pub output: OutputArgs,
     /// Also plot the result, one panel for each quantity
     #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
-    plot: Option<PathBuf>,
+    pub plot: Option<PathBuf>,
 }
 
 impl ModelArgs {
