@@ -9,6 +9,7 @@ use asperity::{
 use asperity_inputs::SceneFile;
 
 use crate::models::grouped;
+use crate::subject::measured;
 
 /// A model on a scene, compiled once for the quantities that it has.
 #[derive(Debug)]
@@ -159,10 +160,8 @@ impl Asked {
     /// The separation at a place in σ_z and in metres, from the plane of the scene.
     fn separation(&self, file: &SceneFile, at: At) -> [Option<f64>; 2] {
         let separation = self.contact.separation(at).ok();
-        [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| {
-            let found = separation.as_ref()?;
-            Some(found.measured_in(unit, file.separation_from, &file.scene).ok()?.value)
-        })
+        [SeparationUnit::Sigma, SeparationUnit::Metres]
+            .map(|unit| measured(file, separation?, unit).ok())
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.

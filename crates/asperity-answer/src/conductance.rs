@@ -4,6 +4,7 @@ use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
 use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
 use asperity_inputs::SceneFile;
 
+use crate::models::{once, one_model, one_or_usual};
 use crate::number::rounded;
 use crate::subject::Outcome;
 use crate::{AnswerError, Cell, Sheet};
@@ -24,11 +25,11 @@ pub struct Gas {
 pub struct Conductance<'a> {
     /// The scene, with a thermal conductivity.
     pub file: &'a SceneFile,
-    /// Models by the name of their rows, or why there is none.
-    pub models: Vec<(String, Result<Model, String>)>,
-    /// Correlations.
-    pub correlations: Vec<Correlation>,
-    /// Their roughness, if it is not that of the scene.
+    /// The name of the scene in messages.
+    pub name: &'a str,
+    /// Models and correlations by id; none for the usual model and all correlations.
+    pub ids: &'a [String],
+    /// The roughness of the correlations, if it is not that of the scene.
     pub roughness: Option<GapRoughness>,
     /// A gas in the gap of the models.
     pub gas: Option<Gas>,
@@ -48,21 +49,37 @@ impl Conductance<'_> {
             heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
         }
         sheet.heads = heads;
+        let is_asked =
+            |known: &Correlation| self.ids.is_empty() || self.ids.iter().any(|id| id == known.id());
+        let correlations: Vec<Correlation> =
+            Correlation::ALL.into_iter().filter(is_asked).collect();
+        let models = self.models(sheet)?;
+        let alone = models.len() + correlations.len() == 1;
+        let leave_out = |sheet: &mut Sheet, id: &str, reason: String| -> Outcome {
+            if alone {
+                return Err(format!("{id}: {reason}").into());
+            }
+            sheet.warn("left-out", format!("left out: {id}: {reason}"));
+            Ok(())
+        };
         let mut answered = vec![];
-        for (id, model) in &self.models {
-            let rows = model.as_ref().map_err(|reason| reason.clone().into());
-            match rows.and_then(|model| self.add_model(sheet, places, id, model)) {
-                Ok(()) => answered.extend(model),
-                Err(reason) => self.leave_out(sheet, id, &reason.to_string())?,
+        for (id, model) in models {
+            let rows = model.and_then(|model| {
+                let rows = self.add_model(sheet, places, &id, &model);
+                rows.map(|()| model).map_err(|error| error.to_string())
+            });
+            match rows {
+                Ok(model) => answered.push(model),
+                Err(reason) => leave_out(sheet, &id, reason)?,
             }
         }
-        let found = answered.into_iter().flat_map(|model| self.file.findings_at(model, places));
+        let found = answered.iter().flat_map(|model| self.file.findings_at(model, places));
         sheet.report(self.file, found.collect());
         let mut used = vec![];
-        for &correlation in &self.correlations {
+        for correlation in correlations {
             match self.add_correlation(sheet, places, correlation) {
                 Ok(()) => used.push(correlation.id()),
-                Err(reason) => self.leave_out(sheet, correlation.id(), &reason.to_string())?,
+                Err(reason) => leave_out(sheet, correlation.id(), reason.to_string())?,
             }
         }
         if sheet.rows.is_empty() {
@@ -72,6 +89,21 @@ impl Conductance<'_> {
             self.note_roughness(sheet, &used.join(", "));
         }
         Ok(())
+    }
+
+    /// The models, each by the name of its rows, or why there is none.
+    fn models(&self, sheet: &mut Sheet) -> Outcome<Vec<(String, Result<Model, String>)>> {
+        if self.ids.is_empty() {
+            let (id, model) = one_or_usual(self.file, self.name, None, sheet)?;
+            return Ok(vec![(id, Ok(model))]);
+        }
+        let is_model = |id: &&String| Correlation::ALL.iter().all(|known| *id != known.id());
+        let name = format!("{}: ", self.name);
+        let model = |id: &String| {
+            let reason = |error: AnswerError| error.to_string().trim_start_matches(&name).into();
+            (id.clone(), one_model(self.file, id, sheet).map(|named| named.1).map_err(reason))
+        };
+        Ok(once(self.ids).iter().filter(is_model).map(model).collect())
     }
 
     fn add_model(&self, sheet: &mut Sheet, places: &[At], id: &str, model: &Model) -> Outcome {
@@ -130,16 +162,6 @@ impl Conductance<'_> {
 
     fn roughness(&self) -> GapRoughness {
         self.roughness.unwrap_or_else(|| self.file.gap_roughness())
-    }
-
-    /// Names a model or correlation without a conductance in this scene; an error if no other is in
-    /// the list.
-    fn leave_out(&self, sheet: &mut Sheet, id: &str, reason: &str) -> Outcome {
-        if self.models.len() + self.correlations.len() == 1 {
-            return Err(format!("{id}: {reason}").into());
-        }
-        sheet.warn("left-out", format!("left out: {id}: {reason}"));
-        Ok(())
     }
 
     /// Notes the roughness of the correlations used, and what they lack.

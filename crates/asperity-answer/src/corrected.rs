@@ -5,6 +5,7 @@ use asperity::{Compared, ContactError, CorrectedRow, Quantity, Separation, Separ
 
 use crate::asked::Asked;
 use crate::inquiry::{Found, Inquiry, count};
+use crate::subject::measured;
 use crate::{Cell, Sheet};
 
 impl Inquiry<'_> {
@@ -91,10 +92,9 @@ impl Inquiry<'_> {
         had: Vec<bool>,
         reasons: &mut Vec<(usize, (Option<Quantity>, ContactError))>,
     ) -> Vec<Cell> {
-        let (scene, from) = (&self.file.scene, self.file.separation_from);
         let separation = row.and_then(|row| row.separation().ok());
         let length = |separation: Option<Separation>, unit| {
-            Cell::from(separation.and_then(|s| Some(s.measured_in(unit, from, scene).ok()?.value)))
+            Cell::from(separation.and_then(|s| measured(self.file, s, unit).ok()))
         };
         let metres = |separation| length(separation, SeparationUnit::Metres);
         let middle = separation.map(|separation| separation.value);

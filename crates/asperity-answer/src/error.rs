@@ -15,17 +15,6 @@ pub enum AnswerError {
     /// An input that is out of range or missing.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// No model can be used for the scene.
-    #[error("no model is available for this scene")]
-    NoModel,
-    /// The reference model has no answer.
-    #[error("the reference {id}: {error}")]
-    Reference {
-        /// The name of the model.
-        id: String,
-        /// The reason.
-        error: ContactError,
-    },
     /// Boundary elements without a result.
     #[error(transparent)]
     Bem(#[from] BemError),
@@ -40,9 +29,6 @@ pub enum AnswerError {
     /// Another reason.
     #[error("{0}")]
     Reason(String),
-    /// Every row is blank; findings give the reasons.
-    #[error("no row has a value")]
-    NoValue,
 }
 
 impl AnswerError {

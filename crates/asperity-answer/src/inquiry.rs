@@ -56,7 +56,7 @@ impl<'s> Inquiry<'s> {
     /// that do not exist are blank; findings give the reasons.
     ///
     /// # Errors
-    /// The reason why the scene refuses a model, and [`AnswerError::NoValue`] if all is blank; the
+    /// The reason why the scene refuses a model, and where all is blank; the
     /// sheet has the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
@@ -79,7 +79,7 @@ impl<'s> Inquiry<'s> {
             }
         }
         found.report(self.file, sheet);
-        if found.answered { Ok(()) } else { Err(AnswerError::NoValue) }
+        if found.answered { Ok(()) } else { Err("no row has a value".into()) }
     }
 
     /// The number of columns for the model and for the load or separation.

@@ -83,7 +83,7 @@ pub fn one_or_usual(
 /// allows; a note names the others.
 ///
 /// # Errors
-/// Those of [`SceneFile::model`], and [`AnswerError::NoModel`].
+/// Those of [`SceneFile::model`], and where it allows none.
 pub fn models(
     file: &SceneFile,
     requested: &[String],
@@ -101,7 +101,7 @@ pub fn models(
     }
     let models = available(file, quantities, sheet);
     if models.is_empty() {
-        return Err(AnswerError::NoModel);
+        return Err("no model is available for this scene".into());
     }
     Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
 }
@@ -154,7 +154,7 @@ fn by_name(requested: &[String]) -> Option<&[String]> {
 }
 
 /// Notes which models include the scene's adhesion, where it has any.
-pub fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
+pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
@@ -209,7 +209,9 @@ pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
 #[must_use]
 pub fn scene_findings(file: &SceneFile, asperities: bool) -> Findings {
     let found = file.warnings.iter().cloned().chain(file.findings());
-    let found = found.collect::<Findings>().for_asperities(asperities);
+    // The asperities of a scan follow from it.
+    let used = |found: &Finding| asperities || !found.field.starts_with("asperity_");
+    let found = found.filter(used).collect::<Findings>().for_asperities(asperities);
     found.at_least(Severity::Warning)
 }
 

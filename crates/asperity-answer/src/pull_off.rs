@@ -3,7 +3,9 @@
 use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
 use asperity_inputs::SceneFile;
 
+use crate::models::note_adhesion;
 use crate::number::rounded;
+use crate::subject::measured;
 use crate::{AnswerError, Cell, NamedModel, Sheet};
 
 /// Tension \[% of that of asperities of equal height\] below which there is practically none.
@@ -21,8 +23,9 @@ pub fn pull_off(
     sheet: &mut Sheet,
 ) -> Result<(), AnswerError> {
     let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
-    let (scene, from) = (&file.scene, file.separation_from);
+    let scene = &file.scene;
     sheet.under(&[&heads]);
+    note_adhesion(file, sheet);
     for (id, model) in models {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let contact = model.compile(scene, &request);
@@ -35,7 +38,7 @@ pub fn pull_off(
             note_reduction(sheet, id, force, scene);
             row.extend([force, force / scene.nominal_area].map(Cell::from));
             for unit in [SeparationUnit::Sigma, SeparationUnit::Metres] {
-                row.push(found.separation.measured_in(unit, from, scene)?.value.into());
+                row.push(measured(file, found.separation, unit)?.into());
             }
         } else {
             sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));

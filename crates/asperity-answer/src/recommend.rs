@@ -1,10 +1,10 @@
 //! The simplest valid model near a reference, and how far each is from boundary elements.
 
-use asperity::{At, Compared, Comparison, Deviation, Quantity, Recommendation, Request};
+use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
-use crate::models::{NamedModel, by_reason, models_beside_bem, reference};
+use crate::models::{by_reason, models_beside_bem, reference};
 use crate::{AnswerError, Cell, Sheet};
 
 /// What the sheet of a recommendation is about.
@@ -42,7 +42,7 @@ impl Recommend<'_> {
         let models = models_beside_bem(file, self.models, &request.quantities, sheet)?;
         let advice = file
             .recommend_among(models, request, &reference, *within)
-            .map_err(|error| AnswerError::Reference { id, error })?;
+            .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;
 
         let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
         let off = if unloading { &OFF[..] } else { &OFF[..2] };
@@ -75,14 +75,14 @@ impl Recommend<'_> {
         };
         let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
         let checked = [&advice.reference].into_iter().chain(&advice.simplest);
-        let mut models: Vec<NamedModel> = vec![];
+        let mut models: Vec<&Model> = vec![];
         for model in checked.chain(outside.map(|found| &found.model)) {
-            if models.iter().all(|(id, _)| id != model.id()) {
-                models.push((model.id().to_string(), model.clone()));
+            if models.iter().all(|known| known.id() != model.id()) {
+                models.push(model);
             }
         }
-        let models: Vec<&NamedModel> = models.iter().collect();
-        judge(file, &models, &places, sheet);
+        let found = models.iter().flat_map(|model| file.findings_at(*model, &places));
+        sheet.report(file, found.collect());
         let verdict = advice.verdict(|model| model.id().to_string());
         let text = format!("{verdict}; models are listed from simplest to most complex");
         sheet.note("verdict", text);
@@ -97,12 +97,6 @@ impl Recommend<'_> {
             sheet.note("evidence", text);
         }
     }
-}
-
-/// The findings about the answers of models at places.
-pub fn judge(file: &SceneFile, models: &[&NamedModel], places: &[At], sheet: &mut Sheet) {
-    let found = models.iter().flat_map(|(_, model)| file.findings_at(model, places)).collect();
-    sheet.extend(file.accepted(found).at_least(asperity::Severity::Warning));
 }
 
 /// The row of a model.

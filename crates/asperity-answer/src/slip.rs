@@ -53,11 +53,11 @@ impl Slip<'_> {
         })
     }
 
-    fn at(&self, preload: At) -> Result<(Unloading, PartialSlip), ContactError> {
+    /// The slip at a preload, with its numbers.
+    fn at(&self, preload: At) -> Result<(PartialSlip, [f64; 3]), ContactError> {
         let Subject { file, model, tolerance, .. } = self.subject;
         let joint = Unloading::new(model, &file.scene, preload, self.law, tolerance)?;
-        let slip = PartialSlip::new(&joint, self.friction)?;
-        Ok((joint, slip))
+        Ok((PartialSlip::new(&joint, self.friction)?, self.preload(preload, &joint)?))
     }
 
     fn digits(&self, x: f64) -> f64 {
@@ -75,7 +75,7 @@ impl Slip<'_> {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
         sheet.under(&[&heads]);
         let id = self.subject.id;
-        let (joint, slip) = self.at(preload)?;
+        let (slip, _) = self.at(preload)?;
         let amplitude = shift_of(&slip, amplitude)?;
         // First, so that the error for a tiny amplitude names the amplitude.
         let loss = rounded(slip.loss(amplitude)?.value());
@@ -100,7 +100,7 @@ impl Slip<'_> {
         sheet.note("loss", text);
         let sliding = slip.shift_at(SLIDING)?;
         self.check_amplitude(sheet, amplitude, sliding);
-        let limit = rounded(self.friction * joint.force(0.0)?.value());
+        let limit = rounded(slip.limit()?);
         let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
         let text = format!(
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
@@ -120,14 +120,12 @@ impl Slip<'_> {
         sheet.under(&[&heads, &given]);
         let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
         for &at in preloads {
-            let joint = self.at(at);
-            let preload = |(joint, _): &(Unloading, PartialSlip)| self.preload(at, joint);
-            let preload = joint.as_ref().map_err(Clone::clone).and_then(preload);
+            let known = self.at(at);
             let mut refused: Vec<String> = vec![];
             for &amplitude in amplitudes {
-                let found = match (&joint, &preload) {
-                    (Ok((_, slip)), Ok(_)) => self.under(slip, amplitude),
-                    (Err(error), _) | (_, Err(error)) => Err(error.clone().into()),
+                let found = match &known {
+                    Ok((slip, _)) => self.under(slip, amplitude),
+                    Err(error) => Err(error.clone().into()),
                 };
                 answered |= found.is_ok();
                 let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
@@ -138,8 +136,10 @@ impl Slip<'_> {
                     }
                 });
                 farthest = farthest.max(cycle[4].unwrap_or(0.0));
-                let place = preload.clone().map(|known| known.map(Some));
-                let place = place.unwrap_or_else(|_| self.given(at));
+                let place = match &known {
+                    Ok((_, preload)) => preload.map(Some),
+                    Err(_) => self.given(at),
+                };
                 let mut row = vec![Cell::from(self.subject.id)];
                 row.extend(place.into_iter().chain(cycle).map(Cell::from));
                 sheet.rows.push(row);

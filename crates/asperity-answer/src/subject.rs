@@ -26,6 +26,15 @@ pub struct Subject<'a> {
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
 
+/// A separation from the plane of the scene, in this unit.
+pub(crate) fn measured(
+    file: &SceneFile,
+    at: Separation,
+    unit: SeparationUnit,
+) -> Result<f64, ContactError> {
+    Ok(at.measured_in(unit, file.separation_from, &file.scene)?.value)
+}
+
 impl Sheet {
     /// Adds the warnings and errors that the scene does not accept, one for each cause.
     pub(crate) fn report(&mut self, file: &SceneFile, found: Findings) {
@@ -56,7 +65,7 @@ impl Subject<'_> {
 
     /// A separation from the plane of the scene, in this unit.
     pub(crate) fn place(&self, at: Separation, unit: SeparationUnit) -> Result<f64, ContactError> {
-        Ok(at.measured_in(unit, self.file.separation_from, &self.file.scene)?.value)
+        measured(self.file, at, unit)
     }
 
     /// Joints of these unloading laws.

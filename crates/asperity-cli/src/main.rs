@@ -11,8 +11,7 @@ mod scene;
 
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
-use clap::{CommandFactory, FromArgMatches, Parser};
+use clap::{CommandFactory, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
 /// boundary elements
@@ -28,33 +27,16 @@ Exit code: 0 done; 1 bad input, or a result that an error declares invalid; 2 ba
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
-    /// Print errors only, without warnings and notes, except notes on lists that may be one number
+    /// Print errors only, without warnings and notes
     #[arg(long, global = true)]
     quiet: bool,
 }
 
 fn main() -> ExitCode {
     input::set_program(Cli::command);
-    let mut program = Cli::command();
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let matches = program.try_get_matches_from_mut(&arguments);
-    let arguments = matches.unwrap_or_else(|error| {
-        let is_known = |name: &str| program.find_subcommand(name).is_some();
-        let Some(apart) = input::blanks::unit_apart(&arguments, is_known) else { error.exit() };
-        // The advice is of no use where the number with its unit is refused as well.
-        match Cli::command().try_get_matches_from(&apart.joined) {
-            Err(refused) if refused.kind() == ErrorKind::ValueValidation => refused.exit(),
-            _ => input::usage_error(&apart.subcommand, ErrorKind::UnknownArgument, &apart.message),
-        }
-    });
-    let Cli { command, quiet } =
-        Cli::from_arg_matches(&arguments).unwrap_or_else(|error| error.exit());
+    let Cli { command, quiet } = Cli::parse_from(arguments);
     output::set_quiet(quiet);
-    if let Some((name, given)) = arguments.subcommand()
-        && let Some(used) = program.find_subcommand(name)
-    {
-        input::ambiguous::note_lists(used, given);
-    }
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,
         Ok(()) => ExitCode::SUCCESS,

@@ -31,10 +31,7 @@ planes), patches, iterations, residual; then those of --quantity, with the names
 models have; with --refine the same on half the grid;
 boundary (periodic, periodic-part or free).
 --compare solves the same contacts by models, with the asperities of the same scan. Deviations
-are relative to bem; of the mean gap, over the rms height of the scan. A model that needs
-more than the nominal area, or a mean pressure above 1.5 times the hardness, has no result.
-Rows and values without a result are blank; the reason is printed. Where contacts yield, the
-stiffness of bem is the chord between pressures up to 5 % to either side.
+are relative to bem; of the mean gap, over the rms height of the scan.
 After Ctrl-C the loads solved so far are written; the exit code is 130.
 
 Examples:
@@ -143,7 +140,7 @@ impl BemCommand {
             let text = "--model names models to compare with boundary elements; add --compare";
             usage_error("bem", ErrorKind::MissingRequiredArgument, text);
         }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic())?;
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), false)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.bem(&scene)?;
@@ -190,7 +187,7 @@ impl BemCommand {
         {
             usage_error(command, ErrorKind::ArgumentConflict, only);
         }
-        let scene = LoadedScene::load_any(&self.scene, self.periodic())?;
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), true)?;
         let bem = self.bem(&scene)?;
         let area = scene.file.scene.nominal_area;
         let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);

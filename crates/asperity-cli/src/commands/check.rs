@@ -33,7 +33,7 @@ pub struct Check {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Model at the load or separation [default: ke; gw without a hardness]
-    #[arg(long, value_name = "M", value_parser = model_id)]
+    #[arg(long, value_name = "M", value_parser = model_id, requires = "place")]
     model: Option<String>,
     /// Load in N, or with a unit, for example 2kN; negative for tension (dmt, jkr)
     #[arg(long, value_name = "N", value_parser = load_or_tension, group = "place")]
@@ -63,14 +63,6 @@ impl Check {
         };
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
         let place = place.or(self.separation.map(separation));
-        if self.model.is_some() && place.is_none() {
-            let text = "--model needs --load, --pressure or --separation";
-            crate::input::usage_error(
-                "check",
-                clap::error::ErrorKind::MissingRequiredArgument,
-                text,
-            );
-        }
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
             let (_, model) = scene.reference(self.model.as_deref())?;
@@ -96,7 +88,7 @@ impl Check {
                 })
             })?;
             if !findings {
-                output::report(&checked.findings);
+                output::show(&checked.findings);
             }
         }
         if let Some(refused) = refused {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, Model, nearest_hint, nearest_name, shortest_digits};
+use asperity::{At, nearest_hint, nearest_name, shortest_digits};
 use asperity_answer::{Conductance as Question, Gas, rounded};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
@@ -13,10 +13,10 @@ use super::conductance_picture::picture;
 use super::conductivity::{
     Conductivity, conductivity, interface_conductivity, missing_conductivity,
 };
-use crate::input::args::{DrawnArgs, model_id};
+use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, slope};
-use crate::output::{once, print_message, summary};
+use crate::output::print_message;
 use crate::scene::LoadedScene;
 
 /// Thermal contact conductance per area, from models and from published correlations
@@ -34,9 +34,7 @@ slope, are those of --sigma and --mean-slope, of the scan or, without both, of a
 with the scene's asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
 power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
-With --model, the models and correlations of the list only.
-Values of models and correlations are for contacts in vacuum; the models neglect their
-thermal interaction.
+Values are for contacts in vacuum; the models neglect their thermal interaction.
 
 Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
@@ -52,7 +50,7 @@ pub struct Conductance {
     /// Models by id and correlations, cmy or mikic [default: ke (gw without a hardness), cmy and
     /// mikic]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = formula)]
-    models: Vec<Formula>,
+    models: Vec<String>,
     /// Loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load), group = "given")]
     load: Option<Numbers>,
@@ -88,18 +86,21 @@ impl Conductance {
         let scene = self.open()?;
         let question = Question {
             file: &scene.file,
-            models: self.named_models(&scene)?,
-            correlations: self.correlations(),
+            name: &scene.name,
+            ids: &self.models,
             roughness: self.roughness(),
             gas: self.gas(),
         };
-        let (sheet, ()) = scene.answer(|sheet| Ok(question.answer(&self.places(), sheet)?))?;
+        let places: Vec<At> = loads(&self.load, &self.pressure).collect();
+        let (sheet, ()) = scene.answer(|sheet| question.answer(&places, sheet))?;
         self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.
     fn open(&self) -> Result<LoadedScene> {
-        let mut scene = LoadedScene::load_for(&self.scene, &self.ids())?;
+        let is_model = |id: &&String| Correlation::ALL.iter().all(|known| *id != known.id());
+        let ids: Vec<String> = self.models.iter().filter(is_model).cloned().collect();
+        let mut scene = LoadedScene::load(&self.scene, &ids)?;
         let interface = &mut scene.file.scene.interface;
         let Some(given) = &self.conductivity else {
             if interface.thermal_conductivity.is_none() {
@@ -114,12 +115,6 @@ impl Conductance {
         Ok(scene)
     }
 
-    fn places(&self) -> Vec<At> {
-        let [loads, pressures] =
-            [&self.load, &self.pressure].map(|list| list.iter().flat_map(|list| &list.0).copied());
-        loads.map(At::Load).chain(pressures.map(At::Pressure)).collect()
-    }
-
     fn gas(&self) -> Option<Gas> {
         let jump = self.gas_parameter.unwrap_or(0.0);
         self.gas.map(|conductivity| Gas { conductivity, jump })
@@ -129,38 +124,6 @@ impl Conductance {
     fn roughness(&self) -> Option<GapRoughness> {
         let given = self.sigma.zip(self.mean_slope);
         given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope })
-    }
-
-    /// The ids of the models of the list.
-    fn ids(&self) -> Vec<String> {
-        let id = |formula: &Formula| match formula {
-            Formula::Model(id) => Some(id.clone()),
-            Formula::Correlation(_) => None,
-        };
-        once(&self.models.iter().filter_map(id).collect::<Vec<_>>())
-    }
-
-    /// The models of the list, or the reference; one that lacks a property has the reason.
-    fn named_models(&self, scene: &LoadedScene) -> Result<Vec<(String, Result<Model, String>)>> {
-        if self.models.is_empty() {
-            let (id, model) = scene.default_model()?;
-            return Ok(vec![(id, Ok(model))]);
-        }
-        let name = format!("{}: ", scene.name);
-        let reason = |error| summary(&error).trim_start_matches(&name).to_string();
-        let model = |id: String| {
-            let found = scene.model(&id).map(|(_, model)| model).map_err(reason);
-            (id, found)
-        };
-        Ok(self.ids().into_iter().map(model).collect())
-    }
-
-    /// The correlations of the list, or all.
-    fn correlations(&self) -> Vec<Correlation> {
-        let is_wanted = |correlation: &Correlation| {
-            self.models.is_empty() || self.models.contains(&Formula::Correlation(correlation.id()))
-        };
-        Correlation::ALL.into_iter().filter(is_wanted).collect()
     }
 }
 
@@ -210,18 +173,12 @@ impl Conductance {
     }
 }
 
-/// A model, by its id, or a correlation.
-#[derive(Debug, Clone, PartialEq)]
-enum Formula {
-    Model(String),
-    Correlation(&'static str),
-}
-
-fn formula(name: &str) -> Result<Formula, String> {
+/// The id of a model or of a correlation.
+fn formula(name: &str) -> Result<String, String> {
     let known = Correlation::ALL.map(|correlation| correlation.id());
     match known.into_iter().find(|id| name.trim().eq_ignore_ascii_case(id)) {
-        Some(id) => Ok(Formula::Correlation(id)),
-        None => model_id(name).map(Formula::Model).map_err(|error| {
+        Some(id) => Ok(id.into()),
+        None => model_id(name).map_err(|error| {
             let near = nearest_hint(nearest_name(name, known).map(String::from));
             format!("{error}; the correlations are {}{near}", known.join(", "))
         }),

@@ -25,15 +25,8 @@ impl Conductivity {
     pub fn note(&self) {
         let [first, second] = self.0[..] else { return };
         let [k1, k2, k] = [first, second, self.value()].map(rounded);
-        // No decimal has two points.
-        let may_be_decimal = ![&k1, &k2].iter().any(|k| k.contains(['.', 'e']));
-        let decimal = if may_be_decimal {
-            format!("; a decimal is written {k1}.{k2}")
-        } else {
-            String::new()
-        };
         let how = format!(
-            "--conductivity {k1},{k2} is read as two bodies, 2 k1 k2/(k1 + k2) = {k} W/(m K){decimal}"
+            "--conductivity {k1},{k2} is read as two bodies, 2 k1 k2/(k1 + k2) = {k} W/(m K)"
         );
         print_message("note", &how);
     }

@@ -121,7 +121,7 @@ impl ExportCommand {
             crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
         self.format.check(self.conductance, self.friction).map_err(Error::msg)?;
-        let scene = LoadedScene::load_for(&self.scene, std::slice::from_ref(&self.model))?;
+        let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
         let named = scene.model(&self.model)?;
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;
@@ -133,7 +133,7 @@ impl ExportCommand {
             (_, Some(_)) => At::Load(value),
             _ => At::Pressure(value),
         });
-        scene.report_answers(&[&named], &ends);
+        scene.report(scene.file.findings_at(&named.1, &ends));
         let export = Export {
             subject: scene.subject(&named, Tolerance::default()),
             ends,

@@ -10,17 +10,16 @@ use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
-use crate::commands::fit_lists::{List, all, free, targets};
-use crate::input::args::{OutputArgs, model_id, svg_file};
+use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
-use crate::input::target::metres;
+use crate::input::target::{metres, target};
 use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
-use crate::output::number::rounded;
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
+use asperity_answer::rounded;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
 #[derive(Debug, Args)]
@@ -48,10 +47,8 @@ do not fix that end within the bounds), unit, rms (relative) and bic. Models are
 BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
 condition, undetermined combinations, limits at which parameters stop, residuals,
 unreachable data, an outlier and another stiffness that fits. If no model describes the
-data, or none reaches the target, the exit code is 1; the line, or two of more than six, or the
-unit that explains the data is named. No line is left out.
+data, or none reaches the target, the exit code is 1.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
-Default model: ke (gw without a hardness).
 
 Examples:
   asperity curve scene.toml --model ke --pressure 1e5:1e7:8:log --quantity area,unloading-stiffness --output data.csv
@@ -67,15 +64,15 @@ pub struct FitCommand {
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
     /// Free parameters, at least one, each with bounds if these are given
-    #[arg(long, value_name = "KEY[=A:B]", value_parser = free)]
-    free: Vec<List<Free>>,
+    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
+    free: Vec<Free>,
     /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
-    #[arg(long, value_name = "Q=V", value_parser = targets)]
+    #[arg(long, value_name = "Q=V", value_delimiter = ',', value_parser = target)]
     #[arg(group = "source", requires = "place")]
-    target: Vec<List<(String, f64)>>,
+    target: Vec<(String, f64)>,
     /// Load of the target, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "P", value_parser = load, group = "place", conflicts_with = "data")]
     load: Option<f64>,
@@ -86,16 +83,13 @@ pub struct FitCommand {
     #[arg(long, value_name = "D", value_parser = metres, group = "place", conflicts_with = "data")]
     separation: Option<f64>,
     #[command(flatten)]
-    output: OutputArgs,
-    /// Also plot data and fitted models, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
-    plot: Option<PathBuf>,
+    output: DrawnArgs,
 }
 
 impl FitCommand {
     pub fn run(self) -> Result<()> {
-        self.check_plot();
-        let scene = LoadedScene::load(&self.scene)?;
+        self.output.check("fit");
+        let scene = LoadedScene::load(&self.scene, &[])?;
         if output::has_error() {
             bail!("{}: fits need a scene without errors; correct it first", scene.name);
         }
@@ -161,7 +155,7 @@ impl FitCommand {
                     false => ControlFlow::Continue(()),
                 }
             };
-            match scene.file.fit(model, data, &all(&self.free), &mut watch) {
+            match scene.file.fit(model, data, &self.free, &mut watch) {
                 Ok(mut found) => {
                     // The name in the result, where options of the scene give the model another.
                     found.model.clone_from(id);
@@ -195,16 +189,15 @@ impl FitCommand {
     }
 
     fn write(&self, report: &Report<'_>) -> Result<()> {
-        report.print_notes(&all(&self.free));
+        report.print_notes(&self.free);
         report.print_findings()?;
-        if let Some(file) = &self.plot {
-            output::write_text(Some(file), &report.svg()?)?;
-        }
-        match self.output.format {
+        self.output.draw(|| report.svg())?;
+        let output = &self.output.output;
+        match output.format {
             Format::Json => {
-                self.output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
+                output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
             }
-            _ => self.output.write(&report.table()),
+            _ => output.write(&report.table()),
         }
     }
 
@@ -219,8 +212,8 @@ impl FitCommand {
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
-        let (area, targets) = (scene.file.scene.nominal_area, all(&self.target));
-        let is_given = all(&self.free).iter().all(|one| one.name != "nominal_area");
+        let (area, targets) = (scene.file.scene.nominal_area, &self.target);
+        let is_given = self.free.iter().all(|one| one.name != "nominal_area");
         let largest = targets.iter().find(|(name, value)| name == "area_m2" && *value > area);
         if let Some((_, value)) = largest.filter(|_| is_given) {
             let [value, area] = [*value, area].map(rounded);
@@ -233,18 +226,8 @@ impl FitCommand {
         ];
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
-        let columns = places.chain(targets);
+        let columns = places.chain(targets.iter().cloned());
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
         scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
-    }
-
-    /// Ends the program where plot and data have the same destination.
-    fn check_plot(&self) {
-        let files = [self.plot.as_deref(), self.output.output.as_deref()];
-        let both = self.plot.is_some() && files.map(output::is_standard) == [true; 2];
-        if both || matches!(files, [Some(plot), Some(data)] if output::is_same(plot, data)) {
-            let text = "--plot and the result have the same destination; name two files";
-            usage_error("fit", ErrorKind::ArgumentConflict, text);
-        }
     }
 }

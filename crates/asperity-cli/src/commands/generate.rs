@@ -1,16 +1,17 @@
 //! `asperity generate`: a random surface with a given spectrum.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use asperity::bem::RandomSurface;
 use asperity_topography::Topography;
 use clap::Args;
 
+use crate::input::args::file_ending;
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
-use crate::output::number::rounded;
 use crate::output::{self, contact_map, print_message};
+use asperity_answer::rounded;
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
@@ -63,7 +64,8 @@ pub struct Generate {
     #[arg(long, value_name = "N", value_parser = whole, default_value = "0")]
     seed: u64,
     /// File of the heights: .npy (heights in m, without pixel size) or .x3p
-    #[arg(long, value_name = "FILE", value_parser = scan_file)]
+    #[arg(long, value_name = "FILE")]
+    #[arg(value_parser = file_ending(&["npy", "x3p"], "surfaces are written as npy or x3p"))]
     output: PathBuf,
 }
 
@@ -81,7 +83,7 @@ impl Generate {
         let [columns, rows] = self.size;
         let map = surface.map([rows, columns])?;
         let shape = map.shape();
-        if has_end(&self.output, "x3p") {
+        if self.output.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p")) {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;
             let bytes = surface.x3p()?;
             return output::write(Some(&self.output), |out| out.write_all(&bytes));
@@ -124,17 +126,5 @@ fn pixel(text: &str) -> Result<[f64; 2], String> {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
-    }
-}
-
-fn has_end(name: &Path, end: &str) -> bool {
-    name.extension().is_some_and(|found| found.eq_ignore_ascii_case(end))
-}
-
-fn scan_file(name: &str) -> Result<PathBuf, &'static str> {
-    let path = PathBuf::from(name);
-    match has_end(&path, "npy") || has_end(&path, "x3p") {
-        true => Ok(path),
-        false => Err("surfaces are written as npy or x3p; choose a name that ends in .npy or .x3p"),
     }
 }

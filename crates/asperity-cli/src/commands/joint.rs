@@ -2,16 +2,16 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
-use asperity::{At, SeparationUnit, Tolerance, shortest_digits};
+use asperity::{At, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, rounded, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use super::joint_plots;
-use crate::input::args::{DrawnArgs, one_model_id, separation_unit, tolerance};
+use crate::input::args::{DrawnArgs, loads, one_model_id, separation_unit, tolerance};
 use crate::input::distances::{Distances, turning_separations, warn_unit};
 use crate::input::lists::{Numbers, all, turning_loads};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
@@ -24,9 +24,6 @@ use crate::scene::{LoadedScene, NamedModel};
 const LARGEST_FRICTION: f64 = 2.0;
 /// Shifts of a loop by default.
 const POINTS: usize = 101;
-/// Amplitudes above this multiple of asperity_height_std are refused: other asperities would meet
-/// in every cycle.
-const FARTHEST: f64 = 1e6;
 
 /// A joint that opens, follows a history of loads or, with --friction, slips
 #[derive(Debug, Args)]
@@ -52,9 +49,7 @@ force_N and sliding_m (the shift at which 99 % of mu F is reached). Partial slip
 asperity (Cattaneo, Mindlin), which answers as elastically as in unloading: exact for gw.
 Needs equivalent_shear_modulus, or the bodies.
 
-Models of equal, upright asperities with circular contacts only, without adhesion; to open
-a joint with jkr adhesion, use the model jkr-separation. Blank rows have a reason, which is
-printed.
+Models of equal, upright asperities with circular contacts only, without adhesion.
 
 Examples:
   asperity joint scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
@@ -139,7 +134,7 @@ struct Cycle {
 
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
-    fn all(&self, scene: &LoadedScene, model: &NamedModel, turns: SeparationUnit) -> Vec<At> {
+    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel, turns: SeparationUnit) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
         for (name, list, plain) in
@@ -151,11 +146,8 @@ impl Closed {
             let place = |value: &f64| At::from(scene.file.separation(*value, unit));
             places.extend(list.value.iter().map(place));
         }
-        let loads = [&self.load, &self.history_load].into_iter().flatten().flat_map(|list| &list.0);
-        places.extend(loads.copied().map(At::Load));
-        let pressures = self.pressure.iter().flat_map(|list| &list.0);
-        places.extend(pressures.copied().map(At::Pressure));
-        scene.report_answers(&[model], &places);
+        places.extend(loads(self.load.iter().chain(&self.history_load), &self.pressure));
+        scene.report(scene.file.findings_at(model, &places));
         places
     }
 
@@ -168,7 +160,7 @@ impl Joint {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
         self.output.check(command);
-        let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
+        let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
         let model = self.model.as_deref();
         let named = model.map_or_else(|| scene.default_model(), |id| scene.model(id))?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
@@ -183,15 +175,14 @@ impl Joint {
         if self.friction.is_some() && laws.len() > 1 {
             usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        self.check_slip(&scene)?;
+        self.check_friction();
         let places = self.place.all(&scene, &named, self.unit);
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
         if self.place.turns() {
-            let (sheet, ()) =
-                scene.answer(|sheet| Ok(history(&subject, &laws, &places, sheet)?))?;
+            let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.separation_from;
             return self.output.write(&sheet, || joint_plots::history(&sheet, from));
         }
@@ -204,12 +195,12 @@ impl Joint {
         if is_scan {
             let watch = terminal()?;
             let fill =
-                |sheet: &mut Sheet| Ok(unloading_scan(&subject, closest, retreats, sheet, &watch)?);
+                |sheet: &mut Sheet| unloading_scan(&subject, closest, retreats, sheet, &watch);
             let (sheet, ()) = scene.answer(fill)?;
             drop(watch);
             return self.output.write(&sheet, || joint_plots::opening(&sheet, &sheet));
         }
-        let fill = |sheet: &mut Sheet| Ok(unloading(&subject, &laws, closest, retreats, sheet)?);
+        let fill = |sheet: &mut Sheet| unloading(&subject, &laws, closest, retreats, sheet);
         let (sheet, ()) = scene.answer(fill)?;
         self.output.write(&sheet, || {
             let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
@@ -226,7 +217,7 @@ impl Joint {
             print_message("note", &text);
         }
         let points = self.points.unwrap_or(POINTS);
-        let fill = |sheet: &mut Sheet| Ok(slip.answer(preloads, &amplitudes, points, sheet)?);
+        let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet);
         let (sheet, ()) = scene.answer(fill)?;
         self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
     }
@@ -237,17 +228,8 @@ impl Joint {
         shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
     }
 
-    /// Refuses an amplitude that is no partial slip, and warns of a coefficient of friction that is
-    /// probably in per cent.
-    fn check_slip(&self, scene: &LoadedScene) -> Result<()> {
-        let most = FARTHEST * scene.file.scene.surface.asperity_height_std;
-        if let Some(amplitude) = self.cycle.amplitude.filter(|amplitude| *amplitude > most) {
-            bail!(
-                "--amplitude is {} m: at most {} m, 1e6 asperity_height_std, were required, as partial slip is far smaller; write it with its unit, for example 100nm",
-                shortest_digits(amplitude),
-                rounded(most)
-            )
-        }
+    /// Warns of a coefficient of friction that is probably in per cent.
+    fn check_friction(&self) {
         if let Some(given) = self.friction.filter(|friction| *friction > LARGEST_FRICTION) {
             let given = rounded(given);
             let text = format!(
@@ -255,6 +237,5 @@ impl Joint {
             );
             print_message("warning", &text);
         }
-        Ok(())
     }
 }

@@ -13,13 +13,10 @@ use crate::output::{self, table::Format};
 #[command(
     after_help = "Models: R is the radius of an asperity, w_c the critical interference, at which it begins
 to yield (w_c' with another constant in jg, w_1 in zmc). The column equations holds the
-provenance of each model's equations:
-  seen      read in public text or code that quotes the paper
-  derived   proved or checked numerically, not read in the paper
-  recalled  from general knowledge of the literature, the paper was not available
-csv and json also hold titles, notes and how variants differ. The models from gw to af,
-and ghaednia, exist with -random behind the id as well: averaged over the asperities of
-a random surface, whose heights and radii differ. bem, boundary elements, needs a scan.
+provenance of each model's equations; notes explain its words. csv and json also hold
+titles, notes and how variants differ. The models from gw to af, and ghaednia, exist with
+-random behind the id as well: averaged over the asperities of a random surface, whose
+heights and radii differ. bem, boundary elements, needs a scan.
 Materials: write material = \"steel-100cr6\" in [[body]] instead of the numbers. The numbers
 are typical ones at room temperature, for orientation; measured ones are better. Blank
 where no value was found. csv and json also hold the source of each material.
@@ -42,24 +39,9 @@ enum What {
     Materials,
 }
 
-/// The models: `list models`
+/// The word that models or materials are chosen by, and the output.
 #[derive(Debug, Args)]
-#[command(hide = true)]
-pub struct Models {
-    #[command(flatten)]
-    like: Like,
-}
-
-/// The materials that a scene file may name: `list materials`
-#[derive(Debug, Args)]
-#[command(hide = true)]
-pub struct Materials {
-    #[command(flatten)]
-    like: Like,
-}
-
-#[derive(Debug, Args)]
-struct Like {
+pub struct Like {
     /// Only models of this id, or with this word in their name, authors or year; or materials with
     /// this word in their name, or the nearest ones
     word: Option<String>,
@@ -76,21 +58,9 @@ impl List {
     }
 }
 
-impl Models {
-    pub fn run(self) -> Result<()> {
-        self.like.show(models)
-    }
-}
-
-impl Materials {
-    pub fn run(self) -> Result<()> {
-        self.like.show(materials)
-    }
-}
-
 impl Like {
     /// Writes a list, narrow in a terminal, and its notes.
-    fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
+    pub fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
         let narrow = self.output.format == Format::Table;
         let sheet = list(&self.word.unwrap_or_default(), narrow)?;
         self.output.write(&sheet)?;
@@ -112,7 +82,7 @@ const OF_MODELS: [&str; 9] =
 /// Those of a terminal, as places in [`OF_MODELS`]; the others are too wide.
 const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
-fn models(word: &str, narrow: bool) -> Result<Sheet> {
+pub fn models(word: &str, narrow: bool) -> Result<Sheet> {
     let all: Vec<usize> = (0..OF_MODELS.len()).collect();
     let shown = if narrow { &NARROW[..] } else { &all };
     let mut sheet = Sheet::new(&shown.iter().map(|k| OF_MODELS[*k]).collect::<Vec<_>>());
@@ -186,7 +156,7 @@ const OF_MATERIALS: [&str; 9] = [
     "source",
 ];
 
-fn materials(word: &str, narrow: bool) -> Result<Sheet> {
+pub fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::new(&OF_MATERIALS[..OF_MATERIALS.len() - usize::from(narrow)]);
     let found = asperity_inputs::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity materials` lists all");

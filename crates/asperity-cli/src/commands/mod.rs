@@ -9,7 +9,6 @@ mod conductivity;
 mod curve;
 mod export;
 mod fit;
-mod fit_lists;
 mod generate;
 mod init;
 mod joint;
@@ -22,7 +21,7 @@ mod scales;
 mod surface;
 
 use anyhow::Result;
-use clap::Subcommand;
+use clap::{ArgGroup, Subcommand};
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -31,14 +30,21 @@ pub enum Command {
     Generate(generate::Generate),
     Check(check::Check),
     List(list::List),
-    Materials(list::Materials),
-    Models(list::Models),
-    Solve(curve::Solve),
+    /// The materials that a scene file may name: `list materials`
+    #[command(hide = true)]
+    Materials(list::Like),
+    /// The models: `list models`
+    #[command(hide = true)]
+    Models(list::Like),
+    #[command(hide = true, group(ArgGroup::new("given").required(true)))]
+    Solve(curve::Curve),
     Curve(curve::Curve),
-    Compare(curve::Compare),
+    #[command(hide = true, mut_arg("format", |arg| arg.default_value("table")))]
+    Compare(curve::Curve),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
-    Plan(curve::Plan),
+    #[command(hide = true)]
+    Plan(curve::Curve),
     Joint(joint::Joint),
     #[command(hide = true)]
     Unload(joint::Joint),
@@ -46,8 +52,8 @@ pub enum Command {
     #[command(mut_arg("friction", |arg| arg.required(true)))]
     #[command(mut_group("cycle", |group| group.required(true)))]
     Slip(joint::Joint),
-    #[command(hide = true)]
-    PullOff(pull_off::PullOff),
+    #[command(hide = true, mut_arg("format", |arg| arg.default_value("table")))]
+    PullOff(curve::Curve),
     Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
     #[command(hide = true)]
@@ -64,18 +70,18 @@ impl Command {
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::List(command) => command.run(),
-            Self::Materials(command) => command.run(),
-            Self::Models(command) => command.run(),
-            Self::Solve(command) => command.run(),
-            Self::Curve(command) => command.run(),
-            Self::Compare(command) => command.run(),
+            Self::Materials(like) => like.show(list::materials),
+            Self::Models(like) => like.show(list::models),
+            Self::Solve(command) => command.run("solve"),
+            Self::Curve(command) => command.run("curve"),
+            Self::Compare(command) => command.run("compare"),
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
-            Self::Plan(command) => command.run(),
+            Self::Plan(command) => command.run("plan"),
             Self::Joint(command) => command.run("joint"),
             Self::Unload(command) => command.run("unload"),
             Self::Slip(command) => command.run("slip"),
-            Self::PullOff(command) => command.run(),
+            Self::PullOff(command) => command.run("pull-off"),
             Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
             Self::Truth(command) => command.run_truth(),

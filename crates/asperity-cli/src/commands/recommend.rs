@@ -29,24 +29,17 @@ pub struct Recommend {
 /// The help. The range of the solved cases is that of the evidence, which is not read for it.
 const HELP: &str =
     "Models are listed from simplest to most complex: asperities of one radius with upright
-contacts, random asperities, no asperities (Persson), inclined contacts; among these,
-force laws with fewer parts first, then older models first. The recommended model is the
-first that is near enough to the reference and valid for the scene (an elastic model is
-not valid where yielding asperities carry more than 10 % of the load). Deviations are the
-largest over the separations or loads, relative to the reference (differences for
-logarithms and shares).
+contacts, random asperities, no asperities (Persson), inclined contacts. The recommended
+model is the first that is near enough to the reference and valid for the scene (an elastic
+model is not valid where yielding asperities carry more than 10 % of the load). Deviations
+are the largest over the separations or loads, as those of `asperity curve --reference`.
 Agreement with the reference is no proof of accuracy: columns .._off_bem have the expected
 deviation of a model from boundary elements at the loads, interpolated between solved random
 surfaces (alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 0.7, 1, 2, 4, 8, p/(E g) from 0.00001 to 0.3),
 the largest over the separations or loads that have one; .._spread is half the width of the
-interval that holds nine of ten surfaces. Columns of the unloading stiffness are shown if it or a
-conductance is requested, or no quantity that is compared with boundary elements; the mean gap is
-in the notes, if a force is requested. Notes name the models nearest in the requested quantities,
-the expected deviations of the reference and of the recommended model, and the loads without a
-solved case nearby. `asperity truth` solves the scan of the scene itself, and
-`asperity curve --corrected` divides by the expected ratios.
-Default: force and area (at loads the area) at separations of 0:4:401 in units of
-asperity_height_std.
+interval that holds nine of ten surfaces. `asperity bem --compare` solves the scan of the scene
+itself, and `asperity curve --corrected` divides by the expected ratios.
+Default: force and area at the separations of `asperity curve`.
 
 Examples:
   asperity recommend scene.toml
@@ -55,7 +48,7 @@ Examples:
 
 impl Recommend {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.asked.scene)?;
+        let scene = LoadedScene::load(&self.asked.scene, &[])?;
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let asked = asperity_answer::Recommend {
@@ -66,7 +59,7 @@ impl Recommend {
             at_defaults: self.asked.is_nowhere(),
         };
         let working = progress("comparing models");
-        let (sheet, ()) = scene.answer(|sheet| Ok(asked.answer(&scene.file, sheet)?))?;
+        let (sheet, ()) = scene.answer(|sheet| asked.answer(&scene.file, sheet))?;
         drop(working);
         self.output.write(&sheet)
     }

@@ -1,6 +1,6 @@
 //! `asperity surface --scales`: a scan against the short-wavelength cut-off.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
@@ -10,7 +10,7 @@ use asperity_plot::{Axis, Curve, Figure};
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
-use crate::input::args::{model_id, svg_file};
+use crate::input::args::model_id;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::output::{self, plot, print_message};
@@ -38,10 +38,6 @@ pub struct Scales {
     /// With --with: model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id, requires = "with")]
     model: Option<String>,
-    /// Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales,
-    /// its table
-    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
-    plot: Option<PathBuf>,
 }
 
 /// Columns of the surface, with their labels in a plot.
@@ -62,11 +58,6 @@ impl Scales {
         self.scales.is_some()
     }
 
-    /// The file of the plot.
-    pub fn plot(&self) -> Option<&Path> {
-        self.plot.as_deref()
-    }
-
     /// The table of a levelled surface; `finish` processes it after smoothing.
     pub fn table(
         &self,
@@ -75,7 +66,7 @@ impl Scales {
         finish: impl Fn(Topography) -> Result<Topography>,
     ) -> Result<Sheet> {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
-        let scene = self.with.as_deref().map(LoadedScene::load).transpose()?;
+        let scene = self.with.as_deref().map(|path| LoadedScene::load(path, &[])).transpose()?;
         let asked = match &scene {
             Some(scene) => Some((scene, scene.reference(self.model.as_deref())?)),
             None => None,
@@ -126,9 +117,6 @@ impl Scales {
             };
             print_message("warning", &format!("{CUTOFF} {}{others}: {reason}", cutoffs[0]));
         }
-        if let Some(path) = &self.plot {
-            output::write_text(Some(path), &picture(&table)?)?;
-        }
         Ok(table)
     }
 }
@@ -147,7 +135,7 @@ fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Cell>> {
 }
 
 /// A panel for each column, against the cut-off.
-fn picture(table: &Sheet) -> Result<String> {
+pub fn picture(table: &Sheet) -> Result<String> {
     let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
     let answers = answers.iter().map(|(name, label)| (name.as_str(), *label));
     let columns: Vec<_> = COLUMNS.into_iter().chain(answers).collect();

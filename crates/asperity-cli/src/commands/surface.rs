@@ -17,16 +17,19 @@ use clap::error::ErrorKind;
 use serde::Serialize;
 use toml::Value;
 
-use crate::commands::scales::Scales;
-use crate::input::args::OutputArgs;
+use crate::commands::scales::{self, Scales};
+use crate::input::args::DrawnArgs;
 use crate::input::lists::have_units;
 use crate::input::numbers::{length, share_or_0};
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 
+const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales, its table";
+
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
 #[command(
+    mut_arg("plot", |arg| arg.help(PLOT)),
     after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR,
 Gwyddion .gwy, SDF (ISO 25178-71), each also inside gzip.
 Units and pixel size that a file does not contain must be given as options. A scan
@@ -92,7 +95,7 @@ pub struct Surface {
     #[arg(default_missing_value = "as-read")]
     aligned: Option<Alignment>,
     #[command(flatten)]
-    output: OutputArgs,
+    output: DrawnArgs,
     /// Write a scene that reads the files in the same way; its materials are examples, replace them
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
@@ -139,7 +142,7 @@ impl Surface {
         if self.scales.is_requested() {
             let table = self.at_scales()?;
             drop(working);
-            return self.output.write(&table);
+            return self.output.write(&table, || scales::picture(&table));
         }
         let (mut each, mut found) = (vec![], Findings::default());
         let (mut density, mut glance) = (None, None);
@@ -162,11 +165,10 @@ impl Surface {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
                 let cutoffs = [self.smooth, self.filter];
                 let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
-                if let Some(plot) = self.scales.plot() {
+                self.output.draw(|| {
                     let title = self.names(|path| path.file_name().unwrap_or_default());
-                    let svg = draw_surface(surface, &found, Some(&title))?;
-                    output::write_text(Some(plot), &svg)?;
-                }
+                    Ok(draw_surface(surface, &found, Some(&title))?)
+                })?;
                 glance = Some(found);
             }
         }
@@ -178,7 +180,7 @@ impl Surface {
             each.push(both);
         }
         drop(working);
-        output::report(&found);
+        output::show(&found);
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);
@@ -190,24 +192,24 @@ impl Surface {
             let text = "materials and nominal area are examples (steel on steel); replace them";
             print_message("note", &format!("{}: {text}", path.display()));
         }
-        if self.output.format == Format::Json {
+        let output = &self.output.output;
+        if output.format == Format::Json {
             let all = Report { statistics, glance };
-            return self.output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
+            return output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
         }
         let mut table = Sheet::new(&["name", "value", "unit", "meaning"]);
         let row = |Reported { name, value, unit, meaning }| {
             vec![name.into(), Cell::from(value), unit.into(), meaning.as_ref().into()]
         };
         table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
-        self.output.write(&table)
+        output.write(&table)
     }
 
     /// Refuses options that exclude each other.
     fn check(&self) {
-        let (plot, two) = (self.scales.plot(), self.files.len() > 1);
+        self.output.check("surface");
+        let two = self.files.len() > 1;
         let separate = two && self.aligned.is_none();
-        let outputs = plot.zip(self.output.output.as_deref());
-        let one_output = outputs.is_some_and(|(plot, output)| output::is_same(plot, output));
         let one_file = self.scene.is_some() && self.scene == self.heights;
         let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
         let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
@@ -216,12 +218,11 @@ impl Surface {
         });
         let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
-            (one_output, "--plot and --output name the same file; choose two names"),
             (one_file, "--scene and --heights name the same file; choose two names"),
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
             (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
-            (plot.is_some() && separate, "--plot takes one FILE or --aligned"),
+            (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
             (cutoffs.is_some(), &nothing_left),
         ];
         if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {

@@ -1,11 +1,6 @@
 //! Commas in numbers of the command line: of lists, decimals or thousands.
 
 use asperity_inputs::{notation_hint, with_decimal_point, without_thousands};
-use clap::{ArgMatches, Command};
-
-use crate::input::distances::Distances;
-use crate::input::lists::Numbers;
-use crate::output::print_always;
 
 /// Refuses lists that are rather one number, such as 1,5e6, 1,5kN or 1,000,000.
 pub fn refuse_one_number(text: &str) -> Result<(), String> {
@@ -34,42 +29,6 @@ pub fn refuse_one_number(text: &str) -> Result<(), String> {
 pub fn one_value_only(text: &str) -> Option<String> {
     let one = with_decimal_point(text).filter(|_| without_thousands(text).is_none())?;
     Some(format!("{text:?} has a decimal comma; write {one}, as two values are not possible here"))
-}
-
-/// The single numbers that a list of plain values may be: 1500 and 1.500 for 1,500.
-fn single_values(text: &str) -> Vec<String> {
-    let is_plain = |same: &String| same.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
-    let thousands = without_thousands(text)
-        .filter(|same| is_plain(same) && !same.trim_start_matches(['-', '+']).starts_with('0'));
-    let decimal = with_decimal_point(text).filter(is_plain);
-    thousands.into_iter().chain(decimal).collect()
-}
-
-/// Prints a note for each list of values whose digits may be one number.
-pub fn note_lists(command: &Command, arguments: &ArgMatches) {
-    for argument in command.get_arguments() {
-        let id = argument.get_id().as_str();
-        let is_list = arguments.try_get_many::<Numbers>(id).is_ok()
-            || arguments.try_get_many::<Distances>(id).is_ok();
-        let Some(name) = argument.get_long().filter(|_| is_list) else { continue };
-        let given = arguments.get_raw(id).into_iter().flatten();
-        for text in given.filter_map(|text| text.to_str()) {
-            let single = single_values(text).join(" or ");
-            if !single.is_empty() {
-                let values: Vec<&str> = text.split(',').map(str::trim).collect();
-                let (last, others) = values.split_last().unwrap_or((&text, &[]));
-                let count = if values.len() == 2 { "two".into() } else { values.len().to_string() };
-                let others = others.join(", ");
-                // Also where other notes are left out, as results may be those of other loads.
-                print_always(
-                    "note",
-                    &format!(
-                        "--{name} {text} is read as {count} values, {others} and {last}; a single value is written {single}"
-                    ),
-                );
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -132,29 +91,5 @@ mod tests {
         assert_eq!(load("0,125kN").unwrap_err(), one("0,125kN", "0.125kN"));
         let either = load("1,500").unwrap_err();
         assert_eq!(either, "\"1,500\" is ambiguous; write 1.500 or 1500");
-    }
-
-    #[test]
-    fn lists_whose_digits_may_be_one_number_are_recognised() {
-        for (text, single) in [
-            ("1,5", &["1.5"][..]),
-            ("-0,25", &["-0.25"]),
-            ("1,500", &["1500", "1.500"]),
-            ("1.500,5", &["1500.5"]),
-            ("1,234.5", &["1234.5"]),
-            ("1,234,567", &["1234567"]),
-            ("10,100", &["10100", "10.100"]),
-            ("0,100", &["0.100"]),
-            ("1,5,9", &[]),
-            ("1.5,2", &[]),
-            ("1.000,2.000", &[]),
-            ("10.125,20.5", &[]),
-            ("1, 5", &[]),
-            ("1,5e6", &[]),
-            ("100", &[]),
-            ("1.500", &[]),
-        ] {
-            assert_eq!(single_values(text), single, "{text}");
-        }
     }
 }

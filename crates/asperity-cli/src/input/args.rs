@@ -75,7 +75,7 @@ pub struct DrawnArgs {
     pub output: OutputArgs,
     /// Also plot the result, one panel for each quantity
     #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
-    plot: Option<PathBuf>,
+    pub plot: Option<PathBuf>,
 }
 
 impl ModelArgs {
@@ -103,20 +103,27 @@ impl ModelArgs {
     /// The separations or loads; `otherwise` is in units of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
         let separation = |value, unit| At::from(scene.separation(value, unit));
-        let flat = |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
         let separations = self.separations.iter().flat_map(|list| {
             let unit = list.unit(self.unit);
             list.value.iter().map(move |value| separation(*value, unit))
         });
-        let loads = flat(&self.loads).into_iter().map(At::Load);
-        let pressures = flat(&self.pressures).into_iter().map(At::Pressure);
-        let given: Vec<At> = separations.chain(loads).chain(pressures).collect();
+        let given: Vec<At> = separations.chain(loads(&self.loads, &self.pressures)).collect();
         if given.is_empty() {
             otherwise.iter().map(|s| separation(*s, self.unit)).collect()
         } else {
             given
         }
     }
+}
+
+/// The places of loads and of pressures.
+pub fn loads<'n>(
+    loads: impl IntoIterator<Item = &'n Numbers>,
+    pressures: impl IntoIterator<Item = &'n Numbers>,
+) -> impl Iterator<Item = At> {
+    let loads = loads.into_iter().flat_map(|list| &list.0).copied().map(At::Load);
+    let pressures = pressures.into_iter().flat_map(|list| &list.0).copied().map(At::Pressure);
+    loads.chain(pressures)
 }
 
 impl OutputArgs {
@@ -141,10 +148,16 @@ impl DrawnArgs {
 
     /// Writes the sheet, and its plot where one is requested.
     pub fn write(&self, sheet: &Sheet, picture: impl FnOnce() -> Result<String>) -> Result<()> {
-        if self.plot.is_some() {
-            output::write_text(self.plot.as_deref(), &picture()?)?;
-        }
+        self.draw(picture)?;
         self.output.write(sheet)
+    }
+
+    /// Writes a plot where one is requested.
+    pub fn draw(&self, picture: impl FnOnce() -> Result<String>) -> Result<()> {
+        match &self.plot {
+            Some(plot) => output::write_text(Some(plot), &picture()?),
+            None => Ok(()),
+        }
     }
 }
 

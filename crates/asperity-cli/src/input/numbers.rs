@@ -120,16 +120,12 @@ pub fn relative_error(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A relative error below 100 %; a plain number of 1 and above is refused.
+/// A relative error below 100 %; a plain number above 1 is ambiguous and refused.
 pub fn error_below_1(text: &str) -> Result<f64, String> {
-    relative_error(text).and_then(|error| match error {
+    match share(text)? {
         error if error < 1.0 => Ok(error),
-        _ if text.contains('%') => Err("the error must be below 100%".into()),
-        error => {
-            let given = text.trim();
-            Err(format!("{given} means {} %; {given} % is written {given}%", 100.0 * error))
-        }
-    })
+        _ => Err("the error must be below 100%".into()),
+    }
 }
 
 /// A slope above 0: a number, or in per cent or degrees.
@@ -184,10 +180,9 @@ mod tests {
         assert!(
             share("0,5%").unwrap_err().starts_with("\"0,5%\" has a decimal comma; write 0.5%,")
         );
-        assert_eq!(error_below_1("1").unwrap_err(), "1 means 100 %; 1 % is written 1%");
-        assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; 5 % is written 5%");
+        assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([error_below_1("1%"), error_below_1("0.01")], [Ok(0.01), Ok(0.01)]);
-        assert!(error_below_1("100%").is_err() && error_below_1("0").is_err());
+        assert!(error_below_1("1").is_err() && error_below_1("0").is_err());
         assert_eq!([slope("8%"), slope("0.08")], [Ok(0.08), Ok(0.08)]);
         assert!(slope("0,08").is_err() && slope("-8%").is_err() && slope("steep").is_err());
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());

@@ -8,7 +8,7 @@ use asperity_answer::Sheet;
 use asperity_plot::Map;
 
 use crate::output;
-use crate::output::number::rounded;
+use asperity_answer::rounded;
 
 /// The map of the one contact of a sheet; `hardness` where there is one.
 pub fn picture(

@@ -3,7 +3,6 @@
 pub mod contact_map;
 pub mod fit_plot;
 pub mod fit_report;
-pub mod number;
 pub mod plot;
 pub mod table;
 
@@ -17,7 +16,7 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use asperity::{Finding, Findings};
+use asperity::Finding;
 use asperity_answer::Watch;
 pub use asperity_answer::once;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
@@ -183,11 +182,6 @@ pub fn print_message(kind: &str, text: &str) {
         return;
     }
     ERROR.fetch_or(kind == "error", Ordering::Relaxed);
-    print_always(kind, text);
-}
-
-/// A message on standard error, also where warnings and notes are left out.
-pub fn print_always(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
@@ -211,11 +205,6 @@ impl Watch for Terminal {
     fn is_stopped(&self) -> bool {
         interrupt::requested()
     }
-}
-
-/// Each finding on a line of standard error, most severe first.
-pub fn report(found: &Findings) {
-    found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 
 #[cfg(test)]

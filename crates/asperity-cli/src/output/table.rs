@@ -7,7 +7,7 @@ use asperity_answer::{Cell, Sheet};
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
-use crate::output::number::rounded;
+use asperity_answer::rounded;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -45,14 +45,6 @@ fn usual_names_of_columns_and_numbers_lead_to_ours() {
         note.contains(" to 0.5, a factor 30 either way, at most to its limit of 0.5"),
         "{note}"
     );
-    for (given, written) in [
-        ("data.csv --free asperity_height_std=0,1um:5um", "asperity_height_std=0.1um:5um"),
-        ("--free hardness --target area_fraction=0,1% --load 1", "area_fraction=0.1%"),
-    ] {
-        let run = bench.run(&format!("fit scene.toml {given}"));
-        let wanted = format!("decimal points, commas separate items; write {written}");
-        assert!(run.code == Some(2) && run.messages.contains(&wanted), "{}", run.messages);
-    }
     let run = bench.run("fit scene.toml data.csv --free hardness=2GPa");
     let one = "\"2GPa\" is one value: write hardness=low:high for bounds, or hardness alone";
     assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);

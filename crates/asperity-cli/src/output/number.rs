@@ -1,3 +1,0 @@
-//! Rounded numbers for tables.
-
-pub use asperity_answer::rounded;
