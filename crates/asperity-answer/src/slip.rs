@@ -35,8 +35,8 @@ pub enum Amplitude {
 }
 
 impl Slip<'_> {
-    /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with a
-    /// row for each of several cycles, all by shift or all by force.
+    /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with
+    /// a row for each of several cycles, all by shift or all by force.
     ///
     /// # Errors
     /// Those of [`PartialSlip`] if no cycle has a result.

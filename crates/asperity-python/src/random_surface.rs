@@ -13,14 +13,15 @@ use crate::topography::Topography;
 ///
 /// ``shape`` is rows and columns; lengths are in m. The spectrum is flat from the wavelength
 /// ``long`` to ``roll_off`` (by default ``long``), falls as q^(-2-2H) down to ``short`` and ends
-/// there. The size of the heights is ``sq`` or the rms ``gradient``. ``skewness`` changes the phases
-/// of the waves only. ``anisotropy`` is the rms slope across the lay over that along it,
-/// ``direction`` the angle of the lay in degrees from the rows towards the columns; the cut-offs are
-/// those across the lay. The same arguments make the same heights in the program (``asperity
-/// generate``) and in Rust.
+/// there. The size of the heights is ``sq`` or the rms ``gradient``. ``skewness`` changes the
+/// phases of the waves only. ``anisotropy`` is the rms slope across the lay over that along it,
+/// ``direction`` the angle of the lay in degrees from the rows towards the columns; the cut-offs
+/// are those across the lay. The same arguments make the same heights in the program
+/// (``asperity generate``) and in Rust.
 ///
 /// >>> import asperity
-/// >>> surface = asperity.random_surface((128, 256), 0.5e-6, long=30e-6, short=2e-6, sq=1e-7, seed=7)
+/// >>> cut_offs = {"long": 30e-6, "short": 2e-6}
+/// >>> surface = asperity.random_surface((128, 256), 0.5e-6, **cut_offs, sq=1e-7, seed=7)
 /// >>> report = surface.report()
 /// >>> f"{surface.statistics()['sq']:.4g} {report['hurst']:.1f}"
 /// '1e-07 0.8'

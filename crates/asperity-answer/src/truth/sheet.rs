@@ -23,9 +23,9 @@ const COLUMNS: [&str; 10] = [
     "boundary",
 ];
 
-/// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean pressures \[Pa\], with the
-/// deviations of the models; `refine` adds half the grid. Where the work is stopped, the rows are
-/// those solved by then. `name` is that of the scene in messages.
+/// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean
+/// pressures \[Pa\], with the deviations of the models; `refine` adds half the grid. Where the work
+/// is stopped, the rows are those solved by then. `name` is that of the scene in messages.
 ///
 /// # Errors
 /// Those of the scene, a grid that cannot be halved, and where no load is solved.

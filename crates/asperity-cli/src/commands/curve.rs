@@ -72,12 +72,12 @@ pub struct Curve {
     reference: Option<String>,
     /// Print how the values are computed instead: the integrals, their number of terms, and the
     /// terms left out
-    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference"])]
+    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plot", "format"])]
     plan: bool,
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
-    #[arg(conflicts_with_all = ["separations", "quantities", "plot"])]
+    #[arg(conflicts_with_all = ["separations", "unit", "quantities", "plot"])]
     pull_off: bool,
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
@@ -106,6 +106,10 @@ impl Curve {
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
         let request = self.asked.request(&scene.file, &separations, &USUAL);
+        if self.all && matches!(request.at.first(), Some(At::Separation(_))) {
+            let text = "--all needs --load or --pressure";
+            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+        }
         let (sheet, ()) =
             scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))

@@ -1,6 +1,7 @@
 //! The largest tension of surfaces with adhesion: `curve --pull-off`.
 
 use anyhow::{Result, bail};
+use asperity_answer::ALL_MODELS;
 
 use crate::input::args::{ModelArgs, OutputArgs};
 use crate::input::numbers::{of_unit, positive};
@@ -19,9 +20,10 @@ pub fn pull_off(asked: ModelArgs, work: Option<f64>, output: &OutputArgs) -> Res
     // The report includes the given work of adhesion.
     scene.report_scene(true);
     let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
-    let ids: Vec<String> = match &asked.models[..] {
-        [] => ["dmt", "jkr-separation"].map(String::from).into(),
-        ids => ids.iter().map(parting).collect(),
+    let all = asked.models.is_empty() || asked.models.iter().any(|id| id == ALL_MODELS);
+    let ids: Vec<String> = match all {
+        true => ["dmt", "jkr-separation"].map(String::from).into(),
+        false => asked.models.iter().map(parting).collect(),
     };
     let mut models = vec![];
     for id in once(&ids) {
