@@ -7,6 +7,19 @@ use asperity::{
 };
 
 use crate::SceneFile;
+use crate::bandwidth::{GRADIENT, MEAN_SLOPE};
+
+/// The ways to describe a surface by three numbers: the asperities themselves, those that follow
+/// from the interface as well, and those of [`Roughness`].
+pub(crate) const WAYS: &[[&str; 3]; 7] = &[
+    ["asperity_radius", "asperity_density", "asperity_height_std"],
+    ["plasticity_index", "roughness_parameter", "asperity_height_std"],
+    ["asperity_radius", "asperity_density", "surface_height_std"],
+    ["surface_height_std", MEAN_SLOPE, "asperity_density"],
+    ["m0", "m2", "m4"],
+    ["sq", "spd", "spc"],
+    ["sq", "spd", GRADIENT],
+];
 
 /// Three numbers from which the asperities of a surface follow, as in `[surface]`, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,12 +42,13 @@ impl Roughness {
     /// The keys of the numbers.
     #[must_use]
     pub fn keys(&self) -> &'static [&'static str; 3] {
+        let [.., surface_std, mean_slope, moments, iso, gradient] = WAYS;
         match self {
-            Self::SurfaceStd(_) => &["asperity_radius", "asperity_density", "surface_height_std"],
-            Self::MeanSlope(_) => &["surface_height_std", "mean_slope", "asperity_density"],
-            Self::Moments(_) => &["m0", "m2", "m4"],
-            Self::Iso25178(_) => &["sq", "spd", "spc"],
-            Self::Gradient(_) => &["sq", "spd", "sdq"],
+            Self::SurfaceStd(_) => surface_std,
+            Self::MeanSlope(_) => mean_slope,
+            Self::Moments(_) => moments,
+            Self::Iso25178(_) => iso,
+            Self::Gradient(_) => gradient,
         }
     }
 
@@ -52,7 +66,7 @@ impl Roughness {
         self
     }
 
-    fn numbers_mut(&mut self) -> &mut [f64; 3] {
+    pub(crate) fn numbers_mut(&mut self) -> &mut [f64; 3] {
         match self {
             Self::SurfaceStd(numbers)
             | Self::MeanSlope(numbers)
