@@ -114,9 +114,6 @@ pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
         if let Some(slope) = gradient(text).map(short) {
             return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
         }
-        if in_units(text, &ANGLES).is_some() {
-            return Some("a gradient, or an angle between 0 and 90 deg,".into());
-        }
     }
     let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
     is_number.then(|| format!("the number {given} without quotes"))
@@ -125,28 +122,17 @@ pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
 /// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on
 /// the nominal area, behind the text in a message; `None` for other texts and keys.
 pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
-    let capital = text.to_uppercase();
-    let vickers = of_scale(&capital, "HV").map(|vickers| {
-        let contact = hardness_of_vickers(vickers);
-        [contact, contact / HARDNESS_OVER_YIELD]
-            .map(|pascal| format!("{}GPa", short(1e-9 * pascal)))
-    });
-    let others = ["HBW", "HB", "HRC"];
-    if vickers.is_none() && others.into_iter().all(|name| of_scale(&capital, name).is_none()) {
-        return None;
-    }
-    Some(match (key, vickers) {
-        ("hardness", Some([contact, _])) => format!(
+    let contact = hardness_of_vickers(of_scale(&text.to_uppercase(), "HV")?);
+    let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
+        .map(|pascal| format!("{}GPa", short(1e-9 * pascal)));
+    Some(match key {
+        "hardness" => format!(
             "is not in Pa: write {contact}, the contact hardness (mean pressure on the projected area, 9.807 HV/0.9272 MPa)"
         ),
-        ("hardness", None) => "is not in Pa: convert the hardness to HV first".into(),
-        ("yield_strength", Some([contact, strength])) => format!(
+        "yield_strength" => format!(
             "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
         ),
-        ("yield_strength", None) => {
-            "is a hardness, not a yield strength: convert it to HV, and give it as hardness".into()
-        }
-        (PRESSURE, _) => {
+        PRESSURE => {
             "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
         }
         _ => return None,
@@ -364,9 +350,6 @@ mod tests {
         let strength = vickers("yield_strength");
         assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
         assert!(vickers(PRESSURE).starts_with("is a hardness, not a pressure on the nominal"));
-        for text in ["60 HRC", "200 HBW", "HB 200"] {
-            assert!(hardness(text, "hardness").unwrap().ends_with("to HV first"), "{text}");
-        }
         assert_eq!(hardness("120 MPa", "hardness"), None);
     }
 }
