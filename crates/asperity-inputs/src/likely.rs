@@ -46,33 +46,20 @@ pub fn without_thousands(text: &str) -> Option<String> {
     let text = text.trim();
     let body = text.trim_start_matches(['-', '+']);
     let sign = text.get(..text.len() - body.len())?;
-    let separator = body.chars().find(|c| !c.is_ascii_digit())?;
-    if !",.'_ \u{2019}\u{a0}\u{202f}".contains(separator) {
-        return None;
-    }
-    let mut groups = body.split(separator);
+    let number = |text: &'_ str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let (first, mut rest) = body.split_at(number(body));
+    let separator = rest.chars().next().filter(|c| ",.'_ \u{2019}\u{a0}\u{202f}".contains(*c))?;
     // 0,125 and 0.125,0.5 have no thousands.
-    let first = |first: &&str| (1..=3).contains(&first.len()) && !first.starts_with('0');
-    let mut digits = groups.next().filter(first)?.to_string();
-    let (mut count, mut rest) = (0, String::new());
-    for group in groups {
-        if !rest.is_empty() {
-            // What follows the number, a unit for example.
-            rest.push(separator);
-            rest.push_str(group);
-            continue;
-        }
-        let end = group.find(|c: char| !c.is_ascii_digit()).unwrap_or(group.len());
-        let (three, after) = group.split_at_checked(end)?;
+    let is_first = (1..=3).contains(&first.len()) && !first.starts_with('0');
+    let (mut digits, mut count) = (is_first.then(|| first.to_string())?, 0);
+    while let Some(group) = rest.strip_prefix(separator) {
+        let (three, after) = group.split_at(number(group));
         match (three.len(), count) {
-            (3, _) => {
-                digits.push_str(three);
-                count += 1;
-            }
-            (0, 1..) => rest.push(separator),
+            (3, _) => digits.push_str(three),
+            (0, 1..) => break,
             _ => return None,
         }
-        rest.push_str(after);
+        (rest, count) = (after, count + 1);
     }
     // 1.500,5 has one decimal sign, which is not the separator; 1'500,5 may be a list.
     let signs = if ",.".contains(separator) { &[',', '.'][..] } else { &['.'] };
@@ -110,10 +97,9 @@ pub fn notation_hint(text: &str) -> Option<String> {
 /// The number needed instead of a text, of a key without a unit.
 pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
     let given = with_decimal_point(text).unwrap_or(text.into());
-    if ["sdq", "mean_slope"].contains(&name) {
-        if let Some(slope) = gradient(text).map(short) {
-            return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
-        }
+    let is_slope = ["sdq", "mean_slope"].contains(&name);
+    if let Some(slope) = gradient(text).filter(|_| is_slope).map(short) {
+        return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
     }
     let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
     is_number.then(|| format!("the number {given} without quotes"))

@@ -154,12 +154,7 @@ impl SceneFile {
         // A measurement is valid for its own surface only.
         let offset = self.scene.mean_plane_offset.filter(|_| same);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(offset);
-        // Properties of the pair do not follow from the bodies.
-        let Interface { work_of_adhesion, pressure_factor, .. } = self.scene.interface;
-        let mut of_bodies = interface;
-        (of_bodies.work_of_adhesion, of_bodies.pressure_factor) =
-            (work_of_adhesion, pressure_factor);
-        let keep_bodies = of_bodies == self.scene.interface;
+        let keep_bodies = self.with_pair(interface) == self.scene.interface;
         Ok(Self {
             scene,
             bodies: if keep_bodies { self.bodies.clone() } else { vec![] },
@@ -174,6 +169,13 @@ impl SceneFile {
         })
     }
 
+    /// An interface with the properties of this pair that do not follow from the bodies.
+    fn with_pair(&self, mut of_bodies: Interface) -> Interface {
+        of_bodies.work_of_adhesion = self.scene.interface.work_of_adhesion;
+        of_bodies.pressure_factor = self.scene.interface.pressure_factor;
+        of_bodies
+    }
+
     /// [`with_numbers`](Self::with_numbers) for other bodies, one of them on a rigid counterface;
     /// the work of adhesion and the pressure factor stay.
     ///
@@ -181,10 +183,7 @@ impl SceneFile {
     /// [`ContactError`] naming the field that is out of range, or another number of bodies than 1
     /// or 2.
     pub fn with_bodies(&self, bodies: Vec<Body>) -> Result<Self, ContactError> {
-        let mut interface = interface_of(&bodies)?;
-        let Interface { work_of_adhesion, pressure_factor, .. } = self.scene.interface;
-        (interface.work_of_adhesion, interface.pressure_factor) =
-            (work_of_adhesion, pressure_factor);
+        let interface = self.with_pair(interface_of(&bodies)?);
         let made = self.with_numbers(interface, self.scene.surface, self.scene.nominal_area)?;
         Ok(Self { bodies, ..made })
     }
