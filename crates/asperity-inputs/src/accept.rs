@@ -54,7 +54,7 @@ mod tests {
         }
     }
 
-    /// The names of warnings and notes in the sources of the crates that a scene reads.
+    /// Each code stands in the sources, and those of scans and scenes are all known.
     #[test]
     fn the_codes_are_those_of_the_sources() {
         let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf();

@@ -58,21 +58,21 @@ impl SceneFile {
         };
         let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(body_field).collect();
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
-        let of_interface = self.scene.findings().into_iter().map(|found| {
-            match ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty() {
-                true => found
-                    .from_origin(format!("asperities from `{}`", self.follows_from.join("`, `"))),
-                false => found,
-            }
-        });
-        let of_interface = of_interface.filter(|found| !shown.contains(&&*found.field));
+        let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
+        let of_interface = self.scene.findings().into_iter();
         // Without asperities, these are numbers of a surface that stands in for them.
-        let stands_in =
-            |field: &str| self.no_asperities.is_some() && ASPERITY_FIELDS.contains(&field);
-        let of_interface = of_interface.filter(|found| !stands_in(&found.field));
+        let of_interface = of_interface.filter(|found| {
+            let stands_in = self.no_asperities.is_some() && of_asperities(found);
+            !stands_in && !shown.contains(&&*found.field)
+        });
+        let of_interface = of_interface.map(|found| match self.follows_from {
+            [_, ..] if of_asperities(&found) => {
+                found.from_origin(format!("asperities from `{}`", self.follows_from.join("`, `")))
+            }
+            _ => found,
+        });
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The number that was given, in place of findings about the asperities that follow from it.
-        let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
         let is_wrong = |found: &Finding| of_asperities(found) && found.severity == Severity::Error;
         if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
             of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");

@@ -210,7 +210,7 @@ impl<'a> Document<'a> {
         let names = allowed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
         let near = nearest_name(found.trim_matches('"'), names);
-        let near = near.map(Into::into).or_else(|| near_table(&found, &allowed));
+        let near = near.map(Into::into);
         SceneError::Value { at: self.place(path), found, near, needed }
     }
 
@@ -326,18 +326,6 @@ impl<'a> Document<'a> {
         let (at, other) = (self.place(one), self.place(other));
         SceneError::Conflict { at, other, needed: needed.into() }
     }
-}
-
-/// The first key of the allowed tables, such as `{ skewness = -0.5 }`, that begins like the key
-/// found or is similar to it.
-fn near_table(found: &str, needed: &str) -> Option<String> {
-    let key = |text: &str| Some(text.split_once('=')?.0.trim().to_string());
-    let given = key(found.trim_start().strip_prefix('{')?)?;
-    let keys: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
-    let begun = keys.iter().find(|keys| given.len() > 2 && keys.starts_with(&given));
-    let near = || nearest_name(&given, keys.iter().map(String::as_str));
-    let near = begun.map(String::as_str).or_else(near);
-    near.filter(|near| *near != given).map(Into::into)
 }
 
 /// Advice for a line whose number is written in another notation, or whose quotes are curly.

@@ -150,47 +150,13 @@ pub enum SceneError {
         /// The file, the value found and the value required.
         reason: String,
     },
-    /// A name that is no number of this scene.
-    #[error("{name} is not an input of this scene{}: one of {known} was required{reason}", nearest_hint(.near.as_ref()))]
-    UnknownInput {
+    /// A name that is no number of this scene, or a number that another one determines.
+    #[error("{name} {reason}")]
+    Input {
         /// The name.
         name: String,
-        /// The nearest input, if one is near.
-        near: Option<String>,
-        /// The inputs of the scene.
-        known: String,
-        /// The description that has this number, or how the nearest input differs from it; empty if
-        /// there is neither.
+        /// What is wrong with it, and what is required.
         reason: String,
-    },
-    /// An input beside another from which it follows.
-    #[error("{name} is given beside {by}, which determines it: leave {name} out")]
-    Determined {
-        /// The input that follows.
-        name: String,
-        /// The other.
-        by: String,
-    },
-    /// A number of the interface beside one of a body.
-    #[error(
-        "{name} is that of the interface, which follows from its bodies once {by} is given: use {instead}"
-    )]
-    OfBodies {
-        /// The number of the interface.
-        name: String,
-        /// The number of a body.
-        by: String,
-        /// The same number of the bodies.
-        instead: String,
-    },
-    /// One Young's modulus for two bodies with different ones.
-    #[error(
-        "youngs_modulus is {:e} Pa of body 1 and {:e} Pa of body 2: give body1_youngs_modulus or body2_youngs_modulus",
-        .moduli[0], .moduli[1]
-    )]
-    UnequalModuli {
-        /// Those of the bodies \[Pa\].
-        moduli: [f64; 2],
     },
     /// Data or free parameters of a fit are refused, or it was interrupted.
     #[error(transparent)]

@@ -4,11 +4,12 @@ use std::borrow::Cow;
 use std::iter::once;
 
 use asperity::{
-    Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_name,
+    Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_hint,
+    nearest_name,
 };
 
 use crate::keys::{BODY, Field, INTERFACE, Key, SURFACE};
-use crate::{SceneError, SceneFile};
+use crate::{Roughness, SceneError, SceneFile};
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy)]
@@ -80,8 +81,7 @@ impl SceneFile {
     /// The inputs of these names.
     ///
     /// # Errors
-    /// [`SceneError::UnknownInput`], and [`SceneError::Determined`] for a number beside another
-    /// from which it follows.
+    /// [`SceneError::Input`] for another name, and for a number beside another from which it follows.
     pub fn inputs<'n>(
         &self,
         names: impl IntoIterator<Item = &'n str>,
@@ -113,9 +113,12 @@ impl SceneFile {
             "mean_plane_offset" => "; mean_plane_offset needs a scene that gives it",
             "skewness" => "; skewness needs heights that are given by it",
             YOUNGS_MODULUS if !self.bodies.is_empty() => {
-                let modulus = |body: Option<&Body>| body.map_or(0.0, |body| body.youngs_modulus);
-                let moduli = [modulus(self.bodies.first()), modulus(self.bodies.last())];
-                return SceneError::UnequalModuli { moduli };
+                let of_body =
+                    |(body, k): (&Body, _)| format!("{:e} Pa of body {k}", body.youngs_modulus);
+                let moduli: Vec<String> = self.bodies.iter().zip(1..).map(of_body).collect();
+                let give = "give body1_youngs_modulus or body2_youngs_modulus";
+                let reason = format!("is {}: {give}", moduli.join(" and "));
+                return SceneError::Input { name: name.into(), reason };
             }
             YOUNGS_MODULUS | "body1_youngs_modulus" | "body2_youngs_modulus" => {
                 "; Young's modulus needs a scene that is given by its bodies"
@@ -129,12 +132,11 @@ impl SceneFile {
             Some(format!("; {key} {}", differs.trim_end_matches("; ")))
         });
         let synonym = synonym.map(|(key, _)| key);
-        SceneError::UnknownInput {
-            name: name.into(),
-            near: synonym.or_else(|| nearest_name(name, names.iter().copied())).map(Into::into),
-            known: names.join(", "),
-            reason: difference.unwrap_or(reason.into()),
-        }
+        let near = nearest_hint(synonym.or_else(|| nearest_name(name, names.iter().copied())));
+        let (known, reason) = (names.join(", "), difference.unwrap_or(reason.into()));
+        let reason =
+            format!("is not an input of this scene{near}: one of {known} was required{reason}");
+        SceneError::Input { name: name.into(), reason }
     }
 
     /// The value of an input; `None` for a number that the scene does not give.
@@ -166,10 +168,8 @@ impl SceneFile {
         &self,
         numbers: impl IntoIterator<Item = (SceneInput, f64)>,
     ) -> Result<Self, ContactError> {
-        let (mut bodies, mut roughness) =
-            (self.bodies.clone(), self.roughness.map(|r| r.numbers()));
+        let (mut bodies, mut roughness) = (self.bodies.clone(), self.roughness);
         let numbers: Vec<(SceneInput, f64)> = numbers.into_iter().collect();
-        let (mut new_bodies, mut new_roughness) = (false, false);
         for (SceneInput(input), value) in &numbers {
             match input {
                 Input::Body(place, Field { set, .. }) => {
@@ -179,20 +179,18 @@ impl SceneFile {
                     bodies.iter_mut().for_each(|body| set(body, *value))
                 }
                 Input::Roughness(place) => {
-                    let number = roughness.as_mut().and_then(|numbers| numbers.get_mut(*place));
-                    number.into_iter().for_each(|number| *number = *value);
+                    let numbers = roughness.iter_mut().flat_map(Roughness::numbers_mut);
+                    numbers.skip(*place).take(1).for_each(|number| *number = *value);
                 }
                 _ => {}
             }
-            new_bodies |= matches!(input, Input::Body(..) | Input::Bodies(_));
-            new_roughness |= matches!(input, Input::Roughness(_));
         }
         let mut made = Cow::Borrowed(self);
-        if new_bodies {
+        if bodies != self.bodies {
             made = Cow::Owned(made.with_bodies(bodies)?);
         }
-        if let (true, Some(kind), Some(numbers)) = (new_roughness, self.roughness, roughness) {
-            made = Cow::Owned(made.with_roughness(kind.with(numbers))?);
+        if let Some(roughness) = roughness.filter(|_| roughness != self.roughness) {
+            made = Cow::Owned(made.with_roughness(roughness)?);
         }
         let file = &*made;
         let mut scene = file.scene.clone();
@@ -233,11 +231,16 @@ impl SceneFile {
 fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
     let of_body = |known: &&str| known.starts_with("body") && known.ends_with(&format!("_{name}"));
     let instead: Vec<&str> = known.iter().map(|(known, _)| &**known).filter(of_body).collect();
-    let (name, by, is_same) = (name.into(), by.into(), by.ends_with(name));
-    match instead[..] {
-        [_, ..] if !is_same => SceneError::OfBodies { name, by, instead: instead.join(" or ") },
-        _ => SceneError::Determined { name, by },
-    }
+    let reason = match instead[..] {
+        [_, ..] if !by.ends_with(name) => {
+            let instead = instead.join(" or ");
+            format!(
+                "is that of the interface, which follows from its bodies once {by} is given: use {instead}"
+            )
+        }
+        _ => format!("is given beside {by}, which determines it: leave {name} out"),
+    };
+    SceneError::Input { name: name.into(), reason }
 }
 
 impl Input {

@@ -10,7 +10,7 @@ mod lengths;
 mod surface;
 
 pub use lengths::mistaken_unit;
-pub(crate) use surface::{Given, OddNumber};
+pub(crate) use surface::{Given, OddNumber, likely_curvature};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.
@@ -46,33 +46,20 @@ pub fn without_thousands(text: &str) -> Option<String> {
     let text = text.trim();
     let body = text.trim_start_matches(['-', '+']);
     let sign = text.get(..text.len() - body.len())?;
-    let separator = body.chars().find(|c| !c.is_ascii_digit())?;
-    if !",.'_ \u{2019}\u{a0}\u{202f}".contains(separator) {
-        return None;
-    }
-    let mut groups = body.split(separator);
+    let number = |text: &'_ str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let (first, mut rest) = body.split_at(number(body));
+    let separator = rest.chars().next().filter(|c| ",.'_ \u{2019}\u{a0}\u{202f}".contains(*c))?;
     // 0,125 and 0.125,0.5 have no thousands.
-    let first = |first: &&str| (1..=3).contains(&first.len()) && !first.starts_with('0');
-    let mut digits = groups.next().filter(first)?.to_string();
-    let (mut count, mut rest) = (0, String::new());
-    for group in groups {
-        if !rest.is_empty() {
-            // What follows the number, a unit for example.
-            rest.push(separator);
-            rest.push_str(group);
-            continue;
-        }
-        let end = group.find(|c: char| !c.is_ascii_digit()).unwrap_or(group.len());
-        let (three, after) = group.split_at_checked(end)?;
+    let is_first = (1..=3).contains(&first.len()) && !first.starts_with('0');
+    let (mut digits, mut count) = (is_first.then(|| first.to_string())?, 0);
+    while let Some(group) = rest.strip_prefix(separator) {
+        let (three, after) = group.split_at(number(group));
         match (three.len(), count) {
-            (3, _) => {
-                digits.push_str(three);
-                count += 1;
-            }
-            (0, 1..) => rest.push(separator),
+            (3, _) => digits.push_str(three),
+            (0, 1..) => break,
             _ => return None,
         }
-        rest.push_str(after);
+        (rest, count) = (after, count + 1);
     }
     // 1.500,5 has one decimal sign, which is not the separator; 1'500,5 may be a list.
     let signs = if ",.".contains(separator) { &[',', '.'][..] } else { &['.'] };
@@ -110,13 +97,9 @@ pub fn notation_hint(text: &str) -> Option<String> {
 /// The number needed instead of a text, of a key without a unit.
 pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
     let given = with_decimal_point(text).unwrap_or(text.into());
-    if ["sdq", "mean_slope"].contains(&name) {
-        if let Some(slope) = gradient(text).map(short) {
-            return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
-        }
-        if in_units(text, &ANGLES).is_some() {
-            return Some("a gradient, or an angle between 0 and 90 deg,".into());
-        }
+    let is_slope = ["sdq", "mean_slope"].contains(&name);
+    if let Some(slope) = gradient(text).filter(|_| is_slope).map(short) {
+        return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
     }
     let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
     is_number.then(|| format!("the number {given} without quotes"))
@@ -125,28 +108,17 @@ pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
 /// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on
 /// the nominal area, behind the text in a message; `None` for other texts and keys.
 pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
-    let capital = text.to_uppercase();
-    let vickers = of_scale(&capital, "HV").map(|vickers| {
-        let contact = hardness_of_vickers(vickers);
-        [contact, contact / HARDNESS_OVER_YIELD]
-            .map(|pascal| format!("{}GPa", short(1e-9 * pascal)))
-    });
-    let others = ["HBW", "HB", "HRC"];
-    if vickers.is_none() && others.into_iter().all(|name| of_scale(&capital, name).is_none()) {
-        return None;
-    }
-    Some(match (key, vickers) {
-        ("hardness", Some([contact, _])) => format!(
+    let contact = hardness_of_vickers(of_scale(&text.to_uppercase(), "HV")?);
+    let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
+        .map(|pascal| format!("{}GPa", short(1e-9 * pascal)));
+    Some(match key {
+        "hardness" => format!(
             "is not in Pa: write {contact}, the contact hardness (mean pressure on the projected area, 9.807 HV/0.9272 MPa)"
         ),
-        ("hardness", None) => "is not in Pa: convert the hardness to HV first".into(),
-        ("yield_strength", Some([contact, strength])) => format!(
+        "yield_strength" => format!(
             "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
         ),
-        ("yield_strength", None) => {
-            "is a hardness, not a yield strength: convert it to HV, and give it as hardness".into()
-        }
-        (PRESSURE, _) => {
+        PRESSURE => {
             "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
         }
         _ => return None,
@@ -364,9 +336,6 @@ mod tests {
         let strength = vickers("yield_strength");
         assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
         assert!(vickers(PRESSURE).starts_with("is a hardness, not a pressure on the nominal"));
-        for text in ["60 HRC", "200 HBW", "HB 200"] {
-            assert!(hardness(text, "hardness").unwrap().ends_with("to HV first"), "{text}");
-        }
         assert_eq!(hardness("120 MPa", "hardness"), None);
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
-use crate::cells::{beside_commas, delimiter, delimiter_hint, number, quoted, share_hint};
+use crate::cells::{BESIDE_COMMAS, delimiter, delimiter_hint, number, quoted};
 use crate::document::{SAVE_AS_CSV, read_text, shorten};
 use crate::likely::{notation_hint, without_thousands};
 use crate::{Place, SceneError, is_unit};
@@ -63,10 +63,11 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         let record = record.map_err(|error| syntax(None, error.to_string()))?;
         let line = numbered.next();
         if record.len() != columns.len() {
-            if record.len() == columns.len() + 1 && record.iter().next_back() == Some("") {
-                return Err(syntax(line, "the row ends in a separator; remove it".into()));
-            }
-            let reason = refuse_length(&record, columns.len(), delimiter);
+            let hint = if record.len() > columns.len() { delimiter_hint(delimiter) } else { "" };
+            let (found, columns) = (record.len(), columns.len());
+            let reason = format!(
+                "{found} cells under a header of {columns} columns: one cell for each column was required{hint}"
+            );
             return Err(syntax(line, reason));
         }
         lines.extend(line);
@@ -81,7 +82,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                 }
                 given if decimal_commas && given.contains('.') => {
                     let (at, found) = (place(line, name), quoted(given));
-                    return Err(SceneError::Notation { at, found, hint: beside_commas(given) });
+                    return Err(SceneError::Notation { at, found, hint: BESIDE_COMMAS.into() });
                 }
                 given => {
                     Some(number(given).filter(|value| value.is_finite()).ok_or_else(|| {
@@ -93,7 +94,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
                                 "a finite number, or nothing",
                             );
                         }
-                        match share_hint(name, given, delimiter).or_else(|| notation_hint(given)) {
+                        match notation_hint(given) {
                             Some(hint) => {
                                 let found = quoted(given);
                                 SceneError::Notation { at, found, hint }
@@ -133,37 +134,11 @@ pub(crate) fn is_measurements(text: &str) -> bool {
     head.is_some_and(|head| names(head) > 1)
 }
 
-/// Why a row with another number of cells than its header is refused.
-fn refuse_length(record: &csv::StringRecord, columns: usize, delimiter: u8) -> String {
-    let cells = |separator: &&u8| {
-        record.len() == 1 && record[0].split(char::from(**separator)).count() == columns
-    };
-    let others = [b',', b';', b'\t'];
-    if let Some(other) = others.iter().filter(|other| **other != delimiter).find(cells) {
-        let [head, row] = [delimiter, *other].map(|separator| match separator {
-            b',' => "commas",
-            b';' => "semicolons",
-            _ => "tabs",
-        });
-        return format!(
-            "the row is separated by {row}, the header by {head}; use the same in both"
-        );
-    }
-    let hint = if record.len() > columns { delimiter_hint(delimiter) } else { "" };
-    let found = record.len();
-    format!(
-        "{found} cells under a header of {columns} columns: one cell for each column was required{hint}"
-    )
-}
-
 /// The line and the reason where the lines at the top are no header and rows of numbers.
 fn refuse_preamble(text: &str, head: &csv::StringRecord) -> Result<(), (usize, String)> {
     let mut lines =
         (1..).zip(text.lines()).filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
-    let (Some((line, top)), second) = (lines.next(), lines.next()) else { return Ok(()) };
-    if top.to_lowercase().starts_with("sep=") {
-        return Err((line, format!("{top:?} is no header; remove this line")));
-    }
+    let (Some((_, top)), second) = (lines.next(), lines.next()) else { return Ok(()) };
     let Some((line, row)) = second else { return Ok(()) };
     let count = |line: &str| line.split_whitespace().count();
     if head.len() == 1 && count(top) > 1 && count(top) == count(row) {
@@ -230,28 +205,11 @@ mod tests {
         }
         // 1.500 may be 1500 there.
         let refused = read("load_N;area_m2\n1.500;2,0e-9\n").unwrap_err();
-        let wanted = "load_N = \"1.500\" has a point where other cells have decimal commas; write 1,500 or 1500";
+        let wanted = "load_N = \"1.500\" has a point where other cells have decimal commas; write a comma, or no separator of thousands";
         assert!(refused.ends_with(wanted), "{refused}");
         assert_eq!(read("load_N;area_m2\n1.500;2e-9\n").unwrap()[0].1, [Some(1.5)]);
         let thousands = read("load_N;area_m2\n1.500;213.870.238\n").unwrap_err();
         assert!(thousands.contains("has thousands separators"), "{thousands}");
-        for (text, wanted) in [
-            (
-                "area_m2,area_m2_std\n1,3%\n",
-                "area_m2_std = \"3%\" is a share of area_m2; write the",
-            ),
-            (
-                "area_fraction\n0.4 %\n",
-                "area_fraction = \"0.4 %\" has a per cent sign; write 0.004",
-            ),
-            (
-                "load_N;area_fraction\n1200;0,26 %\n",
-                "area_fraction = \"0,26 %\" has a per cent sign; write 0,0026",
-            ),
-        ] {
-            let refused = read(text).unwrap_err();
-            assert!(refused.contains(wanted), "{refused}");
-        }
         assert_eq!(read("load_N;area_m2\n1,5e6;3e8\n").unwrap()[0].1, [Some(1.5e6)]);
         for row in ["1,5,2,0e-9", "1,5e6,3e8"] {
             let refused = read(&format!("load_N,area_m2\n{row}\n")).unwrap_err();
@@ -275,14 +233,7 @@ mod tests {
                 "laod_N,displacement_um\n1,abc\n",
                 ":2: displacement_um is \"abc\": a number, or nothing was required",
             ),
-            (
-                "load_N,area_m2\n1;2\n",
-                ":2: CSV: the row is separated by semicolons, the header by commas; use the same",
-            ),
-            (
-                "load_N;area_m2\n1,2\n",
-                ":2: CSV: the row is separated by commas, the header by semicolons; use the same",
-            ),
+            ("load_N,area_m2\n1;2\n", ":2: CSV: 1 cells under a header of 2 columns"),
             (
                 "\"1,000,000\",\"2,000,000\"\n",
                 ":1: the header is \"1,000,000,2,000,000\": a header",
@@ -295,11 +246,10 @@ mod tests {
             ("load_N,area_m2\n1,2\n3\n", ":3: CSV: 1 cells under a header of 2 columns"),
             ("1,2\n3,4\n", ":1: the header is \"1,2\": a header, for example load_N"),
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
-            ("load_N,area_m2\n1,2,\n", ":2: CSV: the row ends in a separator; remove it"),
+            ("load_N,area_m2\n1,2,\n", ":2: CSV: 3 cells under a header of 2 columns"),
             ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number, or nothing"),
             ("load_N area_m2\n1 2\n", ":2: CSV: blanks separate the columns; separate them by"),
             ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: CSV: the row has units; remove it"),
-            ("sep=;\nload_N;area_m2\n1;2\n", ":1: CSV: \"sep=;\" is no header; remove this"),
             ("load_N,area_m2\n", ": CSV: no row of values under the header"),
             (
                 "load_N,area_m2\n1,500'000.0\n",

@@ -7,6 +7,19 @@ use asperity::{
 };
 
 use crate::SceneFile;
+use crate::bandwidth::{GRADIENT, MEAN_SLOPE};
+
+/// The ways to describe a surface by three numbers: the asperities themselves, those that follow
+/// from the interface as well, and those of [`Roughness`].
+pub(crate) const WAYS: &[[&str; 3]; 7] = &[
+    ["asperity_radius", "asperity_density", "asperity_height_std"],
+    ["plasticity_index", "roughness_parameter", "asperity_height_std"],
+    ["asperity_radius", "asperity_density", "surface_height_std"],
+    ["surface_height_std", MEAN_SLOPE, "asperity_density"],
+    ["m0", "m2", "m4"],
+    ["sq", "spd", "spc"],
+    ["sq", "spd", GRADIENT],
+];
 
 /// Three numbers from which the asperities of a surface follow, as in `[surface]`, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,12 +42,13 @@ impl Roughness {
     /// The keys of the numbers.
     #[must_use]
     pub fn keys(&self) -> &'static [&'static str; 3] {
+        let [.., surface_std, mean_slope, moments, iso, gradient] = WAYS;
         match self {
-            Self::SurfaceStd(_) => &["asperity_radius", "asperity_density", "surface_height_std"],
-            Self::MeanSlope(_) => &["surface_height_std", "mean_slope", "asperity_density"],
-            Self::Moments(_) => &["m0", "m2", "m4"],
-            Self::Iso25178(_) => &["sq", "spd", "spc"],
-            Self::Gradient(_) => &["sq", "spd", "sdq"],
+            Self::SurfaceStd(_) => surface_std,
+            Self::MeanSlope(_) => mean_slope,
+            Self::Moments(_) => moments,
+            Self::Iso25178(_) => iso,
+            Self::Gradient(_) => gradient,
         }
     }
 
@@ -52,7 +66,7 @@ impl Roughness {
         self
     }
 
-    fn numbers_mut(&mut self) -> &mut [f64; 3] {
+    pub(crate) fn numbers_mut(&mut self) -> &mut [f64; 3] {
         match self {
             Self::SurfaceStd(numbers)
             | Self::MeanSlope(numbers)
@@ -140,12 +154,7 @@ impl SceneFile {
         // A measurement is valid for its own surface only.
         let offset = self.scene.mean_plane_offset.filter(|_| same);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(offset);
-        // Properties of the pair do not follow from the bodies.
-        let Interface { work_of_adhesion, pressure_factor, .. } = self.scene.interface;
-        let mut of_bodies = interface;
-        (of_bodies.work_of_adhesion, of_bodies.pressure_factor) =
-            (work_of_adhesion, pressure_factor);
-        let keep_bodies = of_bodies == self.scene.interface;
+        let keep_bodies = self.with_pair(interface) == self.scene.interface;
         Ok(Self {
             scene,
             bodies: if keep_bodies { self.bodies.clone() } else { vec![] },
@@ -160,6 +169,13 @@ impl SceneFile {
         })
     }
 
+    /// An interface with the properties of this pair that do not follow from the bodies.
+    fn with_pair(&self, mut of_bodies: Interface) -> Interface {
+        of_bodies.work_of_adhesion = self.scene.interface.work_of_adhesion;
+        of_bodies.pressure_factor = self.scene.interface.pressure_factor;
+        of_bodies
+    }
+
     /// [`with_numbers`](Self::with_numbers) for other bodies, one of them on a rigid counterface;
     /// the work of adhesion and the pressure factor stay.
     ///
@@ -167,10 +183,7 @@ impl SceneFile {
     /// [`ContactError`] naming the field that is out of range, or another number of bodies than 1
     /// or 2.
     pub fn with_bodies(&self, bodies: Vec<Body>) -> Result<Self, ContactError> {
-        let mut interface = interface_of(&bodies)?;
-        let Interface { work_of_adhesion, pressure_factor, .. } = self.scene.interface;
-        (interface.work_of_adhesion, interface.pressure_factor) =
-            (work_of_adhesion, pressure_factor);
+        let interface = self.with_pair(interface_of(&bodies)?);
         let made = self.with_numbers(interface, self.scene.surface, self.scene.nominal_area)?;
         Ok(Self { bodies, ..made })
     }

@@ -5,30 +5,66 @@ use asperity::{Finding, Interface, ProfileMoments, Scene, Surface};
 use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
 use crate::document::Document;
 use crate::heights::HeightsKey;
-use crate::keys::{COUNTERFACE, KEYS, Subject};
-use crate::likely::{Given, OddNumber, likely_angle};
+use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
+use crate::likely::{Given, OddNumber, likely_angle, likely_curvature};
 use crate::measured::{Asked, measured};
+use crate::numbers::WAYS;
 use crate::{Roughness, SceneError, SceneFile};
 
-/// The five ways; `asperity_height_std` belongs to two of them.
-const WAYS: [&[&str]; 5] = [
-    &["asperity_radius", "asperity_density", STD],
-    &["plasticity_index", "roughness_parameter", STD],
-    &["m0", "m2", "m4"],
-    &["sq", "spd", "spc"],
-    &["file", "files"],
-];
-/// Index of the way by parameters of ISO 25178.
-const ISO: usize = 3;
-/// Index of the way by measured files.
-const MEASURED: usize = WAYS.len() - 1;
+/// The files of measured surfaces.
+const FILES: [&str; 2] = ["file", "files"];
 const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
-/// The numbers with each alternative key.
-const SURFACE_STDS: [&str; 3] = ["asperity_radius", "asperity_density", SURFACE_STD];
-const SLOPES: [&str; 3] = [SURFACE_STD, MEAN_SLOPE, "asperity_density"];
-const GRADIENTS: [&str; 3] = ["sq", "spd", GRADIENT];
+/// Keys that describe a surface only beside others.
+const BESIDE: [&str; 4] = [STD, SURFACE_STD, MEAN_SLOPE, GRADIENT];
+const ONE_WAY: &str = "exactly one way to describe the surface: asperity_radius, asperity_density, asperity_height_std; or plasticity_index, roughness_parameter, asperity_height_std; or m0, m2, m4; or sq, spd, spc; or file, files";
+
+/// The way by which a section describes its surface, and the key that decides it; refuses keys of
+/// other ways.
+fn way(
+    document: &Document<'_>,
+    section: &str,
+) -> Result<(&'static [&'static str], &'static str), SceneError> {
+    let at = |key: &str| format!("{section}.{key}");
+    let has = |key: &&&str| document.has(&at(key));
+    let ways = || WAYS.iter().map(|way| &way[..]).chain([&FILES[..]]);
+    let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
+    let Some(key) = ways().flatten().find(decides).copied() else {
+        return Err(document.missing(section, ONE_WAY));
+    };
+    // Of ways with this key that with most of its keys, or else the first.
+    let with_key = ways().rev().filter(|way| way.contains(&key));
+    let way = with_key.max_by_key(|way| way.iter().filter(has).count()).unwrap_or_default();
+    let is_scan = |key: &Key| key.subject == Subject::Scan;
+    let describes = |key: &&Key| is_scan(key) || key.subject == Subject::Roughness;
+    let odd = KEYS
+        .iter()
+        .filter(describes)
+        .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILES));
+    let Some(odd) = odd else { return Ok((way, key)) };
+    let together = |other: &&str| ways().any(|way| way.contains(&odd.name) && way.contains(other));
+    let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
+    let (one, two, needed) = match (odd.name, *other) {
+        (STD, SURFACE_STD) | (SURFACE_STD, STD) => {
+            (SURFACE_STD, STD, "one of the two, which determines the other,")
+        }
+        (STD, other) => {
+            let needed = format!("either {} or {STD}, which follows from them,", way.join(", "));
+            return Err(document.conflict(&at(STD), &at(other), &needed));
+        }
+        (SURFACE_STD, other) => {
+            (SURFACE_STD, other, "asperity_radius and asperity_density with it")
+        }
+        (MEAN_SLOPE, other) => {
+            (MEAN_SLOPE, other, "asperity_density and surface_height_std with it")
+        }
+        (GRADIENT, other) => (GRADIENT, other, "sq and spd with it"),
+        (name, other) if is_scan(odd) && !FILES.contains(&name) => (name, other, "a measured file"),
+        (odd, other) => (other, odd, ONE_WAY),
+    };
+    Err(document.conflict(&at(one), &at(two), needed))
+}
 
 /// A surface described by numbers.
 struct Numbers {
@@ -118,64 +154,26 @@ fn numbers(
     measured_std: Option<f64>,
 ) -> Result<Option<(Numbers, &'static str)>, SceneError> {
     let at = |key: &str| format!("{section}.{key}");
-    let has = |key: &&&str| document.has(&at(key));
-    let conflict =
-        |one: &str, other: &str, needed: &str| Err(document.conflict(&at(one), &at(other), needed));
-    let ways = WAYS.map(|keys| keys.join(", ")).join("; or ");
-    let one_way = format!("exactly one way to describe the surface: {ways}");
-    let own = |way: &&'static [&str]| way.iter().find(|key| **key != STD && has(key)).copied();
-    let mut given = WAYS.iter().zip(0..).filter_map(|(way, k)| Some((k, own(way)?)));
-    let Some((way, key)) = given.next() else { return Err(document.missing(section, one_way)) };
-    if let Some((_, other)) = given.next() {
-        return conflict(key, other, &one_way);
-    }
-    let of_files = KEYS.iter().find(|key| key.subject == Subject::Scan && has(&&key.name));
-    if let Some(of_files) = of_files.filter(|_| way != MEASURED) {
-        return conflict(of_files.name, key, "a measured file");
-    }
-    if has(&&SURFACE_STD) && way > 0 {
-        return conflict(SURFACE_STD, key, "asperity_radius and asperity_density with it");
-    }
-    if has(&&MEAN_SLOPE) && (way > 0 || key == "asperity_radius") {
-        return conflict(MEAN_SLOPE, key, "asperity_density and surface_height_std with it");
-    }
-    if has(&&GRADIENT) && (way != ISO || has(&&"spc")) {
-        let other = if way == ISO { "spc" } else { key };
-        return conflict(GRADIENT, other, "sq and spd with it");
-    }
-    if has(&&SURFACE_STD) && has(&&STD) {
-        return conflict(SURFACE_STD, STD, "one of the two, which determines the other,");
-    }
-    let together = WAYS[way].join(", ");
-    if way > 1 && has(&&STD) {
-        let needed = format!("either {together} or {STD}, which follows from them,");
-        return conflict(STD, key, &needed);
-    }
-    let alternatives = [(MEAN_SLOPE, SLOPES), (SURFACE_STD, SURFACE_STDS), (GRADIENT, GRADIENTS)];
-    let other = alternatives.into_iter().find(|(key, _)| has(&key));
-    let keys = match (other, WAYS[way]) {
-        (Some((_, keys)), _) => keys,
-        (None, [a, b, c]) => [*a, *b, *c],
-        (None, _) => return Ok(None),
-    };
+    let (way, key) = way(document, section)?;
+    let Ok(keys) = <[&str; 3]>::try_from(way) else { return Ok(None) };
+    let is_asperities = keys == WAYS[0];
     let mut values = [0.0; 3];
     for (key, value) in keys.iter().zip(&mut values) {
         let by_table = || measured_std.filter(|_| *key == STD);
         *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
-            let how = match way {
-                ISO => "sq and spd go with spc or sdq".into(),
-                0 if keys == SLOPES => format!("{} go together", SLOPES.join(", ")),
-                _ => format!("{together} go together"),
+            let how = match keys {
+                ["sq", ..] => "sq and spd go with spc or sdq".into(),
+                _ => format!("{} go together", keys.join(", ")),
             };
             document.missing(&at(key), how)
         })?;
     }
     let roughness = Roughness::of(keys, values);
     let refused = document.refused(section);
-    let made = |[a, b, c]: [f64; 3]| match (roughness, way) {
-        (Some(roughness), _) => roughness.with([a, b, c]).surface(),
-        (None, 0) => Ok(Surface::new(a, b, c)),
-        _ => Surface::from_plasticity_index(a, b, c, interface),
+    let made = |[a, b, c]: [f64; 3]| match roughness {
+        Some(roughness) => roughness.with([a, b, c]).surface(),
+        None if is_asperities => Ok(Surface::new(a, b, c)),
+        None => Surface::from_plasticity_index(a, b, c, interface),
     };
     let stated = keys.map(|key| document.stated.contains(&at(key)));
     let given = Given { keys, numbers: values, stated, surface: &|n| made(n).ok() };
@@ -183,8 +181,11 @@ fn numbers(
     let slope = pairs.find(|(key, _)| [GRADIENT, MEAN_SLOPE].contains(key));
     let unit = slope.and_then(|(key, value)| likely_angle(key, value));
     // Asperities without any unit are described by their own findings.
-    let is_plain = roughness.is_none() && way == 0 && stated == [false; 3];
+    let is_plain = is_asperities && stated == [false; 3];
     let odd = if is_plain || unit.is_some() { None } else { given.odd_number() };
+    let spc = keys.iter().zip(values).zip(stated).find(|((key, _), _)| **key == "spc");
+    let curvature = || spc.filter(|(_, stated)| !stated && odd.is_none());
+    let unit = unit.or_else(|| curvature().and_then(|((_, spc), _)| likely_curvature(spc)));
     // Of two surfaces, each warning has its place.
     let is_pair = document.has(COUNTERFACE);
     let unit = unit.map(|found| match is_pair {
@@ -211,10 +212,6 @@ fn numbers(
         let fact = format!("{} = {} {reason}", document.place(&at(key)), asperity::short(value));
         Finding::error("unusual-size", key, value).fact(fact)
     });
-    let follows_from = match (&roughness, way) {
-        (Some(roughness), _) => roughness.keys(),
-        (None, 0) => &[][..],
-        _ => WAYS[way],
-    };
+    let follows_from = if is_asperities { &[] } else { way };
     Ok(Some((Numbers { surface, roughness, follows_from, unit, odd }, key)))
 }

@@ -1,48 +1,60 @@
-//! The commented scene file that `asperity init` writes.
+//! The commented scene file that `asperity init` writes: a scene, with what the table of inputs
+//! says of each key.
+
+use std::sync::LazyLock;
 
 use asperity::Surface;
 use toml::Value;
 
+use crate::keys::{KEYS, SURFACE};
+
 /// A commented scene file with every key: machined steel on steel.
 #[must_use]
 pub fn template() -> &'static str {
-    include_str!("template.toml")
+    static TEXT: LazyLock<String> = LazyLock::new(|| explained(|_, _, _| None));
+    &TEXT
 }
 
 /// The template for a measured surface: `keys` of `[surface]` have these values, and a comment
 /// gives the resulting asperities, if it has any.
 #[must_use]
 pub fn template_on(surface: Option<&Surface>, keys: &[(&str, Value)]) -> String {
-    let of = |number: fn(&Surface) -> f64| surface.map(number);
-    let three = [
-        ("asperity_radius", of(|surface| surface.asperity_radius)),
-        ("asperity_density", of(|surface| surface.asperity_density)),
-        ("asperity_height_std", of(|surface| surface.asperity_height_std)),
-    ];
-    let mut inside = false;
-    let line = |line: &str| {
-        inside = if line.starts_with('[') { line.starts_with("[surface]") } else { inside };
-        let (code, meaning) = line.trim_start_matches("# ").split_once('#').unwrap_or((line, ""));
-        let name = code.trim_start_matches("# ").split(" = ").next().unwrap_or("");
-        let code = if let Some((_, value)) = keys.iter().find(|key| inside && key.0 == name) {
-            match value {
+    explained(|section, name, code| {
+        if section != "surface" {
+            return None;
+        }
+        if let Some((_, value)) = keys.iter().find(|key| key.0 == name) {
+            return Some(match value {
                 Value::Float(small) if *small < 1e-3 => format!("{name} = {small:e}"),
                 value => format!("{name} = {value}"),
-            }
-        } else if let Some((_, value)) = three.iter().find(|key| line.starts_with(key.0)) {
-            match value {
-                Some(value) => format!("# {name} = {value:.5e}"),
-                None => format!("# {}", code.trim_end()),
-            }
-        } else {
-            return format!("{line}\n");
-        };
-        match meaning {
+            });
+        }
+        let field = SURFACE.iter().find(|field| code.starts_with(field.name))?;
+        Some(match surface.and_then(field.get) {
+            Some(value) => format!("# {name} = {value:.5e}"),
+            None => format!("# {code}"),
+        })
+    })
+}
+
+/// The lines of the scene, with its meaning behind the first line of each key; `replaced` gives
+/// another line for a section, a key and its line.
+fn explained(replaced: impl Fn(&str, &str, &str) -> Option<String>) -> String {
+    let (mut section, mut left) = ("", KEYS.to_vec());
+    let line = |line: &'static str| {
+        let bare = line.trim_start_matches("# ");
+        let is_header = bare.starts_with('[');
+        let name = bare.split(" = ").next().unwrap_or(bare).trim_matches(['[', ']']);
+        let at = if is_header { "" } else { section };
+        section = if is_header { name } else { section };
+        let code = replaced(at, name, line).unwrap_or_else(|| line.into());
+        let key = left.iter().position(|key| key.section == at && key.name == name);
+        match key.map_or("", |k| left.remove(k).meaning) {
             "" => format!("{code}\n"),
-            meaning => format!("{code:<37} #{meaning}\n"),
+            meaning => format!("{code:<36}  # {meaning}\n"),
         }
     };
-    template().lines().map(line).collect()
+    include_str!("template.toml").lines().map(line).collect()
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Writer of scenes as text that reads back bit for bit.
 
+use std::fs;
 use std::path::Path;
-use std::{fs, mem};
 
-use asperity::{Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
+use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::Document;
@@ -177,7 +177,7 @@ impl SceneFile {
     /// Whether the heights are those of the summits of the scan that is named.
     fn has_heights_of_scan(&self) -> bool {
         let summits = self.read.as_ref().and_then(|read| read.summits.as_ref());
-        let points = |table: &TabulatedHeights| bits(table.points());
+        let points = |table: &'_ TabulatedHeights| table.points().to_vec();
         summits.is_some()
             && self.kept_surface().is_some()
             && summits.map(points) == self.table.as_ref().map(points)
@@ -232,56 +232,27 @@ impl SceneFile {
         Ok(keys)
     }
 
-    /// The first field that differs, compared bit for bit.
+    /// The first field that differs, compared by the digits that give the same bits back.
     fn differs_in(&self, other: &Self) -> Option<&'static str> {
-        // A new field must be compared, or named here, to compile.
-        let Self {
-            scene,
-            options,
-            separation_from,
-            table,
-            accept,
-            // Compared as the interface and the surface that follow from them.
-            bodies: _,
-            measured: _,
-            scan: _,
-            follows_from: _,
-            roughness: _,
-            // Made on reading.
-            no_asperities: _,
-            odd_number: _,
-            stated: _,
-            warnings: _,
-            read: _,
-            spectrum: _,
-            hurst: _,
-        } = self;
-        let offset = |scene: &Scene| scene.mean_plane_offset.map(f64::to_bits);
-        let points = |table: &Option<TabulatedHeights>| table.as_ref().map(|t| bits(t.points()));
-        let heights = |scene: &Scene| {
-            let skewness = match &scene.heights {
-                HeightDistribution::Weibull(heights) => Some(heights.skewness().to_bits()),
-                _ => None,
+        let written = |Self { scene, table, options, separation_from, accept, .. }: &Self| {
+            let heights = match table {
+                Some(table) => format!("{:?}", table.points()),
+                None => format!("{:?}", scene.heights),
             };
-            (mem::discriminant(&scene.heights), skewness)
+            [
+                ("nominal_area", format!("{:?}", scene.nominal_area)),
+                ("interface", format!("{:?}", scene.interface)),
+                ("surface", format!("{:?}", scene.surface)),
+                ("surface.mean_plane_offset", format!("{:?}", scene.mean_plane_offset)),
+                ("surface.heights", heights),
+                ("surface.separation_from", format!("{separation_from:?}")),
+                ("options", format!("{options:?}")),
+                ("accept", format!("{accept:?}")),
+            ]
         };
-        let same = [
-            ("nominal_area", scene.nominal_area.to_bits() == other.scene.nominal_area.to_bits()),
-            ("interface", scene.interface == other.scene.interface),
-            ("surface", scene.surface == other.scene.surface),
-            ("surface.mean_plane_offset", offset(scene) == offset(&other.scene)),
-            ("surface.heights", heights(scene) == heights(&other.scene)),
-            ("surface.heights", points(table) == points(&other.table)),
-            ("surface.separation_from", *separation_from == other.separation_from),
-            ("options", *options == other.options),
-            ("accept", *accept == other.accept),
-        ];
-        same.into_iter().find(|(_, same)| !same).map(|(field, _)| field)
+        let mut fields = written(self).into_iter().zip(written(other));
+        fields.find(|(one, other)| one != other).map(|((field, _), _)| field)
     }
-}
-
-fn bits(points: &[(f64, f64)]) -> Vec<[u64; 2]> {
-    points.iter().map(|(height, density)| [height.to_bits(), density.to_bits()]).collect()
 }
 
 fn unwritable(at: Place, reason: &str) -> SceneError {

@@ -64,7 +64,11 @@ pub fn markdown(part: &str) -> Result<Option<(&str, String)>> {
         return Ok(None);
     }
     let (path, text) = if let Some(path) = part.strip_suffix(" as code") {
-        let all = read(&root().join(path))?;
+        // The comments of the template are those of the table of inputs.
+        let all = match path.ends_with("/template.toml") {
+            true => asperity_inputs::template().into(),
+            false => read(&root().join(path))?,
+        };
         let code: Vec<&str> = all.lines().filter(|line| !line.starts_with("//!")).collect();
         let language = if path.ends_with(".rs") { "rust" } else { "toml" };
         (path, format!("```{language}\n{}\n```\n", code.join("\n").trim_start()))

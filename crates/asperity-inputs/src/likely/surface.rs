@@ -1,6 +1,6 @@
 //! Numbers of a surface that do not go with the others: their likely units.
 
-use asperity::{Severity, Surface, short};
+use asperity::{CHECK_UNIT, Finding, Severity, Surface, short};
 
 use crate::keys::Key;
 
@@ -40,16 +40,20 @@ const TYPICAL: [f64; 3] = [1e-6, 5e-5, 0.04];
 const WRITTEN: std::ops::Range<f64> = 1e-4..1e7;
 /// A factor below those of units.
 const SLIGHT: f64 = 3.0;
+/// Values that are tried for each decade of a number, and decades to either side.
+const STEPS: i32 = 20;
+const DECADES: i32 = 9;
 
 impl Given<'_> {
-    /// The number that does not go with the others, but in other units; `None` for surfaces without
-    /// an error.
+    /// The number that does not go with the others; `None` for surfaces without an error, and where
+    /// more than one of the numbers may be wrong.
     pub(crate) fn odd_number(&self) -> Option<OddNumber> {
         let is_explained = match self.worst(self.numbers) {
             Some(worst) => worst == Severity::Error,
             None => !self.is_near(),
         };
-        if is_explained { self.in_units() } else { None }
+        let odd = || self.in_units().or_else(|| self.out_of_range());
+        is_explained.then(odd).flatten()
     }
 
     /// Whether numbers without a surface have one if one of them changes by a factor that is none
@@ -126,4 +130,45 @@ impl Given<'_> {
         let reason = others.fold(hint(reading, value), |all, other| all + &other);
         Some(OddNumber { key, value, reason })
     }
+    /// The only number without a unit of which another value alone makes the surface usual.
+    fn out_of_range(&self) -> Option<OddNumber> {
+        let range = |k: usize| {
+            let tried = (-STEPS * DECADES..=STEPS * DECADES).filter_map(|step| {
+                let mut numbers = self.numbers;
+                *numbers.get_mut(k)? *= 10f64.powf(f64::from(step) / f64::from(STEPS));
+                let is_usual = self.worst(numbers) == Some(Severity::Note);
+                is_usual.then(|| numbers.get(k).copied())?
+            });
+            let ends = |range: Option<[f64; 2]>, x: f64| {
+                Some(range.map_or([x, x], |[a, b]| [a.min(x), b.max(x)]))
+            };
+            Some((k, tried.fold(None, ends)?))
+        };
+        let mut odd = (0..3).filter(|k| self.stated.get(*k) == Some(&false)).filter_map(range);
+        let (k, [least, most]) = odd.next().filter(|_| odd.next().is_none())?;
+        let others = self.keys.into_iter().enumerate().filter(|(other, _)| *other != k);
+        let others: Vec<&str> = others.map(|(_, key)| key).collect();
+        let [least, most] = [least, most].map(short);
+        let reason = format!(
+            "does not go with {}, beside which {least} to {most} is usual; {CHECK_UNIT}",
+            others.join(" and ")
+        );
+        let (key, value) = (self.keys.get(k)?, self.numbers.get(k)?);
+        Some(OddNumber { key, value: *value, reason })
+    }
+}
+
+/// Mean curvatures of peaks below this \[1/m\], radii above 1 cm, are probably in 1/mm.
+const FLAT: f64 = 100.0;
+
+/// A warning for a mean curvature of peaks that is probably in 1/mm.
+pub(crate) fn likely_curvature(spc: f64) -> Option<Finding> {
+    (spc > 0.0 && spc < FLAT).then(|| {
+        let [given, radius, meant] = [spc, 1.0 / spc, 1e3 * spc].map(short);
+        let hint = format!("{given} looks like 1/mm; {given} 1/mm is {meant} 1/m");
+        Finding::warning("unit", "spc", spc)
+            .fact(format!("`spc` is {given} 1/m, peaks of radius {radius} m"))
+            .advice(CHECK_UNIT)
+            .likely_unit(hint)
+    })
 }

@@ -133,7 +133,7 @@ fn every_error_names_line_field_and_requirement() {
         (
             text("", INTERFACE, &with("heights = { fil = \"pdf.csv\" }")),
             &[
-                "line 13: surface.heights is { fil = \"pdf.csv\" } (the nearest is \"file\"): ",
+                "line 13: surface.heights is { fil = \"pdf.csv\" }: ",
                 "or { file = \"pdf.csv\" } was",
             ],
         ),
