@@ -20,7 +20,7 @@ use clap::{CommandFactory, Parser};
 #[command(after_help = "Examples:
   asperity init scene.toml
   asperity curve scene.toml --model gw,ke --separation 0:4:5 --format table
-  asperity solve scene.toml --model ke --load 100
+  asperity curve scene.toml --model ke --load 100
 
 Results go to standard output; errors, warnings and notes go to standard error.
 Exit code: 0 done; 1 bad input, or a result that an error declares invalid; 2 bad usage.")]

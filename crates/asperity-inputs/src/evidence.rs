@@ -45,7 +45,7 @@ impl SceneFile {
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
         if !(from..=to).contains(&sku) {
             return Err(Evidence::none(format!(
-                "`measured_kurtosis` is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity truth`",
+                "`measured_kurtosis` is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity bem --compare`",
                 (10.0 * ssk).round() / 10.0 + 0.0
             )));
         }
@@ -115,6 +115,6 @@ mod tests {
         let dug = whole.heights().iter().map(dug).collect();
         let dug = basis(summary(&Topography::new(dug, 128, [1e-6; 2]).unwrap()));
         let wanted = "no boundary-element solution is close: measured_kurtosis is ";
-        assert!(dug.starts_with(wanted) && dug.ends_with("use `asperity truth`"), "{dug}");
+        assert!(dug.starts_with(wanted) && dug.ends_with("use `asperity bem --compare`"), "{dug}");
     }
 }

@@ -41,7 +41,7 @@ fn body(document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
         Some(id) => {
             let mechanical = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
             if let Some(name) = mechanical.into_iter().find(|name| document.has(&path(name))) {
-                let needed = "the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed,";
+                let needed = "the material alone, or instead of it the numbers that `asperity list materials` lists, changed as needed,";
                 return Err(document.conflict(&path("material"), &path(name), needed));
             }
             named(&id).map(|material| material.body).ok_or_else(|| {
@@ -144,7 +144,7 @@ mod tests {
             let refused =
                 with(&format!("material = \"brass-naval\"\n{key} = {value}")).unwrap_err();
             let wanted = format!(
-                "line 4: body[1].material and body[1].{key} (line 5) exclude each other: the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed, was required"
+                "line 4: body[1].material and body[1].{key} (line 5) exclude each other: the material alone, or instead of it the numbers that `asperity list materials` lists, changed as needed, was required"
             );
             assert_eq!(refused, wanted);
         }

@@ -131,7 +131,7 @@ keys! {
         tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it"
             symbol "E_t")
     } {
-        material("" "E, nu, hardness and what is known, instead of them: `asperity materials`")
+        material("" "E, nu, hardness and what is known, instead of them: `asperity list materials`")
     }
     "interface" Interface numbers INTERFACE in Interface {
         equivalent_modulus("Pa" ", 1/E = (1-nu1^2)/E1 + (1-nu2^2)/E2"

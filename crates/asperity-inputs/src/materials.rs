@@ -95,7 +95,7 @@ pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
         _ if like.is_empty() => None,
         _ => Some(like.iter().map(|material| &*material.id).collect::<Vec<_>>().join(", ")),
     };
-    let list = "a material that `asperity materials` lists".to_string();
+    let list = "a material that `asperity list materials` lists".to_string();
     (near, needed.map_or(list, |ids| format!("one of {ids}")))
 }
 
@@ -119,7 +119,7 @@ mod tests {
         assert_eq!(near, Some("aluminium"));
         assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
         assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
-        assert_eq!(suggestion("unobtainium").1, "a material that `asperity materials` lists");
+        assert_eq!(suggestion("unobtainium").1, "a material that `asperity list materials` lists");
     }
 
     #[test]

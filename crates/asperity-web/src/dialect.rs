@@ -18,8 +18,8 @@ const LABELS: [(&str, &str); 4] = [
 
 /// What the page offers in place of commands and options.
 const OFFERS: [(&str, &str); 4] = [
-    ("asperity truth", "boundary elements on the scan"),
-    ("asperity materials", "the form"),
+    ("asperity bem --compare", "boundary elements on the scan"),
+    ("asperity list materials", "the form"),
     ("asperity surface --scales", "the table of slopes and curvatures"),
     ("despike = true (--despike)", "\"Replace outliers\" in \"More about the scan\""),
 ];

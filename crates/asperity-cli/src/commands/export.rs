@@ -42,7 +42,7 @@ pub struct ExportCommand {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// The model; `asperity models` lists them
+    /// The model; `asperity list models` lists them
     #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: String,
     /// Form of the table: for a solver, or csv

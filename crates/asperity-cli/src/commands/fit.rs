@@ -66,7 +66,7 @@ pub struct FitCommand {
     /// Free parameters, at least one, each with bounds if these are given
     #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
     free: Vec<Free>,
-    /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
+    /// Models by id, as listed by `asperity list models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
@@ -107,7 +107,7 @@ impl FitCommand {
         }
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
-            bail!("bem: boundary elements are not fitted; `asperity models` lists other models");
+            bail!("bem: boundary elements are not fitted; `asperity list models` lists other models");
         }
         let models: Vec<NamedModel> = match &self.models[..] {
             [] => vec![scene.default_model()?],

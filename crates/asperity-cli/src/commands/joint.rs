@@ -64,7 +64,7 @@ pub struct Joint {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Model by id, as listed by `asperity models` [default: ke; gw without a hardness]
+    /// Model by id, as listed by `asperity list models` [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: Option<String>,
     #[command(flatten)]

@@ -138,7 +138,7 @@ fn like(word: &str) -> Result<Vec<Model>> {
     all.retain(|model| if any { of_id(model) } else { has_word(model) });
     ensure!(
         !all.is_empty(),
-        "no model has the id {word:?}, or this word in its name, authors or year; `asperity models` lists all but bem and those with -random"
+        "no model has the id {word:?}, or this word in its name, authors or year; `asperity list models` lists all but bem and those with -random"
     );
     Ok(all)
 }
@@ -159,7 +159,7 @@ const OF_MATERIALS: [&str; 9] = [
 pub fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::new(&OF_MATERIALS[..OF_MATERIALS.len() - usize::from(narrow)]);
     let found = asperity_inputs::materials_like(word);
-    ensure!(!found.is_empty(), "no material is like {word:?}; `asperity materials` lists all");
+    ensure!(!found.is_empty(), "no material is like {word:?}; `asperity list materials` lists all");
     for material in found {
         let body = &material.body;
         let numbers = [

@@ -27,7 +27,7 @@ pub struct ModelArgs {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Models by id, as listed by `asperity models` [default: all models of asperities that
+    /// Models by id, as listed by `asperity list models` [default: all models of asperities that
     /// the scene allows, or `all`]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
     pub models: Vec<String>,
@@ -198,7 +198,7 @@ fn quantities_help() -> String {
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
-        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
+        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity list models` lists them)".into());
     }
     // bem is not in the registry, because it needs the scan of a scene.
     if name.trim().eq_ignore_ascii_case(Bem::ID) {

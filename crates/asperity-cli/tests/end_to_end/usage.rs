@@ -15,7 +15,7 @@ fn an_empty_model_name_leads_to_the_list_of_models() {
             arguments.contains("invalid value '' for '--model <M>': a name is empty"),
             "{arguments}"
         );
-        assert!(arguments.contains("`asperity models` lists them"), "{arguments}");
+        assert!(arguments.contains("`asperity list models` lists them"), "{arguments}");
     }
 }
 

@@ -12,9 +12,9 @@
 ///         term.replace('_', " ")
 ///     }
 /// }
-/// let text = "`yield_strength` is missing: see `asperity materials`";
-/// assert_eq!(Spoken.say(text), "yield strength is missing: see asperity materials");
-/// assert_eq!(AsWritten.say(text), "yield_strength is missing: see `asperity materials`");
+/// let text = "`yield_strength` is missing: see `asperity list materials`";
+/// assert_eq!(Spoken.say(text), "yield strength is missing: see asperity list materials");
+/// assert_eq!(AsWritten.say(text), "yield_strength is missing: see `asperity list materials`");
 /// ```
 pub trait Dialect {
     /// What the reader calls a term.

@@ -333,7 +333,7 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 def models() -> list[Model]:
     """The models of asperities without adhesion and hardening, with their default options, by year.
 
-    persson, dmt, jkr, ghaednia and ids with -random are known by name; ``asperity models`` lists
+    persson, dmt, jkr, ghaednia and ids with -random are known by name; ``asperity list models`` lists
     all of them.
 
     >>> import asperity
