@@ -47,8 +47,10 @@ pub use materials::{Material, materials, materials_like};
 pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use numbers::{Roughness, interface_of};
-pub use options::{Asperities, ModelOptions, OptionValue};
+pub use options::{Asperities, ModelOptions};
 pub use quantity::{NO_LOAD, converted, is_unit, quantity, quantity_hint, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed, parse_handed_scan};
 pub use template::{template, template_on};
+/// The value of an option.
+pub use toml::Value as OptionValue;

@@ -1,8 +1,5 @@
 //! Options of the models for scene files, keywords and command lines.
 
-use std::collections::BTreeMap;
-use std::fmt;
-
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Displacement, FlowPressure,
     ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
@@ -19,14 +16,16 @@ use crate::{Place, SceneError};
 /// Variants of the models; the defaults are the models' own.
 ///
 /// As a scene file's `[options]`, as keywords and in serde formats, it is a map from the names of
-/// these fields to [`OptionValue`]s, each optional.
+/// these fields to values, each optional: a name, a number, or named numbers.
 ///
 /// ```
+/// use std::collections::BTreeMap;
+///
 /// use asperity_inputs::ModelOptions;
 ///
 /// let mut options = ModelOptions::default();
 /// options.set("at_reading", &"additive".into())?;
-/// options.set("displacement", &[("zeta", 0.1), ("xi", 0.1)].into())?;
+/// options.set("displacement", &BTreeMap::from([("zeta", 0.1), ("xi", 0.1)]).into())?;
 /// assert_eq!(options.model("at")?.name(), "AT additive");
 /// let mistyped = options.set("at_reading", &"aditive".into()).unwrap_err();
 /// assert!(mistyped.to_string().contains("the nearest is \"additive\""));
@@ -90,50 +89,13 @@ enum AngleChoice {
     },
 }
 
-/// The value of one option: a name, a number, or named numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum OptionValue {
-    /// As in `stick = "unlimited"`.
-    Name(String),
-    /// As in `hurst_exponent = 0.8`.
-    Number(f64),
-    /// As in `displacement = { zeta = 0.1, xi = 0.1 }`.
-    Numbers(BTreeMap<String, f64>),
-}
-
-impl From<&str> for OptionValue {
-    fn from(name: &str) -> Self {
-        Self::Name(name.into())
-    }
-}
-
-impl From<f64> for OptionValue {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
-}
-
-impl<const N: usize> From<[(&str, f64); N]> for OptionValue {
-    fn from(numbers: [(&str, f64); N]) -> Self {
-        Self::Numbers(numbers.map(|(name, number)| (name.into(), number)).into())
-    }
-}
-
-impl fmt::Display for OptionValue {
-    /// Formats the value as TOML.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Value::try_from(self).map_err(|_| fmt::Error)?.fmt(f)
-    }
-}
-
 impl ModelOptions {
     /// Sets one option; on error, no option changes.
     ///
     /// # Errors
     /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
     /// allowed.
-    pub fn set(&mut self, name: &str, value: &OptionValue) -> Result<(), SceneError> {
+    pub fn set(&mut self, name: &str, value: &Value) -> Result<(), SceneError> {
         let text = format!("{} = {value}\n", Value::from(name));
         *self = self.with_keys(&Document::new(None, Files::Nowhere, &text)?, "")?;
         Ok(())
@@ -141,15 +103,10 @@ impl ModelOptions {
 
     /// The options that differ from the defaults, by name.
     #[must_use]
-    pub fn changed(&self) -> BTreeMap<String, OptionValue> {
-        let defaults = Self::default().all();
-        self.all().into_iter().filter(|(name, value)| defaults.get(name) != Some(value)).collect()
-    }
-
-    fn all(&self) -> BTreeMap<String, OptionValue> {
-        // Every option is a name, a number or a table of numbers.
-        let table = Table::try_from(self).ok();
-        table.and_then(|table| table.try_into().ok()).unwrap_or_default()
+    pub fn changed(&self) -> Table {
+        let [all, defaults] =
+            [*self, Self::default()].map(|options| Table::try_from(options).unwrap_or_default());
+        all.into_iter().filter(|(name, value)| defaults.get(name) != Some(value)).collect()
     }
 
     fn lateral(&self) -> LateralOptions {

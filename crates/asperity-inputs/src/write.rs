@@ -123,7 +123,7 @@ impl SceneFile {
         if !self.accept.is_empty() {
             top.insert("accept".into(), self.accept.clone().into());
         }
-        let options = Table::try_from(self.options.changed()).unwrap_or_default();
+        let options = self.options.changed();
         if !options.is_empty() {
             top.insert("options".into(), options.into());
         }

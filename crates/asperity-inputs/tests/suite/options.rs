@@ -1,5 +1,6 @@
 //! Options of the models: every value changes a result, and all interfaces agree.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::{Model, Quantity, Request, Tolerance};
@@ -129,7 +130,7 @@ fn keywords_serde_and_scene_files_agree() {
     for (name, value) in [
         ("at_reading", "additive".into()),
         ("angle_density", "upright".into()),
-        ("displacement", [("zeta", 0.1), ("xi", 0.2)].into()),
+        ("displacement", BTreeMap::from([("zeta", 0.1), ("xi", 0.2)]).into()),
         ("stick", "unlimited".into()),
         ("force", "vertical".into()),
         ("jg_hardness", "cosine".into()),
@@ -150,15 +151,15 @@ fn keywords_serde_and_scene_files_agree() {
     );
     let message = by_keyword.set("force", &"siz\ne".into()).unwrap_err().to_string();
     assert!(message.starts_with("force is ") && !message.contains('\n'), "{message}");
-    let harmonic = |a20| [("a20", a20), ("a21", 0.0), ("b21", 0.0)].into();
+    let harmonic = |a20| BTreeMap::from([("a20", a20), ("a21", 0.0), ("b21", 0.0)]).into();
     for (name, bad) in [
         ("angle_density", harmonic(5.0)),
         ("angle_density", harmonic(f64::NAN)),
-        ("angle_density", [("a20", 0.0), ("a21", 0.0)].into()),
+        ("angle_density", BTreeMap::from([("a20", 0.0), ("a21", 0.0)]).into()),
         ("angle_density", "flat".into()),
         ("angle_density", "vertical".into()),
-        ("displacement", [("zeta", -1.0), ("xi", 0.0)].into()),
-        ("stick", [("zeta", 1.0)].into()),
+        ("displacement", BTreeMap::from([("zeta", -1.0), ("xi", 0.0)]).into()),
+        ("stick", BTreeMap::from([("zeta", 1.0)]).into()),
     ] {
         let message = by_keyword.set(name, &bad).unwrap_err().to_string();
         assert!(message.starts_with(name) && message.ends_with(" was required"), "{message}");

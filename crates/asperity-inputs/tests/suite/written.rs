@@ -1,5 +1,6 @@
 //! The template and written scenes read back.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::{
@@ -302,7 +303,7 @@ proptest! {
         }
         if cosine {
             file.options.set("jg_hardness", &"cosine".into()).unwrap();
-            file.options.set("displacement", &[("zeta", zeta), ("xi", 0.0)].into()).unwrap();
+            file.options.set("displacement", &BTreeMap::from([("zeta", zeta), ("xi", 0.0)]).into()).unwrap();
         }
         again(&file);
     }

@@ -29,9 +29,9 @@ pub(crate) enum OptionValue {
 impl From<OptionValue> for asperity_inputs::OptionValue {
     fn from(value: OptionValue) -> Self {
         match value {
-            OptionValue::Name(name) => Self::Name(name),
-            OptionValue::Number(number) => Self::Number(number),
-            OptionValue::Numbers(numbers) => Self::Numbers(numbers),
+            OptionValue::Name(name) => name.into(),
+            OptionValue::Number(number) => number.into(),
+            OptionValue::Numbers(numbers) => numbers.into(),
         }
     }
 }
