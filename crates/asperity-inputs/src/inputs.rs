@@ -81,7 +81,8 @@ impl SceneFile {
     /// The inputs of these names.
     ///
     /// # Errors
-    /// [`SceneError::Input`] for another name, and for a number beside another from which it follows.
+    /// [`SceneError::Input`] for another name, and for a number beside another from which it
+    /// follows.
     pub fn inputs<'n>(
         &self,
         names: impl IntoIterator<Item = &'n str>,

@@ -1,6 +1,6 @@
 //! The table of inputs: every key that may be written about a scene, once. Reading, writing, units,
-//! suggestions, the comments of the template, the keys of fits and sweeps and the page's form follow
-//! from it.
+//! suggestions, the comments of the template, the keys of fits and sweeps and the page's form
+//! follow from it.
 
 use asperity::{Body, Interface, Surface};
 

@@ -22,8 +22,8 @@
 //! 4. [`ShiftedGaussian::fill`] evaluates whole arrays, with the values of one range side by side
 //!    in the widest registers of the processor.
 //!
-//! [`Weight`], [`Overlap`] and [`OverlapSeries`] do the same for any other density in place of φ, with
-//! kinks, jumps and poles of its own.
+//! [`Weight`], [`Overlap`] and [`OverlapSeries`] do the same for any other density in place of φ,
+//! with kinks, jumps and poles of its own.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
 

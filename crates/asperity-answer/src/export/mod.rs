@@ -157,12 +157,12 @@ pub struct Exported {
 }
 
 impl Export<'_> {
-    /// The table, made with the tolerance of the subject; fills a sheet with clearance, pressure and
-    /// tangent at the nodes, in SI units.
+    /// The table, made with the tolerance of the subject; fills a sheet with clearance, pressure
+    /// and tangent at the nodes, in SI units.
     ///
     /// # Errors
-    /// Those of the model on the scene, ends in the wrong order, pressures that do not fall, an error
-    /// that no table meets, and what the format has no room for.
+    /// Those of the model on the scene, ends in the wrong order, pressures that do not fall, an
+    /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
         self.format.check(self.conductance, self.friction)?;

@@ -69,7 +69,7 @@ impl Units {
         pascals_per_metre / (self.pascals * self.per_metre)
     }
 
-    /// The lines on conversion of lengths (0) and of conductances (1) behind this sign of a comment.
+    /// The lines on conversion of lengths (0) and conductances (1) behind this sign of a comment.
     pub(crate) fn conversion(&self, of: usize, comment: &str) -> String {
         self.converted[of].map_or_else(String::new, |line| format!("{comment} {line}\n"))
     }

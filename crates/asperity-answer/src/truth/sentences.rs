@@ -90,7 +90,7 @@ pub fn summary(found: &[Truth]) -> String {
     }
 }
 
-/// How far the usual reference model is from boundary elements on the scan of the scene, and whether
+/// How far the usual reference model is from boundary elements on the scan of a scene, and whether
 /// that lies in the interval of the solved surfaces, a line for each quantity; or why there is no
 /// interval. Loads that few pixels or patches carry do not count. Empty if the scene does not allow
 /// that model.

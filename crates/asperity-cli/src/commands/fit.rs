@@ -107,7 +107,9 @@ impl FitCommand {
         }
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
-            bail!("bem: boundary elements are not fitted; `asperity list models` lists other models");
+            bail!(
+                "bem: boundary elements are not fitted; `asperity list models` lists other models"
+            );
         }
         let models: Vec<NamedModel> = match &self.models[..] {
             [] => vec![scene.default_model()?],

@@ -20,8 +20,8 @@ const NARROW: f64 = 1e-12;
 /// The largest width of a cell, as a share of the weight's width; outside the weight, the distance
 /// to it is added.
 const WIDE: f64 = 0.3;
-/// OverlapSeries reach this number of widths of the weight beyond it; farther out, there is an integral for
-/// each d.
+/// Series reach this number of widths of the weight beyond it; farther out, there is an integral
+/// for each d.
 const REACH: f64 = 64.0;
 
 /// The integral I(d) of one density over one weight for many d. I is smooth between the d at which
