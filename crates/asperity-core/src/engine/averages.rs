@@ -60,6 +60,7 @@ pub(crate) trait Averages<'s> {
 
     /// Makes the integrals for s if they were made too far from it for their bounds to hold;
     /// returns whether there were any.
+    #[inline(always)]
     fn settle(&mut self, _base: Quantity, _place: (f64, &At)) -> Result<bool, ContactError> {
         Ok(false)
     }
