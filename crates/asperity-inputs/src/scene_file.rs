@@ -158,11 +158,11 @@ pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, S
 
 fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
+    let mut options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
     if !document.has("surface") {
         return Err(document.missing("surface", Key::meaning("", "surface")));
     }
-    let mut options = ModelOptions::default().with_keys(document, "options")?;
     let accept: Vec<String> = document.get_or_default("accept")?;
     accept::check(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;

@@ -226,3 +226,15 @@ fn errors_of_files_name_the_file() {
     assert!(load(&directory).unwrap_err().to_string().contains("cannot be read"));
     assert!(load(Path::new("absent.toml")).unwrap_err().to_string().starts_with("absent.toml: "));
 }
+
+#[test]
+fn a_key_of_the_top_below_the_options_is_misplaced_and_not_missing() {
+    let template = asperity_inputs::template();
+    let moved = template.replacen("nominal_area = 1e-4", "", 1) + "nominal_area = 1e-4\n";
+    let refused = asperity_inputs::parse(&moved, std::path::Path::new(".")).unwrap_err();
+    let message = refused.to_string();
+    assert!(
+        message.contains("options.nominal_area is not known: it belongs to the top"),
+        "{message}"
+    );
+}
