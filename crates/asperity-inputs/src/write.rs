@@ -235,9 +235,12 @@ impl SceneFile {
     /// The first field that differs, compared by the digits that give the same bits back.
     fn differs_in(&self, other: &Self) -> Option<&'static str> {
         let written = |Self { scene, table, options, separation_from, accept, .. }: &Self| {
-            let heights = match table {
-                Some(table) => format!("{:?}", table.points()),
-                None => format!("{:?}", scene.heights),
+            let kind = std::mem::discriminant(&scene.heights);
+            let heights = match (table, &scene.heights) {
+                (Some(table), _) => format!("{kind:?} {:?}", table.points()),
+                // What is kept of the heights depends on what was asked of them.
+                (None, HeightDistribution::Weibull(heights)) => format!("{:?}", heights.skewness()),
+                (None, _) => format!("{kind:?}"),
             };
             [
                 ("nominal_area", format!("{:?}", scene.nominal_area)),

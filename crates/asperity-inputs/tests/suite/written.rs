@@ -308,3 +308,14 @@ proptest! {
         again(&file);
     }
 }
+
+#[test]
+fn skewed_heights_are_written_after_they_were_used() {
+    use asperity::{ContactModel, Quantity, Request};
+
+    let skewed = asperity_inputs::template().replace("\"gaussian\"", "{ skewness = 2.0 }");
+    let file = asperity_inputs::parse(&skewed, std::path::Path::new(".")).unwrap();
+    let request = Request::new([Quantity::Force]).at([1.0]);
+    file.model("gw").unwrap().solve(&file.scene, &request).unwrap();
+    assert!(file.to_toml(&[]).unwrap().contains("skewness"));
+}
