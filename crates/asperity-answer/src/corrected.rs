@@ -4,7 +4,8 @@
 use asperity::{Compared, ContactError, CorrectedRow, Quantity, Separation, SeparationUnit};
 
 use crate::asked::Asked;
-use crate::inquiry::{Found, Inquiry, count};
+use crate::blanks::{Lacking, count};
+use crate::inquiry::{Found, Inquiry};
 use crate::subject::measured;
 use crate::{Cell, Sheet};
 
@@ -90,7 +91,7 @@ impl Inquiry<'_> {
         &self,
         row: Option<&CorrectedRow<'_>>,
         had: Vec<bool>,
-        reasons: &mut Vec<(usize, (Option<Quantity>, ContactError))>,
+        reasons: &mut Vec<(usize, Lacking)>,
     ) -> Vec<Cell> {
         let separation = row.and_then(|row| row.separation().ok());
         let length = |separation: Option<Separation>, unit| {

@@ -2,6 +2,7 @@
 
 mod asked;
 mod bem;
+mod blanks;
 mod conductance;
 mod corrected;
 mod error;
