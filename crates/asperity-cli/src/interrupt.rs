@@ -1,11 +1,14 @@
 //! Ctrl-C: a long run stops and keeps the results so far; pressed twice, the program ends.
 
+use std::cell::RefCell;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
+use asperity_answer::Watch;
+use indicatif::ProgressBar;
 
-use crate::output::{Terminal, print_message};
+use crate::output::{print_message, progress};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -38,6 +41,23 @@ pub fn listen() -> Result<()> {
         // The handler is already set by an earlier list.
         Ok(()) | Err(ctrlc::Error::MultipleHandlers) => Ok(()),
         Err(error) => Err(error).context("Ctrl-C cannot be watched"),
+    }
+}
+
+/// Shows the progress of an answer on a terminal, and ends it on Ctrl-C.
+#[derive(Default)]
+pub struct Terminal(RefCell<Option<ProgressBar>>);
+
+impl Watch for Terminal {
+    fn progress(&self, doing: &str) {
+        match &mut *self.0.borrow_mut() {
+            Some(bar) => bar.set_message(doing.to_string()),
+            hidden => *hidden = Some(progress(doing)),
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        requested()
     }
 }
 

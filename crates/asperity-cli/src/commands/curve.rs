@@ -11,7 +11,8 @@ use clap::error::ErrorKind;
 use crate::commands::pull_off::{pull_off, work};
 use crate::input::args::{DrawnArgs, ModelArgs, model_id};
 use crate::input::usage_error;
-use crate::output::{Terminal, plot};
+use crate::interrupt::Terminal;
+use crate::output::plot;
 use crate::scene::LoadedScene;
 
 /// The default quantities.

@@ -13,7 +13,8 @@ use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{Length, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{error_below_1, friction, load, pressure};
-use crate::output::{self, Terminal};
+use crate::interrupt::Terminal;
+use crate::output;
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code

@@ -6,7 +6,6 @@ pub mod fit_report;
 pub mod plot;
 pub mod table;
 
-use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -17,12 +16,9 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use asperity::Finding;
-use asperity_answer::Watch;
 pub use asperity_answer::once;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
-
-use crate::interrupt;
 
 /// Shorter work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -188,23 +184,6 @@ pub fn print_message(kind: &str, text: &str) {
 /// Each finding on a line of standard error.
 pub fn show(found: &[Finding]) {
     found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
-}
-
-/// Shows the progress of an answer on a terminal, and ends it on Ctrl-C.
-#[derive(Default)]
-pub struct Terminal(RefCell<Option<ProgressBar>>);
-
-impl Watch for Terminal {
-    fn progress(&self, doing: &str) {
-        match &mut *self.0.borrow_mut() {
-            Some(bar) => bar.set_message(doing.to_string()),
-            hidden => *hidden = Some(progress(doing)),
-        }
-    }
-
-    fn is_stopped(&self) -> bool {
-        interrupt::requested()
-    }
 }
 
 #[cfg(test)]
