@@ -35,8 +35,8 @@ pub struct Line {
 }
 
 impl Asked {
-    /// The model compiled for the request, as far as it has the quantities, and for what it is
-    /// judged by; to be `corrected`, also for what is compared with boundary elements.
+    /// Compiles the model for the requested quantities that it has, and for those by which answers
+    /// are judged; if `corrected`, also for those that are compared with boundary elements.
     ///
     /// # Errors
     /// The reason why the scene refuses the model.
@@ -95,7 +95,7 @@ impl Asked {
         &*self.contact
     }
 
-    /// The findings at these places, and how the scan is continued, for example.
+    /// The findings at these places, and the notes of the contact, such as how a scan is continued.
     #[must_use]
     pub fn findings(&self, file: &SceneFile, places: &[At]) -> [Findings; 2] {
         let found = file.findings_of(&self.model, &*self.contact, places);

@@ -6,7 +6,7 @@ use asperity::{ContactError, Evaluation, Quantity};
 
 use crate::asked::Asked;
 
-/// What jkr leaves to the model that describes opening.
+/// Names the model of opening where jkr pulls off.
 const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 
 /// The reasons for blanks of one model, each kind once; refusals are alike up to their numbers.

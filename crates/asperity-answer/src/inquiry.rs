@@ -55,8 +55,8 @@ impl<'s> Inquiry<'s> {
     /// that do not exist are blank; findings give the reasons.
     ///
     /// # Errors
-    /// The reason why the scene refuses a model, and where all is blank; the
-    /// sheet has the findings until then.
+    /// The reason why the scene refuses a model, and an error if all rows are blank; the sheet has
+    /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
         let mut found = Found::default();
@@ -239,7 +239,7 @@ fn cell(value: &Result<Evaluation, ContactError>) -> Cell {
     }
 }
 
-/// What there is to say about the answers of all models.
+/// Findings about the answers of all models.
 #[derive(Default)]
 pub(crate) struct Found {
     /// Whether there is any value.

@@ -67,7 +67,7 @@ impl Recommend<'_> {
         Ok(())
     }
 
-    /// Adds what there is to say about the models and the evidence.
+    /// Adds the findings about the models and the evidence.
     fn report(&self, file: &SceneFile, advice: &Recommendation, sheet: &mut Sheet) {
         let places = match self.at_defaults {
             true => vec![At::from(2.0)],
