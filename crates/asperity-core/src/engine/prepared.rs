@@ -140,6 +140,16 @@ impl<'p> Averages<'p> for &'p Prepared {
         }
     }
 
+    #[inline(always)]
+    fn settled(
+        &mut self,
+        base: Quantity,
+        place: (f64, &At),
+        slope: bool,
+    ) -> Result<(Moments, f64), ContactError> {
+        self.integral(base, place, slope)
+    }
+
     fn parts(
         &mut self,
         base: Quantity,

@@ -114,12 +114,11 @@ impl<'s, A: Averages<'s>, const MEMORY: usize> IntegralsAt<'_, A, MEMORY> {
         slope: bool,
     ) -> Result<((Moments, f64), bool), ContactError> {
         let has_slope = slope || self.slopes;
-        self.averages.settle(base, self.place)?;
-        match self.averages.integral(base, self.place, has_slope) {
+        match self.averages.settled(base, self.place, has_slope) {
             Ok(made) => Ok((made, has_slope)),
             // A slope that misses its tolerance is no error for a value without it.
             Err(_) if has_slope && !slope => {
-                Ok((self.averages.integral(base, self.place, false)?, false))
+                Ok((self.averages.settled(base, self.place, false)?, false))
             }
             Err(error) => Err(error),
         }
