@@ -1,5 +1,6 @@
-"""Writes weibull.csv: integrals of Greenwood and Williamson over Weibull heights of a skewness,
-by mpmath: F_n(s) = int_s^inf (zeta - s)^n phi(zeta) dzeta, n = 1, 3/2, and F_1/2 of the tangent."""
+"""Writes weibull.csv and weibull_far.csv: integrals of Greenwood and Williamson over Weibull heights of a skewness,
+by mpmath: F_n(s) = int_s^inf (zeta - s)^n phi(zeta) dzeta, n = 1, 3/2, and F_1/2 of the tangent;
+and ln F_3/2 far out, at the shapes that the library finds, as the logarithm is steep in the shape."""
 
 import csv
 from pathlib import Path
@@ -43,3 +44,33 @@ with (Path(__file__).parent / "weibull.csv").open("w", newline="") as file:
         for s in ("-2", "0", "0.7", "2.5", "4", "7"):
             found = [integral(mp.mpf(n), mp.mpf(s), k) for n in ("1", "1.5", "0.5")]
             rows.writerow([skewness, s] + [mp.nstr(x, 20) for x in found])
+
+
+def ln_force(s, k):
+    mean = mp.gamma(1 + 1 / k)
+    std = mp.sqrt(mp.gamma(1 + 2 / k) - mean**2)
+
+    def ln(zeta):
+        t = mean + std * zeta
+        return mp.log(std * k) + (k - 1) * mp.log(t) - t**k
+
+    # The density falls by e over this height.
+    fall = 1 / (std * k * (mean + std * s) ** (k - 1))
+    top = ln(s)
+    scaled = lambda x: x ** mp.mpf("1.5") * mp.exp(ln(s + fall * x) - top)
+    cuts = [0, 1, 3, 8, 20, 60, 150]
+    return top + mp.log(mp.quad(scaled, cuts) * fall ** mp.mpf("2.5"))
+
+
+with (Path(__file__).parent / "weibull_far.csv").open("w", newline="") as file:
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(["skewness", "shape", "s", "ln_force"])
+    for skewness, shape in (
+        ("-1", "40.7430671144134"),
+        ("-0.95", "29.48077682903734"),
+        ("-0.87", "20.16516202316837"),
+        ("-0.5", "7.493531535546619"),
+    ):
+        for s in ("8", "12", "16.5", "17.75", "19.25", "24.5", "26.5", "34", "40"):
+            found = ln_force(mp.mpf(s), mp.mpf(shape))
+            rows.writerow([skewness, shape, s, mp.nstr(found, 20)])

@@ -78,6 +78,35 @@ fn force_area_and_tangent_are_those_of_mpmath() {
 }
 
 #[test]
+fn far_out_every_row_has_its_logarithm() {
+    for line in include_str!("../../reference/weibull_far.csv").lines().skip(1) {
+        let [skewness, shape, s, wanted] =
+            std::array::from_fn(|k| line.split(',').nth(k).unwrap().parse::<f64>().unwrap());
+        let heights = WeibullHeights::new(skewness).unwrap();
+        assert_eq!(heights.shape().to_bits(), shape.to_bits(), "{line}");
+        let scene = scene(HeightDistribution::Weibull(heights));
+        let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = scene.surface;
+        let elastic = 4.0 / 3.0 * scene.interface.equivalent_modulus * radius.sqrt();
+        let wanted = wanted + (elastic * sigma.powf(1.5) * scene.asperities()).ln();
+        let gw = compiled(&model("gw"), &scene, &[Quantity::LnForce], 1e-10);
+        let found = gw.evaluate(Quantity::LnForce, s).unwrap();
+        let (error, bound) = ((found.value() - wanted).abs(), found.bound(Quantity::LnForce));
+        assert!(error <= bound, "{line}: {error:e} {bound:e}");
+        // The digits that a logarithm of this size has; beyond 1e13 there are none.
+        let rounding = 200.0 * f64::EPSILON * wanted.abs();
+        assert!(bound <= 1e-10 + rounding || rounding > 0.5, "{line}: {bound:e}");
+    }
+    // No row between these is refused.
+    for skewness in [-1.0, -0.95, -0.87, -0.5] {
+        let gw = compiled(&model("gw"), &scene(skewed(skewness)), &[Quantity::LnForce], 1e-10);
+        for k in 0..160 {
+            let s = 8.0 + 0.2 * f64::from(k);
+            assert!(gw.evaluate(Quantity::LnForce, s).is_ok(), "{skewness} {s}");
+        }
+    }
+}
+
+#[test]
 fn the_lowest_asperities_are_counted_at_any_slope_of_the_density() {
     // Below all of them, everything is in contact: π R η A_n σ_z (m - d), for any density.
     let gw = model("gw");

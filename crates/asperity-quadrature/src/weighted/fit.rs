@@ -15,6 +15,9 @@ const ROUNDED: f64 = 16.0;
 const SEEN: f64 = 0.125;
 /// Panels far out, smaller than exp(-SMALL) of the largest value, may vary by more than RANGE.
 const SMALL: f64 = 60.0;
+/// The logarithm of a panel far out varies by no more than this multiple of its largest value, or
+/// the rounding of its smallest one hides the digits of the largest.
+const FALL: f64 = 4.0;
 /// The share of an interval that is too short for a kink inside to matter,
 const SLIVER: f64 = 1e-15;
 /// and its width in units of the last place.
@@ -257,7 +260,8 @@ impl<'s> Fitter<'s> {
         // In a short panel a pole may look like rounding, but its mass is large.
         let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
         let resolved = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
-        let steep = self.near && most - least > RANGE && most > self.peak - SMALL;
+        let steep = self.near && most - least > RANGE && most > self.peak - SMALL
+            || most - least > FALL * most.abs().max(SMALL) && most > f64::NEG_INFINITY;
         Ok(PanelFit { low, high, samples, series, error, resolved, steep })
     }
 

@@ -20,6 +20,12 @@ const NARROW: f64 = 1e-12;
 /// The largest width of a cell, as a share of the weight's width; outside the weight, the distance
 /// to it is added.
 const WIDE: f64 = 0.3;
+/// The largest deviation of ln I from a line over a cell: a series has some digits at most of what
+/// deviates farther. In ranges narrower than a share of the weight's width that deviate as far as
+/// STEEP, cells would serve too few d to pay, and there is an integral for each d.
+const BENT: f64 = 10.0;
+const STEEP: f64 = 1e3;
+const STEEP_BELOW: f64 = 0.01;
 /// Series reach this number of widths of the weight beyond it; farther out, there is an integral
 /// for each d.
 const REACH: f64 = 64.0;
@@ -185,12 +191,11 @@ impl OverlapSeries {
     }
 
     fn make(&self, range: &Range) -> State {
-        let divided = |at, meeting| State::Divided { at, meeting, parts: Box::default() };
         if !range.meetings.is_empty() {
             let middle = range.meetings.start + range.meetings.len() / 2;
-            return divided(self.meetings[middle], Some(middle));
+            return State::divided(self.meetings[middle], Some(middle));
         }
-        let Range { low, high, sharp, .. } = *range;
+        let Range { low, high, .. } = *range;
         let (width, bulk) = (high - low, self.weight.bulk());
         if width <= NARROW * low.abs().max(high.abs()) {
             return State::Direct;
@@ -198,25 +203,14 @@ impl OverlapSeries {
         // Too wide for a series.
         let outside = (bulk.0 - high).max(low - bulk.1).max(0.0);
         if width > WIDE * (bulk.1 - bulk.0) + outside {
-            return divided(0.5 * (low + high), None);
+            return State::divided(0.5 * (low + high), None);
         }
-        match self.fit(range) {
-            Ok(Some(series)) => State::Series(Box::new(series)),
-            Ok(None) => divided(
-                match sharp {
-                    [true, false] => low + 0.25 * width,
-                    [false, true] => high - 0.25 * width,
-                    _ => low + 0.5 * width,
-                },
-                None,
-            ),
-            // The integral itself returns the error.
-            Err(_) => State::Direct,
-        }
+        // The integral itself returns the error.
+        self.fit(range).unwrap_or(State::Direct)
     }
 
-    /// A series over a range, if it meets the tolerance.
-    fn fit(&self, range: &Range) -> Result<Option<Series>, QuadratureError> {
+    /// A series over a range, or its parts if the series misses the tolerance.
+    fn fit(&self, range: &Range) -> Result<State, QuadratureError> {
         let map = Map::new(range);
         let find = |v: f64| -> Result<Sample, QuadratureError> {
             let d = map.d(v);
@@ -225,8 +219,17 @@ impl OverlapSeries {
             self.overlap.check(found.errors, found.evaluations, false)?;
             Ok((d, found))
         };
-        let samples: Vec<Sample> =
-            chebyshev_roots(TERMS).map(|v| find(0.5 + 0.5 * v)).collect::<Result<_, _>>()?;
+        let root = |k: usize| 0.5 + 0.5 * chebyshev_roots(TERMS).nth(k).unwrap_or(0.0);
+        // Far out, most ranges are too wide, which three integrals tell.
+        let [(a, first), (b, middle), (c, last)] =
+            [find(root(0))?, find(root(TERMS / 2))?, find(root(TERMS - 1))?].map(ln_size);
+        let bend = (first + (last - first) * (b - a) / (c - a) - middle).abs();
+        if bend > BENT {
+            let (low, high) = self.weight.bulk();
+            let narrow = range.high - range.low < STEEP_BELOW * (high - low);
+            return Ok(if narrow && bend > STEEP { State::Direct } else { range.divided() });
+        }
+        let samples: Vec<Sample> = (0..TERMS).map(|k| find(root(k))).collect::<Result<_, _>>()?;
         let (mut series, left) = Series::through(map, &samples);
         let most = |of: &dyn Fn(&Sums) -> f64| {
             samples.iter().map(|(_, found)| of(found)).fold(0.0, f64::max)
@@ -235,7 +238,7 @@ impl OverlapSeries {
         let least = (SHARE * self.overlap.integrand.tolerance).max(1e-14);
         let allowed = series.reached.map(|reached| least.max(2.0 * reached));
         if left[0] > allowed[0] || left[1] > allowed[1] {
-            return Ok(None);
+            return Ok(range.divided());
         }
         let mut off = left;
         for v in CHECKED {
@@ -244,14 +247,37 @@ impl OverlapSeries {
         }
         let errors = [0, 1].map(|n| most(&|found| found.total()[n]) + 2.0 * off[n]);
         series.error = self.overlap.bound(series.reached, errors);
-        Ok((off[0] <= 2.0 * allowed[0] && off[1] <= 2.0 * allowed[1]).then_some(series))
+        let good = off[0] <= 2.0 * allowed[0] && off[1] <= 2.0 * allowed[1];
+        Ok(if good { State::Series(Box::new(series)) } else { range.divided() })
     }
 }
 
 /// The integral at one d.
 type Sample = (f64, Sums);
 
+/// The logarithm of the size of the integral at its d.
+fn ln_size((d, found): Sample) -> (f64, f64) {
+    (d, found.sizes[0].ln() + found.ln_scale)
+}
+
+impl State {
+    fn divided(at: f64, meeting: Option<usize>) -> Self {
+        Self::Divided { at, meeting, parts: Box::default() }
+    }
+}
+
 impl Range {
+    /// Its parts: a smaller one beside an end at which breaks and kinks meet.
+    fn divided(&self) -> State {
+        let width = self.high - self.low;
+        let at = match self.sharp {
+            [true, false] => self.low + 0.25 * width,
+            [false, true] => self.high - 0.25 * width,
+            _ => self.low + 0.5 * width,
+        };
+        State::divided(at, None)
+    }
+
     fn part(self, at: f64, meeting: Option<usize>, upper: bool) -> Self {
         let Self { low, high, sharp, meetings } = self;
         let at_end = meeting.is_some();
@@ -270,8 +296,7 @@ impl Series {
     /// relative to their smallest sizes.
     fn through(map: Map, samples: &[Sample]) -> (Self, [f64; 2]) {
         // Far out, sizes are nearly exponentials of d.
-        let ln = |(d, found): &Sample| (*d, found.sizes[0].ln() + found.ln_scale);
-        let ((d, from), (to, there)) = (ln(&samples[0]), ln(&samples[TERMS - 1]));
+        let ((d, from), (to, there)) = (ln_size(samples[0]), ln_size(samples[TERMS - 1]));
         let slope = (there - from) / (to - d);
         let ln_scale =
             if slope.is_finite() { [from + slope * (map.low - d), slope] } else { [0.0; 2] };
