@@ -33,7 +33,8 @@ pub enum QuadratureError {
     },
     /// Refinement ended before the tolerance was met.
     #[error(
-        "not converged: the relative error bound is {reached:.1e}{}, and {asked:.1e} was asked: use a larger tolerance",
+        "not converged: the relative error bound is {:.1e}{}, and {asked:.1e} was asked: use a larger tolerance",
+        rounded_up(*.reached),
         after(*.evaluations)
     )]
     NotConverged {
@@ -59,6 +60,13 @@ impl QuadratureError {
     pub(crate) fn missed(reached: f64, asked: f64, evaluations: usize) -> Self {
         Self::NotConverged { reached, asked, evaluations }
     }
+}
+
+/// A bound of two digits, so that it is above the tolerance that it misses.
+fn rounded_up(bound: f64) -> f64 {
+    let unit = 10f64.powf(bound.log10().floor() - 1.0);
+    let rounded = (bound / unit).ceil() * unit;
+    if rounded.is_finite() { rounded } else { bound }
 }
 
 /// Integrals from a table need no evaluations of their own.
@@ -134,4 +142,22 @@ pub enum WeightFault {
     /// The integral of the growing density over the weight is infinite.
     #[error("the integral of the law over this density diverges")]
     Diverges,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missed_tolerance_is_below_the_bound_in_print() {
+        for (reached, printed) in [(1.004e-12, "1.1e-12"), (5.12e-7, "5.2e-7"), (9.91e-7, "1.0e-6")]
+        {
+            let text = QuadratureError::missed(reached, 1e-12, 0).to_string();
+            assert!(text.contains(&format!("bound is {printed}, and 1.0e-12")), "{text}");
+        }
+        for (reached, printed) in [(f64::INFINITY, "inf"), (f64::NAN, "NaN"), (0.0, "0.0e0")] {
+            let text = QuadratureError::missed(reached, 1e-12, 0).to_string();
+            assert!(text.contains(&format!("bound is {printed},")), "{text}");
+        }
+    }
 }
