@@ -79,13 +79,13 @@ impl Body {
         }
     }
 
-    /// Checks every field; returns the hardness \[Pa\], if there is one.
-    pub(super) fn check(&self) -> Result<Option<f64>, ContactError> {
+    /// Checks every field; returns hardness and yield strength \[Pa\], if there is either.
+    pub(super) fn check(&self) -> Result<(Option<f64>, Option<f64>), ContactError> {
         positive("youngs_modulus", self.youngs_modulus)?;
         poissons_ratio(self.poissons_ratio)?;
         check_tangent_modulus(self.tangent_modulus, self.youngs_modulus)?;
         check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
-        Ok(hardness_and_yield(self.hardness, self.yield_strength)?.0)
+        hardness_and_yield(self.hardness, self.yield_strength)
     }
 
     /// (1-ν²)/E and (2-ν)/G with G = E/(2(1+ν)).

@@ -1,5 +1,7 @@
 //! The equivalent properties of two bodies in contact.
 
+use std::cmp::Ordering;
+
 use serde::{Deserialize, Serialize};
 
 use super::body::{
@@ -65,18 +67,24 @@ impl Interface {
         }
     }
 
-    /// Two deformable bodies. Hardness, yield strength and ν are those of the body with the lower
-    /// hardness, or with the lower Young's modulus if either body has no hardness. The tangent
-    /// modulus is that of the softer body if both have the same E and ν; it is not set otherwise.
+    /// Two deformable bodies, in either order. Hardness, yield strength and ν are those of the body
+    /// that yields: of the lower hardness; of two equally hard ones, of the lower yield strength,
+    /// then of the smaller ν, whose w_c is smaller. If either body has no hardness they are those of
+    /// the lower Young's modulus. The tangent modulus is that of the body that yields, and of both
+    /// if they are equally hard; it is set only if both have the same E and ν.
     ///
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.
     pub fn between(first: &Body, second: &Body) -> Result<Self, ContactError> {
-        let first_is_softer = match (first.check()?, second.check()?) {
-            (Some(one), Some(other)) => one <= other,
-            _ => first.youngs_modulus <= second.youngs_modulus,
+        let (one, other) = (first.check()?, second.check()?);
+        let both_yield = one.0.is_some() && other.0.is_some();
+        let rank = |body: &Body, (hardness, yields): (Option<f64>, Option<f64>)| {
+            let softness = if both_yield { hardness } else { Some(body.youngs_modulus) };
+            let unset = f64::INFINITY;
+            [softness.unwrap_or(unset), yields.unwrap_or(unset), body.poissons_ratio]
         };
-        let softer = if first_is_softer { first } else { second };
+        let order = rank(first, one).partial_cmp(&rank(second, other));
+        let softer = if order == Some(Ordering::Greater) { second } else { first };
         let (a, b) = (first.compliances(), second.compliances());
         let both = |of: fn(&Body) -> Option<f64>| of(first).zip(of(second));
         // Written as ratios, so that no product overflows.
@@ -84,8 +92,10 @@ impl Interface {
         let resistivities = both(|body| body.electrical_resistivity);
         let alike = first.youngs_modulus.total_cmp(&second.youngs_modulus).is_eq()
             && first.poissons_ratio.total_cmp(&second.poissons_ratio).is_eq();
+        let hardens_alike = order != Some(Ordering::Equal)
+            || first.tangent_modulus.partial_cmp(&second.tangent_modulus) == order;
         Ok(Self {
-            tangent_modulus: softer.tangent_modulus.filter(|_| alike),
+            tangent_modulus: softer.tangent_modulus.filter(|_| alike && hardens_alike),
             thermal_conductivity: conductivities.map(|(a, b)| Self::mean_conductivity(a, b)),
             electrical_resistivity: resistivities.map(|(a, b)| 0.5 * a + 0.5 * b),
             ..Self::of_body(softer, (a.0 + b.0, a.1 + b.1))
@@ -188,6 +198,34 @@ mod tests {
             assert_eq!(interface.hardness, Some(1e9));
             assert!((interface.poissons_ratio - 0.33).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn bodies_are_equal_in_either_order() {
+        let either = |one: &Body, other: &Body| {
+            let [found, turned] = [(one, other), (other, one)]
+                .map(|(one, other)| Interface::between(one, other).unwrap());
+            assert_eq!(found, turned);
+            found
+        };
+        let nu = |interface: Interface| (100.0 * interface.poissons_ratio).round();
+        let steel = Body::new(210e9, 0.3, 2e9);
+        let equally_hard = Body::new(100e9, 0.45, 2e9);
+        assert!((nu(either(&steel, &equally_hard)) - 30.0).abs() < 1e-9);
+        let weaker = Body { yield_strength: Some(400e6), ..equally_hard };
+        assert!((nu(either(&steel, &weaker)) - 45.0).abs() < 1e-9);
+        // Without a hardness the modulus decides.
+        let elastic = Body { hardness: None, ..equally_hard };
+        assert_eq!(either(&steel, &elastic).hardness, None);
+        let as_stiff = Body { youngs_modulus: 210e9, ..elastic };
+        assert_eq!(either(&steel, &as_stiff).hardness, Some(2e9));
+        // Equally hard bodies harden alike, or not by this law.
+        let hardening = Body { tangent_modulus: Some(620e6), ..steel };
+        assert_eq!(either(&steel, &hardening).tangent_modulus, None);
+        let more = Body { tangent_modulus: Some(6.2e9), ..steel };
+        assert_eq!(either(&more, &hardening).tangent_modulus, None);
+        let harder = Body { hardness: Some(3e9), ..more };
+        assert_eq!(either(&harder, &hardening).tangent_modulus, Some(620e6));
     }
 
     #[test]
