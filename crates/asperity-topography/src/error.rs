@@ -78,6 +78,14 @@ pub enum TopographyError {
         /// The value required.
         required: String,
     },
+    /// A file whose parts do not fit together.
+    #[error("the file is damaged or not in the format {format}: {reason}")]
+    Damaged {
+        /// The name of the format.
+        format: &'static str,
+        /// What does not fit.
+        reason: String,
+    },
     /// The unit of the heights is missing in the file and in the options.
     #[error(
         "the file does not state the unit of the heights: give unit (\"nm\", \"um\", \"mm\" or \"m\")"
@@ -270,6 +278,11 @@ pub(crate) fn refuse(
 ) -> TopographyError {
     let found = excerpt(&found.to_string());
     TopographyError::Content { place: place.to_string(), found, required: required.to_string() }
+}
+
+/// A file that is cut short or overwritten, or has a wrong name.
+pub(crate) fn damaged(format: &'static str, reason: impl Display) -> TopographyError {
+    TopographyError::Damaged { format, reason: excerpt(&reason.to_string()) }
 }
 
 /// A line of a text file that is not what was required, numbered from 1.

@@ -7,18 +7,17 @@ use std::collections::BTreeMap;
 use asperity_core::Finding;
 
 use super::scan::{PixelSize, Scan, points, positive, select};
-use crate::error::{excerpt, refuse};
+use crate::error::{damaged, excerpt, refuse};
 use crate::unit;
 use crate::{LengthUnit, TopographyError};
 
 const MAGIC: &[u8] = b"GWYP";
 
 pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, TopographyError> {
-    let rest = bytes
-        .strip_prefix(MAGIC)
-        .ok_or_else(|| refuse("gwy file", "something else", "a file that begins with GWYP"))?;
+    let rest =
+        bytes.strip_prefix(MAGIC).ok_or_else(|| damaged("gwy", "it does not begin with GWYP"))?;
     let Some((b"GwyContainer", items)) = Bytes(rest).object() else {
-        return Err(refuse("gwy container", "no whole object", "an object GwyContainer"));
+        return Err(damaged("gwy", "it has no whole GwyContainer"));
     };
     // Of each channel the data, the mask and the title.
     let mut channels = BTreeMap::<u32, [Option<&[u8]>; 3]>::new();
@@ -159,7 +158,7 @@ fn each<'a>(items: &'a [u8], mut with: impl FnMut(&str, Item<'a>)) -> Result<(),
     while !items.0.is_empty() {
         let named = items.text().and_then(|name| Some((name, items.item()?)));
         let (name, item) =
-            named.ok_or_else(|| refuse("gwy container", "a broken item", "whole items"))?;
+            named.ok_or_else(|| damaged("gwy", "an item of its container is broken"))?;
         with(&String::from_utf8_lossy(name), item);
     }
     Ok(())

@@ -10,7 +10,7 @@ use zip::ZipArchive;
 use super::sample::Sample;
 use super::scan::{Scan, points};
 use crate::TopographyError;
-use crate::error::refuse;
+use crate::error::{damaged, refuse};
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// The limit of NumPy itself.
@@ -53,9 +53,9 @@ pub(super) fn archive(bytes: &[u8]) -> TopographyError {
 
 /// Header text and data.
 fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
-    let short = || refuse("npy header", format!("{} bytes", bytes.len()), "a whole header");
+    let short = || damaged("npy", "its header is not whole");
     let Some(rest) = bytes.strip_prefix(MAGIC) else {
-        return Err(refuse("npy file", "something else", "a file that begins with \\x93NUMPY"));
+        return Err(damaged("npy", "it does not begin with \\x93NUMPY"));
     };
     let (version, rest) = rest.split_first_chunk().ok_or_else(short)?;
     let (length, rest) = match version {
@@ -76,8 +76,7 @@ fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
         return Err(refuse("npy header", format!("{length} bytes"), required));
     }
     let (header, data) = rest.split_at_checked(length).ok_or_else(short)?;
-    let text = std::str::from_utf8(header)
-        .map_err(|_| refuse("npy header", "something that is not UTF-8", "text"))?;
+    let text = std::str::from_utf8(header).map_err(|_| damaged("npy", "its header is not text"))?;
     Ok((text, data))
 }
 

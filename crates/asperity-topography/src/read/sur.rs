@@ -14,7 +14,7 @@ use super::scan::{
     DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points, positive, select,
 };
 use super::table::decode;
-use crate::error::refuse;
+use crate::error::{damaged, refuse};
 use crate::unit::unit;
 use crate::{LengthUnit, TopographyError};
 
@@ -76,15 +76,15 @@ impl<'a> Object<'a> {
     fn read(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), TopographyError> {
         let packed = bytes.starts_with(COMPRESSED);
         if !packed && !bytes.starts_with(MAGIC) {
-            let required = "DIGITAL SURF or DSCOMPRESSED at the beginning";
-            return Err(refuse("sur file", "something else", required));
+            let reason = "it does not begin with DIGITAL SURF or DSCOMPRESSED";
+            return Err(damaged("sur", reason));
         }
         let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
-            return Err(refuse("sur header", format!("{} bytes", bytes.len()), "512 bytes"));
+            return Err(damaged("sur", "its header is not whole"));
         };
         let header = Header(header);
         if header.u16(12) != 0 {
-            return Err(refuse("sur format", header.u16(12), "0: numbers with the low byte first"));
+            return Err(damaged("sur", "its header does not give the order of bytes"));
         }
         let sample = match header.u16(98) {
             16 => Sample::new(*b"i2"),

@@ -11,7 +11,7 @@ use crate::TopographyError;
 use crate::error::refuse_line;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let mut table = NumberTable::parse(&without_words(decode(bytes)?))?;
+    let mut table = NumberTable::parse(&without_words(with_line_ends(decode(bytes)?)))?;
     table.drop_empty();
     let header = Header::read(&table)?;
     if header.index && table.columns > 1 {
@@ -49,6 +49,14 @@ fn decode(bytes: &[u8]) -> Result<Cow<'_, [u8]>, TopographyError> {
     let required = "UTF-16 text, by the first two bytes,";
     let text = text.map_err(|error| refuse_line(1, &error.to_string(), required))?;
     Ok(text.into_bytes().into())
+}
+
+/// The text with the line ends of Unix, where there are only those of old Macs.
+fn with_line_ends(mut bytes: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    if !bytes.contains(&b'\n') && bytes.contains(&b'\r') {
+        bytes.to_mut().iter_mut().filter(|byte| **byte == b'\r').for_each(|byte| *byte = b'\n');
+    }
+    bytes
 }
 
 /// The text with `nan` for the words `No Data`, which spaces would separate.
@@ -93,6 +101,14 @@ fn positions(table: NumberTable, header: &Header) -> Result<Scan, TopographyErro
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_may_end_as_on_old_macs() {
+        let [unix, mac] =
+            ["1 2 3 4\n5 6 7 8\n", "1 2 3 4\r5 6 7 8\r"].map(|text| scan(text.as_bytes()).unwrap());
+        assert_eq!((mac.columns, &mac.heights), (4, &unix.heights));
+        assert_eq!(scan(b"1 2 3 4\r\n5 6 7 8\r\n").unwrap().columns, 4);
+    }
 
     #[test]
     fn no_data_is_one_mark() {

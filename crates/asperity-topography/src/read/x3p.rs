@@ -13,7 +13,7 @@ use super::profile::profile;
 use super::scan::{DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
-use crate::error::refuse;
+use crate::error::{damaged, refuse};
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
@@ -23,8 +23,7 @@ const MAX_XML: u64 = 1 << 20;
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes))
-        .map_err(|error| refuse("x3p archive", error, "a zip archive"))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged("x3p", error))?;
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
@@ -112,12 +111,12 @@ fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyErr
     let folder = folders.min_by_key(String::len).unwrap_or_default();
     let entry = archive
         .by_name(&(folder.clone() + NAME))
-        .map_err(|error| refuse("x3p main.xml", error, "an entry of this name"))?;
+        .map_err(|error| damaged("x3p", format!("main.xml: {error}")))?;
     let mut xml = Vec::new();
     entry
         .take(MAX_XML + 1)
         .read_to_end(&mut xml)
-        .map_err(|error| refuse("x3p main.xml", error, "an entry that can be unpacked"))?;
+        .map_err(|error| damaged("x3p", format!("main.xml: {error}")))?;
     if xml.len() as u64 > MAX_XML {
         return Err(refuse("x3p main.xml", "more", format!("at most {MAX_XML} bytes")));
     }
@@ -154,6 +153,6 @@ fn unpack(
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
         Ok(_) => Err(refuse(&"more", &required)),
-        Err(error) => Err(refuse(&error, "an entry that can be unpacked")),
+        Err(error) => Err(damaged("x3p", format!("{name}: {error}"))),
     }
 }

@@ -157,7 +157,7 @@ fn hostile_sur() {
         broken[at..at + bytes.len()].copy_from_slice(bytes);
         broken
     };
-    refused("a.sur", &with(12, &[1, 0]), "low byte first");
+    refused("a.sur", &with(12, &[1, 0]), "the order of bytes");
     refused("a.sur", &with(98, &[0, 32]), "bits of a point: 8192");
     refused("a.sur", &with(128, &f32::NAN.to_le_bytes()), "height of one step: NaN");
     refused("a.sur", &with(120, &f32::INFINITY.to_le_bytes()), "distance of columns: inf");
@@ -208,13 +208,13 @@ fn hostile_gwy() {
     let big = with(b"xres\0i", &1_000_000_000i32.to_le_bytes());
     refused(&big, "the number of points is 4000000000");
     refused(&with(b"yreal\0d", &f64::NAN.to_le_bytes()), "yreal: NaN");
-    refused(&with(b"data\0D", &[0xff; 4]), "container: a broken item");
-    refused(&with(b"GwySIUnit\0", &[0xff; 4]), "container: a broken item");
-    refused(&with(b"GwyContainer\0", &[0xff; 4]), "container: no whole object");
-    refused(&with(b"xres\0", b"?"), "container: a broken item");
+    refused(&with(b"data\0D", &[0xff; 4]), "an item of its container is broken");
+    refused(&with(b"GwySIUnit\0", &[0xff; 4]), "an item of its container is broken");
+    refused(&with(b"GwyContainer\0", &[0xff; 4]), "no whole GwyContainer");
+    refused(&with(b"xres\0", b"?"), "an item of its container is broken");
     refused(&gwy(&[]), "no heights among");
     // A false count of objects ends with the bytes.
-    refused(&gwy(&[item("many", b'O', &[0xff; 4])]), "container: a broken item");
+    refused(&gwy(&[item("many", b'O', &[0xff; 4])]), "an item of its container is broken");
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn hostile_gzip() {
     let mut flipped = gzip(b"1 2 3 4\n5 6 7 8\n");
     let at = flipped.len() - 6;
     flipped[at] ^= 1;
-    assert!(message(&flipped).contains("a whole gzip file"));
+    assert!(message(&flipped).contains("damaged or not in the format gzip"));
 }
 
 #[test]
