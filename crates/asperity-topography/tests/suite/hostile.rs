@@ -22,9 +22,17 @@ fn refused(name: &str, bytes: &[u8], expected: &str) {
     let message = read_bytes(name, bytes, &options).unwrap_err().to_string();
     assert!(message.contains(expected), "{name}: {message}");
     assert!(
-        ["required", "in the file", "give unit", "give pixel_size", "looks like m", "converts"]
-            .iter()
-            .any(|part| message.contains(part)),
+        [
+            "required",
+            "damaged",
+            "in the file",
+            "give unit",
+            "give pixel_size",
+            "looks like m",
+            "converts"
+        ]
+        .iter()
+        .any(|part| message.contains(part)),
         "{message}"
     );
     assert!(message.len() < 600, "{message}");
@@ -48,7 +56,11 @@ pub fn waves(n: i32) -> Vec<f64> {
 
 #[test]
 fn empty_and_foreign_files() {
-    for name in ["a.npy", "a.x3p", "a.sur", "a.txt", "a.csv", "a.xyz", "a", ""] {
+    for name in ["a.npy", "a.x3p", "a.sur"] {
+        refused(name, b"", "the file is damaged or not in the format");
+        refused(name, b"\x00\x01\x02\x03", "the file is damaged or not in the format");
+    }
+    for name in ["a.txt", "a.csv", "a.xyz", "a", ""] {
         refused(name, b"", "required");
         refused(name, b"\x00\x01\x02\x03", "required");
     }
