@@ -1,0 +1,57 @@
+//! What the codes of warnings and notes mean, and what to do.
+
+/// A code of warnings and notes. In its texts, terms stand in backticks for a
+/// [`Dialect`](super::Dialect).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Code {
+    /// Its name, in lower case with dashes: `few-contacts`.
+    pub name: &'static str,
+    /// What its findings mean, with the threshold.
+    pub meaning: &'static str,
+    /// When its findings are harmless.
+    pub harmless: &'static str,
+    /// What to do.
+    pub remedy: &'static str,
+}
+
+impl Code {
+    /// All codes, sorted by their names.
+    pub fn all() -> impl Iterator<Item = Self> {
+        lines().filter_map(|line| {
+            let mut fields = line.split(" | ");
+            let mut next = || fields.next();
+            Some(Self { name: next()?, meaning: next()?, harmless: next()?, remedy: next()? })
+        })
+    }
+
+    /// The code of this name; `None` if there is none.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|code| code.name == name)
+    }
+}
+
+/// The lines of the file, without comments and blank ones.
+fn lines() -> impl Iterator<Item = &'static str> {
+    let all = include_str!("codes.txt").lines();
+    all.filter(|line| !line.trim().is_empty() && !line.starts_with('#'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_sorted_and_have_whole_texts() {
+        assert!(lines().all(|line| line.split(" | ").count() == 4));
+        assert!(Code::all().is_sorted_by(|a, b| a.name < b.name));
+        for code in Code::all() {
+            assert_eq!(Code::named(code.name), Some(code));
+            for text in [code.meaning, code.harmless, code.remedy] {
+                assert!(text.len() > 1 && text.ends_with('.'), "{}: {text:?}", code.name);
+                assert_eq!(text.matches('`').count() % 2, 0, "{}: {text:?}", code.name);
+            }
+        }
+        assert_eq!(Code::named("few-contact"), None);
+    }
+}
