@@ -43,7 +43,7 @@ pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::positive;
-pub use finding::{AsWritten, Dialect, Finding, Findings, Severity, short};
+pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity, short};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;

@@ -1,5 +1,6 @@
 //! Findings: errors, warnings and notes about scans, scenes, laws and answers.
 
+mod codes;
 mod collection;
 mod dialect;
 mod json;
@@ -9,6 +10,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+pub use self::codes::Code;
 pub use self::collection::Findings;
 pub use self::dialect::{AsWritten, Dialect};
 use crate::{At, Quantity};
