@@ -7,10 +7,10 @@ use asperity::{Quantity, short};
 use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
 
-use crate::answer::head;
-use crate::message::{LoadShown, SEPARATION};
+use crate::answer::{SEPARATION, head};
 use crate::refusal::Refusal;
 use crate::shown::{legible, shown};
+use crate::span::Load;
 
 /// Largest side of a drawn map, in pixels.
 const DRAWN: usize = 384;
@@ -25,38 +25,50 @@ pub(crate) fn curves(
     file: &SceneFile,
     rows: &[String],
     view: &str,
-    load: &LoadShown,
+    load: &Load,
     solved: &[[f64; 2]],
 ) -> Result<String, Refusal> {
-    let head = head(file);
-    let column = match view {
-        SEPARATION => "separation_m".to_string(),
-        _ => view.parse::<Quantity>()?.column(),
+    let (column, unit, name, is_absolute) = match view {
+        SEPARATION => ("separation_m".into(), "m", SEPARATION, false),
+        view => {
+            let quantity: Quantity = view.parse()?;
+            (quantity.column(), quantity.unit(), quantity.label(), quantity.is_absolute())
+        }
     };
+    let head = head(file);
+    let head: Vec<&str> = head.split(',').collect();
     let k = head.iter().position(|known| *known == column);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
-    let mut found: Vec<(&str, f64, Option<f64>)> = vec![];
-    for line in rows.iter().flat_map(|rows| rows.lines()) {
-        let cells: Vec<&str> = line.split(',').collect();
-        match (cells.get(2).and_then(|cell| cell.parse().ok()), cells.get(k)) {
-            (Some(pressure), Some(cell)) if cells.len() == head.len() => {
-                found.push((cells[0], pressure, cell.parse().ok()));
-            }
-            _ => return Err(Refusal::new("rows of another scene")),
-        }
-    }
+    // The values of each model at its pressures.
+    let read = |line| {
+        let cells: Vec<&str> = str::split(line, ',').collect();
+        let pressure: f64 = cells.get(2)?.parse().ok().filter(|_| cells.len() == head.len())?;
+        Some((cells[0], pressure, cells[k].parse::<f64>().ok()))
+    };
+    let found = rows.iter().flat_map(|rows| rows.lines()).map(read).collect::<Option<Vec<_>>>();
+    let found = found.ok_or_else(|| Refusal::new("rows of another scene"))?;
     let mut ids: Vec<&str> = found.iter().map(|(id, ..)| *id).collect();
     ids.dedup();
     // The values of all models at each load; positive numbers sort as their bits do.
     let mut at_loads: BTreeMap<u64, Vec<(&str, f64)>> = BTreeMap::new();
     for (id, pressure, value) in &found {
-        if let Some(value) = value {
-            at_loads.entry(pressure.to_bits()).or_default().push((id, *value));
-        }
+        at_loads.entry(pressure.to_bits()).or_default().extend(value.map(|value| (*id, value)));
     }
+    at_loads.retain(|_, values| !values.is_empty());
     let values: Vec<f64> = found.iter().filter_map(|(.., value)| *value).collect();
     if values.is_empty() && solved.is_empty() {
-        return Err(Refusal::at("view", without_curves(&ids, name(view))));
+        let has = if ids.len() == 1 { "has" } else { "have" };
+        return Err(Refusal::at(
+            "view",
+            match ids.join(", ") {
+                none if none.is_empty() => {
+                    format!("no model is chosen: choose models to see their {name}")
+                }
+                ids => {
+                    format!("{ids} {has} no {name} here: choose other models or another quantity")
+                }
+            },
+        ));
     }
 
     let area = file.scene.nominal_area;
@@ -66,18 +78,19 @@ pub(crate) fn curves(
         csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
     };
     // The picture has no curve without a value, and its legend none either.
-    let has_value = |row: &&(&str, f64, Option<f64>)| row.2.is_some();
-    let mut drawn: Vec<&str> = found.iter().filter(has_value).map(|(id, ..)| *id).collect();
-    drawn.dedup();
-    for (id, pressure, value) in found.iter().filter(|(id, ..)| drawn.contains(id)) {
+    let is_drawn = |id: &str| found.iter().any(|row| row.0 == id && row.2.is_some());
+    for (id, pressure, value) in found.iter().filter(|row| is_drawn(row.0)) {
         add(id, *pressure, *value);
     }
-    let whole = |values: &Vec<(&str, f64)>| ids.len() > 1 && values.len() == ids.len();
-    let has_band = at_loads.values().any(whole);
-    for (name, worst) in [(LOWEST, f64::min as fn(f64, f64) -> f64), (HIGHEST, f64::max)] {
-        for (bits, values) in at_loads.iter().filter(|(_, values)| whole(values)) {
-            add(name, f64::from_bits(*bits), values.iter().map(|found| found.1).reduce(worst));
+    let is_whole = |values: &[(&str, f64)]| ids.len() > 1 && values.len() == ids.len();
+    let mut has_band = false;
+    for (bits, values) in at_loads.iter().filter(|(_, values)| is_whole(values)) {
+        let ends = values.iter().map(|(_, value)| [*value; 2]);
+        let ends = ends.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)]);
+        for (name, end) in [LOWEST, HIGHEST].into_iter().zip(ends.into_iter().flatten()) {
+            add(name, f64::from_bits(*bits), Some(end));
         }
+        has_band = true;
     }
     let range = at_loads.keys().next().zip(at_loads.keys().last());
     let range = range.map(|(low, high)| [*low, *high].map(f64::from_bits));
@@ -91,19 +104,16 @@ pub(crate) fn curves(
         _ => (Axis::new("load_N", "load (N)"), load.newtons, area),
     };
     let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    let label = match legible(largest, unit(view)) {
-        (_, unit) if unit.is_empty() => name(view).into(),
-        (_, unit) => format!("{} ({unit})", name(view)),
-    };
-    let mut y = Axis::new(&column, &label);
-    y.multiply = 1.0 / legible(largest, unit(view)).0;
-    if !view.parse::<Quantity>().is_ok_and(Quantity::is_absolute) {
+    let (factor, of_axis) = legible(largest, unit);
+    let of_axis = if of_axis.is_empty() { of_axis } else { format!(" ({of_axis})") };
+    let mut y = Axis::new(&column, &format!("{name}{of_axis}")).times(1.0 / factor);
+    if !is_absolute {
         y.scale = Scale::fitting(&values);
     }
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
-    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(id));
+    let curves = ids.iter().zip(1..).filter(|(id, _)| is_drawn(id));
     panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
     if !solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, "boundary elements"));
@@ -118,38 +128,11 @@ pub(crate) fn curves(
     }
     let reading = |(bits, values): (u64, Vec<(&str, f64)>)| {
         let at = f64::from_bits(bits) * of_load;
-        let value = |(name, value): &(&str, f64)| format!("\n{name} {}", shown(*value, unit(view)));
+        let value = |(name, value): &(&str, f64)| format!("\n{name} {}", shown(*value, unit));
         Mark::new(at, &(shown(at, load.unit) + &values.iter().map(value).collect::<String>()))
     };
     panel.readings = at_loads.into_iter().map(reading).collect();
     Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
-}
-
-/// Why there is no curve.
-fn without_curves(ids: &[&str], name: &str) -> String {
-    let has = if ids.len() == 1 { "has" } else { "have" };
-    match ids {
-        [] => format!("no model is chosen: choose models to see their {name}"),
-        ids => format!(
-            "{} {has} no {name} here: choose other models or another quantity",
-            ids.join(", ")
-        ),
-    }
-}
-
-/// The SI unit of a view.
-fn unit(view: &str) -> &'static str {
-    match view {
-        SEPARATION => "m",
-        view => view.parse::<Quantity>().map_or("", Quantity::unit),
-    }
-}
-
-fn name(view: &str) -> &'static str {
-    match view {
-        SEPARATION => "separation",
-        view => view.parse::<Quantity>().map_or("", Quantity::label),
-    }
 }
 
 /// The map of a solved contact.
@@ -217,13 +200,17 @@ mod tests {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
+    fn load_of(file: &SceneFile, text: &str) -> Load {
+        let keys = crate::message::LoadKeys { text: text.into(), ..Default::default() };
+        Load::of(&keys, &file.scene).unwrap()
+    }
+
     #[test]
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
         let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
-        let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
-        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let load = load_of(&file, "100 N");
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
         for text in ["range of the models", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
@@ -234,8 +221,7 @@ mod tests {
         let lines: Vec<&str> = reading.split("</title>").next().unwrap().lines().collect();
         assert_eq!((lines.len(), lines[3]), (4, "boundary elements 0.001"), "{lines:?}");
         assert!(lines[1] == "gw 3.868e-4" && lines[2] == "ke 6.645e-4", "{lines:?}");
-        let keys = crate::message::LoadKeys { text: "1 MPa".into(), ..Default::default() };
-        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let load = load_of(&file, "1 MPa");
         let alone = curves(&file, &rows[..1], "separation", &load, &[]).unwrap();
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
         assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[]).is_err());
@@ -245,8 +231,7 @@ mod tests {
     #[test]
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
-        let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
-        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let load = load_of(&file, "100 N");
         let rows = ["persson-fudge", "gw"]
             .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
         let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[]).unwrap_err();

@@ -44,8 +44,8 @@ export function change(make, kind) {
 
 const tools = (call, keys) => desks.quick.sure(() => desks.quick.call(call, keys));
 
-// Changes by paths; a material replaces the numbers of its body.
-export const edit = (changes, body) => change((text) => tools(body === undefined ? "edit" : "material", { text, changes, body }));
+// Changes by paths.
+export const edit = (changes) => change((text) => tools("edit", { text, changes }));
 
 async function showScene() {
   const text = state.text;
@@ -62,7 +62,7 @@ async function showScene() {
     Object.assign(page, { load: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
-  form.fill(shown, edit, page);
+  form.fill(shown, edit, page.form);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
   takeAway.files(shown.files);

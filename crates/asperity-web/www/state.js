@@ -15,7 +15,7 @@ export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], lo
 // models, the rows of their curves and the quantity that is drawn; why the load was refused or no
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
-  opened: false, typing: false, failure: "", materials: [], form: null, text: "", shown: null,
+  opened: false, typing: false, failure: "", form: null, text: "", shown: null,
   load: null, drawn: "", refused: "", undescribed: "", answered: "", views: [], columns: "", values: new Map(), head: "", rows: new Map(), wanted: null,
 };
 

@@ -62,11 +62,11 @@ async function copyLink() {
 function onScreen() {
   const solved = page.load && elements.at(page.load.pascals);
   if (!solved) return null;
-  const values = (id) => (page.values.get(id)?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]);
+  const values = (row) => Object.fromEntries((row?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]));
   return {
-    bem: solved.points,
+    bem: values(solved),
     notes: solved.notes.map(({ code }) => code),
-    models: chosen().map((id) => [id, Object.fromEntries(values(id))]),
+    models: chosen().map((id) => [id, values(page.values.get(id))]),
   };
 }
 
@@ -75,11 +75,11 @@ function advise() {
   work("slow", "advice", async () => {
     const { text } = page;
     const { load } = state;
-    const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
+    const lines = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
       $("advice").replaceChildren();
       throw error;
     });
-    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, ...lowered(line))));
+    if (text === page.text && load === state.load) $("advice").replaceChildren(...lines.map((line) => element("li", {}, ...lowered(line))));
   });
 }
 
