@@ -35,22 +35,26 @@ impl OnScreen {
     /// and why that is uncertain; `ignoring` are the models that ignore yielding here.
     fn sentences(&self, ignoring: &[&str]) -> Vec<String> {
         let here = "on this scan at this load";
-        let of = |quantity: Quantity| {
-            let off = self.deviations(quantity);
+        let (mut found, mut uses) = (vec![], vec![]);
+        for quantity in COMPARED {
+            let (off, name) = (self.deviations(quantity), quantity_name(quantity));
             let models = off.iter().map(|(id, off)| (*id, vec![*off]));
-            let nearest = nearest_to_bem(&quantity_name(quantity), models, off.len())?;
-            Some(format!("{here}, {nearest}"))
-        };
-        let mut found: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
+            let nearest = nearest_to_bem(&name, models, off.len());
+            found.extend(nearest.map(|nearest| format!("{here}, {nearest}")));
+            // The nearest of those that describe yielding where it matters.
+            let off = off.into_iter().filter(|(id, _)| !ignoring.contains(id));
+            let off = off.filter_map(|(id, off)| Some((id, off?.abs())));
+            let best = off.min_by(|a, b| a.1.total_cmp(&b.1));
+            uses.extend(best.map(|(id, _)| format!("{id} for {name}")));
+        }
         if found.is_empty() {
             return found;
         }
         let codes = self.notes.iter().map(String::as_str).collect();
         match unranked(&[codes]) {
-            Some(why) => {
-                found.push(format!("{here}, these deviations are uncertain: {}", why));
-            }
-            None => found.splice(0..0, self.verdict(ignoring)).for_each(drop),
+            Some(why) => found.push(format!("{here}, these deviations are uncertain: {why}")),
+            None if uses.is_empty() => {}
+            None => found.insert(0, format!("of the chosen models, use {}", uses.join(", "))),
         }
         if !ignoring.is_empty() {
             let ids = ignoring.join(", ");
@@ -59,21 +63,6 @@ impl OnScreen {
             ));
         }
         found
-    }
-
-    /// The nearest model for each quantity among those that describe yielding where it matters.
-    fn verdict(&self, ignoring: &[&str]) -> Option<String> {
-        let of = |quantity: Quantity| {
-            let off = self.deviations(quantity).into_iter();
-            let off = off.filter(|(id, _)| !ignoring.contains(id));
-            let (id, _) = off
-                .filter_map(|(id, off)| Some((id, off?.abs())))
-                .min_by(|a, b| a.1.total_cmp(&b.1))?;
-            Some(format!("{id} for {}", quantity_name(quantity)))
-        };
-        let uses: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
-        let verdict = format!("of the chosen models, use {}", uses.join(", "));
-        (!uses.is_empty()).then_some(verdict)
     }
 }
 

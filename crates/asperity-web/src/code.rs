@@ -14,35 +14,31 @@ const TABLE_ERROR: f64 = 0.01;
 
 /// Lines that give the digits of the page: the same models at the same load.
 pub(crate) fn code(file: &SceneFile, ids: &[String], load: &Load) -> Value {
-    let names: Vec<String> = quantities(file).iter().map(Quantity::to_string).collect();
-    let variants: Vec<String> =
-        quantities(file).iter().map(|quantity| format!("Quantity::{quantity:?}")).collect();
-    let (option, variant, number) = match load.at {
+    let quantities = quantities(file);
+    let names: Vec<String> = quantities.iter().map(Quantity::to_string).collect();
+    let variants: Vec<String> = quantities.iter().map(|q| format!("Quantity::{q:?}")).collect();
+    let (place, at, number) = match load.at {
         At::Pressure(_) => ("pressure", "Pressure", load.pascals),
         _ => ("load", "Load", load.newtons),
     };
+    // The capitals of the templates.
+    let words = [
+        ("IDS", ids.join(",")),
+        ("LIST", format!("{ids:?}")),
+        ("NAMES", names.join(",")),
+        ("VARIANTS", variants.join(",\n        ")),
+        ("PLACE", place.into()),
+        ("AT", at.into()),
+        ("NUMBER", format!("{number:?}")),
+    ];
+    let lines = |template: &str| {
+        let put = |text: String, (word, given): &(&str, String)| text.replace(word, given);
+        words.iter().fold(template.to_string(), put)
+    };
     json!({
-        "shell": format!(
-            "asperity curve scene.toml --model {} --{option} {number:?} \\\n  --quantity {} --errors --format json\n",
-            ids.join(","),
-            names.join(",")
-        ),
-        "python": format!(
-            "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in {ids:?}:\n    \
-             answer = asperity.model(name).solve(scene, {option}={number:?}, quantities=[\"area-fraction\", \"tangent\"])\n    \
-             print(name, answer.area_fraction, answer.tangent)\n"
-        ),
-        "rust": format!(
-            "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
-             fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
-             let file = asperity_inputs::load(\"scene.toml\")?;\n    \
-             let quantities = [\n        {},\n    ];\n    \
-             let request = Request::new(quantities).at([At::{variant}({number:?})]);\n    \
-             for id in {ids:?} {{\n        \
-             println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
-             }}\n    Ok(())\n}}\n",
-            variants.join(",\n        "),
-        ),
+        "shell": lines(include_str!("code/shell.txt")),
+        "python": lines(include_str!("code/python.txt")),
+        "rust": lines(include_str!("code/rust.txt")),
     })
 }
 

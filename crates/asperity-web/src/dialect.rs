@@ -47,23 +47,17 @@ pub(crate) struct Page {
 /// The dialect without a scene.
 pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING), merged: false };
 
-/// What the page offers in place of commands; other words in backticks keep these.
-pub(crate) struct Commands;
-
-impl Dialect for Commands {
-    fn term(&self, term: &str) -> String {
-        offer(term).map_or_else(|| format!("`{term}`"), String::from)
-    }
-}
-
-fn offer(term: &str) -> Option<&'static str> {
-    OFFERS.iter().find(|(known, _)| *known == term).map(|(_, offer)| *offer)
+/// A text with what the page offers in place of commands; other words in backticks keep these.
+pub(crate) fn offered(text: &str) -> String {
+    let offered =
+        |text: String, (term, offer): &(&str, &str)| text.replace(&format!("`{term}`"), offer);
+    OFFERS.iter().fold(text.into(), offered)
 }
 
 impl Dialect for Page {
     fn term(&self, term: &str) -> String {
-        if let Some(offer) = offer(term) {
-            return offer.into();
+        if let Some((_, offer)) = OFFERS.iter().find(|(known, _)| *known == term) {
+            return (*offer).into();
         }
         if let Some(lead) = term.strip_suffix(YIELDING) {
             let silent = self.merged && !lead.is_empty();

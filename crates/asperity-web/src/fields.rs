@@ -94,9 +94,8 @@ fn set(document: &mut DocumentMut, Change { path, value }: &Change) -> Result<()
         Some(item) => {
             // Comments above the key stay; the one behind it describes the old value.
             if let Some(old) = item.as_value() {
-                let is_same = plain(old) == plain(&value);
                 *value.decor_mut() = old.decor().clone();
-                if !is_same {
+                if plain(old) != plain(&value) {
                     value.decor_mut().set_suffix("");
                 }
             }

@@ -100,19 +100,18 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
 /// Radius, modulus and hardness of the scene, by their symbols.
 fn asperity_sentence(file: &SceneFile) -> String {
     let interface = &file.scene.interface;
-    let hardness = interface.softer_hardness();
     let critical = file.scene.asperity().and_then(|asperity| asperity.critical_interference());
     let numbers = [
         ("asperity radius R", Some(file.scene.surface.asperity_radius), "m"),
         ("equivalent modulus E", Some(interface.equivalent_modulus), "Pa"),
-        ("hardness of the softer body H", hardness, "Pa"),
+        ("hardness of the softer body H", interface.softer_hardness(), "Pa"),
         ("critical interference w_c", critical.ok(), "m"),
     ];
-    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
-        value.map(|value| format!("{name} = {}", shown(value, unit)))
+    let of = |(name, value, unit): (&str, Option<f64>, &str)| {
+        Some(format!("{name} = {}", shown(value?, unit)))
     };
-    let all = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
-    format!("One asperity on a rigid flat: {all}.")
+    let all: Vec<String> = numbers.into_iter().filter_map(of).collect();
+    format!("One asperity on a rigid flat: {}.", all.join(", "))
 }
 
 /// Lines at kinks, in order; those close behind another have no room for a label.

@@ -176,19 +176,13 @@ pub(crate) fn contact(
 /// The largest of every `step` x `step` values, so that no contact disappears, and their number in
 /// a row.
 pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
-    if step <= 1 {
-        return (values.to_vec(), columns);
-    }
     let wide = columns.div_ceil(step);
-    let rows: Vec<&[f64]> = values.chunks(columns).collect();
-    let of = |block: &[&[f64]]| -> Vec<f64> {
-        let mut most = vec![0.0_f64; wide];
-        for (x, value) in block.iter().flat_map(|row| row.iter().enumerate()) {
-            most[x / step] = most[x / step].max(*value);
-        }
-        most
-    };
-    (rows.chunks(step).flat_map(of).collect(), wide)
+    let mut most = vec![0.0_f64; wide * (values.len() / columns).div_ceil(step)];
+    for (k, value) in values.iter().enumerate() {
+        let part = &mut most[k / columns / step * wide + k % columns / step];
+        *part = part.max(*value);
+    }
+    (most, wide)
 }
 
 #[cfg(test)]

@@ -16,6 +16,10 @@ use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::span::Span;
 
+/// Meanings of numbers that models do not have.
+const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces.";
+const PLASTIC: &str = "Share of the pixels that carry the hardness.";
+
 /// The size of a scan, why it cannot be solved here, and the mean pressures \[Pa\] over the range of
 /// the slider to solve it at, each with its load in words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
@@ -114,21 +118,9 @@ fn event(
         ("load", "N", Ok(load), "load", ""),
         ("pressure", "Pa", Ok(pressure), "pressure", "Mean pressure on the nominal area."),
         ("area-fraction", "", Ok(area), label, "Real area of contact over the area of the scan."),
-        (
-            "mean-gap",
-            "m",
-            Ok(mean_gap),
-            "mean gap",
-            "Distance of the mean planes of the two deformed surfaces.",
-        ),
+        ("mean-gap", "m", Ok(mean_gap), "mean gap", MEAN_GAP),
         (SEPARATION, "m", separation, "separation", &from),
-        (
-            "plastic-fraction",
-            "",
-            Ok(plastic),
-            "plastic share",
-            "Share of the pixels that carry the hardness.",
-        ),
+        ("plastic-fraction", "", Ok(plastic), "plastic share", PLASTIC),
         ("patches", "", Ok(patches), "patches", "Number of connected contacts."),
     ];
     let (mut head, mut cells) = (vec![], vec![]);

@@ -12,29 +12,17 @@ use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::{answer, dialect, fields, press, surface_keys};
 
-/// The longest text of a scene, in bytes, as for scene files.
-const MOST_TEXT: usize = 1 << 20;
-
 /// Reads a text: the values of all keys as typed, how the surface is described, the files that it
 /// names, and what its scene has. The scene is missing where the text has an error; its columns are
 /// those of every scene then.
 pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>) {
-    let is_long = text.len() > MOST_TEXT;
-    let text = if is_long { "" } else { text };
     let typed = fields::fields(text);
     let mut found = json!({
         "way": surface_keys::way(&typed),
         "files": fields::files(text),
         "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
     });
-    let read = match is_long {
-        true => {
-            let reason = "the scene file is longer than";
-            let reason = format!("{reason} {MOST_TEXT} bytes: shorten the text");
-            Err(Refusal::at("the scene file", reason))
-        }
-        false => parse_handed(text, files).map_err(|error| Refusal::of(error, &typed)),
-    };
+    let read = parse_handed(text, files).map_err(|error| Refusal::of(error, &typed));
     found["fields"] = json!(typed);
     found["views"] = answer::views(read.as_ref().ok()).into();
     match read {
@@ -129,8 +117,6 @@ mod tests {
         let (found, file) = read("[surface]\nfile = \"a.x3p\"\n", &HandedFiles::new());
         assert!(file.is_none() && !found["error"].is_null());
         assert_eq!((&found["way"], &found["files"]), (&json!("scan"), &json!(["a.x3p"])));
-        let (found, _) = read(&"#".repeat(MOST_TEXT + 1), &HandedFiles::new());
-        assert!(found["error"]["message"].as_str().unwrap().contains("longer than"));
     }
 
     #[test]
