@@ -17,7 +17,7 @@ const DRAWN: usize = 384;
 /// Names of the band and of boundary elements among the curves.
 const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
-const BEM: &str = "bem";
+const BEM: &str = "boundary elements";
 
 /// Curves of rows against the load, with the load marked, the spread of the models shaded and
 /// boundary elements as points.
@@ -36,102 +36,91 @@ pub(crate) fn curves(
         }
     };
     let head = head(file);
-    let head: Vec<&str> = head.split(',').collect();
-    let k = head.iter().position(|known| *known == column);
+    let k = head.split(',').position(|known| known == column);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
-    // The values of each model at its pressures.
-    let read = |line| {
-        let cells: Vec<&str> = str::split(line, ',').collect();
-        let pressure: f64 = cells.get(2)?.parse().ok().filter(|_| cells.len() == head.len())?;
-        Some((cells[0], pressure, cells[k].parse::<f64>().ok()))
-    };
-    let found = rows.iter().flat_map(|rows| rows.lines()).map(read).collect::<Option<Vec<_>>>();
-    let found = found.ok_or_else(|| Refusal::new("rows of another scene"))?;
-    let mut ids: Vec<&str> = found.iter().map(|(id, ..)| *id).collect();
-    ids.dedup();
+    let width = head.split(',').count();
     // The values of all models at each load; positive numbers sort as their bits do.
-    let mut at_loads: BTreeMap<u64, Vec<(&str, f64)>> = BTreeMap::new();
-    for (id, pressure, value) in &found {
-        at_loads.entry(pressure.to_bits()).or_default().extend(value.map(|value| (*id, value)));
+    let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>)>> = BTreeMap::new();
+    let (mut ids, mut values) = (vec![], vec![]);
+    for line in rows.iter().flat_map(|rows| rows.lines()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());
+        let pressure = pressure.filter(|_| cells.len() == width);
+        let pressure = pressure.ok_or_else(|| Refusal::new("rows of another scene"))?;
+        let value = cells[k].parse::<f64>().ok();
+        at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value));
+        values.extend(value.map(|value| (cells[0], pressure, value)));
+        ids.push(cells[0]);
     }
-    at_loads.retain(|_, values| !values.is_empty());
-    let values: Vec<f64> = found.iter().filter_map(|(.., value)| *value).collect();
+    ids.dedup();
     if values.is_empty() && solved.is_empty() {
         let has = if ids.len() == 1 { "has" } else { "have" };
-        return Err(Refusal::at(
-            "view",
-            match ids.join(", ") {
-                none if none.is_empty() => {
-                    format!("no model is chosen: choose models to see their {name}")
-                }
-                ids => {
-                    format!("{ids} {has} no {name} here: choose other models or another quantity")
-                }
-            },
-        ));
+        let reason = match ids.join(", ") {
+            none if none.is_empty() => {
+                format!("no model is chosen: choose models to see their {name}")
+            }
+            ids => format!("{ids} {has} no {name} here: choose other models or another quantity"),
+        };
+        return Err(Refusal::at("view", reason));
+    }
+    // The picture has no curve without a value, and its legend none either.
+    let mut drawn: Vec<&str> = values.iter().map(|(id, ..)| *id).chain([BEM]).collect();
+    drawn.dedup();
+    for [pressure, value] in solved {
+        at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value)));
     }
 
     let area = file.scene.nominal_area;
-    let mut csv = format!("model,load_N,pressure_Pa,{column}\n");
-    let mut add = |name: &str, pressure: f64, value: Option<f64>| {
-        let value = value.map_or(String::new(), |value| value.to_string());
-        csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
-    };
-    // The picture has no curve without a value, and its legend none either.
-    let is_drawn = |id: &str| found.iter().any(|row| row.0 == id && row.2.is_some());
-    for (id, pressure, value) in found.iter().filter(|row| is_drawn(row.0)) {
-        add(id, *pressure, *value);
-    }
-    let is_whole = |values: &[(&str, f64)]| ids.len() > 1 && values.len() == ids.len();
-    let mut has_band = false;
-    for (bits, values) in at_loads.iter().filter(|(_, values)| is_whole(values)) {
-        let ends = values.iter().map(|(_, value)| [*value; 2]);
-        let ends = ends.reduce(|[low, high], [a, b]| [low.min(a), high.max(b)]);
-        for (name, end) in [LOWEST, HIGHEST].into_iter().zip(ends.into_iter().flatten()) {
-            add(name, f64::from_bits(*bits), Some(end));
-        }
-        has_band = true;
-    }
-    let range = at_loads.keys().next().zip(at_loads.keys().last());
-    let range = range.map(|(low, high)| [*low, *high].map(f64::from_bits));
-    for [pressure, value] in solved {
-        add(BEM, *pressure, Some(*value));
-        at_loads.entry(pressure.to_bits()).or_default().push(("boundary elements", *value));
-    }
-
     let (x, at, of_load) = match load.unit {
         "Pa" => (Axis::new("pressure_Pa", "mean pressure (MPa)").times(1e-6), load.pascals, 1.0),
         _ => (Axis::new("load_N", "load (N)"), load.newtons, area),
     };
-    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let numbers: Vec<f64> = values.iter().map(|(.., value)| *value).collect();
+    let largest = numbers.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let (factor, of_axis) = legible(largest, unit);
     let of_axis = if of_axis.is_empty() { of_axis } else { format!(" ({of_axis})") };
     let mut y = Axis::new(&column, &format!("{name}{of_axis}")).times(1.0 / factor);
     if !is_absolute {
-        y.scale = Scale::fitting(&values);
+        y.scale = Scale::fitting(&numbers);
     }
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
-    let curves = ids.iter().zip(1..).filter(|(id, _)| is_drawn(id));
+    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(id));
     panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
     if !solved.is_empty() {
-        panel.curves.push(Curve::points(0, BEM, "boundary elements"));
+        panel.curves.push(Curve::points(0, BEM, BEM));
     }
-    if has_band {
-        let (lower, upper) = (LOWEST.into(), HIGHEST.into());
-        let label = "range of the models".into();
-        panel.between.push(Between { lower, upper, look: 9, label });
-    }
-    if range.is_some_and(|[low, high]| (low * of_load..=high * of_load).contains(&at)) {
+    let is_any = |is_beside: fn(&f64, &f64) -> bool| {
+        values.iter().any(|(_, pressure, _)| is_beside(pressure, &load.pascals))
+    };
+    if is_any(f64::le) && is_any(f64::ge) {
         panel.verticals.push(Mark::new(at, &load.text));
     }
-    let reading = |(bits, values): (u64, Vec<(&str, f64)>)| {
-        let at = f64::from_bits(bits) * of_load;
-        let value = |(name, value): &(&str, f64)| format!("\n{name} {}", shown(*value, unit));
-        Mark::new(at, &(shown(at, load.unit) + &values.iter().map(value).collect::<String>()))
-    };
-    panel.readings = at_loads.into_iter().map(reading).collect();
+    let mut csv = format!("model,load_N,pressure_Pa,{column}\n");
+    for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
+        let mut add = |name: &str, value: Option<f64>| {
+            let value = value.map_or(String::new(), |value| value.to_string());
+            csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
+        };
+        let mut reading = shown(pressure * of_load, load.unit);
+        for (id, value) in found.iter().filter(|(id, _)| drawn.contains(id)) {
+            add(id, *value);
+            reading.extend(value.map(|value| format!("\n{id} {}", shown(value, unit))));
+        }
+        if reading.contains('\n') {
+            panel.readings.push(Mark::new(pressure * of_load, &reading));
+        }
+        let of_models = found.iter().filter(|(id, _)| *id != BEM);
+        let of_models: Vec<f64> = of_models.filter_map(|(_, value)| *value).collect();
+        if of_models.len() == ids.len() && ids.len() > 1 {
+            add(LOWEST, of_models.iter().copied().reduce(f64::min));
+            add(HIGHEST, of_models.iter().copied().reduce(f64::max));
+            let (lower, upper) = (LOWEST.into(), HIGHEST.into());
+            let label = "range of the models".into();
+            panel.between = vec![Between { lower, upper, look: 9, label }];
+        }
+    }
     Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
 }
 
