@@ -60,7 +60,7 @@ impl Desk {
     }
 
     fn scene(&self) -> Result<&SceneFile, Refusal> {
-        self.file.as_ref().ok_or_else(|| Refusal::new("the scene has an error; correct it first"))
+        self.file.as_ref().ok_or_else(no_scene)
     }
 
     fn scene_at(&self, load: &LoadKeys) -> Result<(&SceneFile, Load), Refusal> {
@@ -71,15 +71,14 @@ impl Desk {
     /// The models of these ids on the scene, each compiled once; those that it refuses with the
     /// reason.
     fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
+        let file = self.file.as_ref().ok_or_else(no_scene)?;
+        let made = |id: &String| answer::compile(file, id).map_err(|refusal| refusal.message);
         for id in ids {
-            if !self.compiled.contains_key(id) {
-                let made = answer::compile(self.scene()?, id).map_err(|refusal| refusal.message);
-                self.compiled.insert(id.clone(), made);
-            }
+            self.compiled.entry(id.clone()).or_insert_with(|| made(id));
         }
         let models =
             ids.iter().filter_map(|id| Some((id.as_str(), self.compiled.get(id)?.as_ref())));
-        Ok((self.scene()?, models.collect()))
+        Ok((file, models.collect()))
     }
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
@@ -110,7 +109,7 @@ impl Desk {
                 let rows = models.into_iter().filter_map(|(id, asked)| {
                     Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
                 });
-                json!({ "head": answer::head(file), "rows": rows.collect::<BTreeMap<_, _>>() })
+                json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw { rows, view, load, solved } => {
                 let (file, load) = self.scene_at(&load)?;
@@ -166,13 +165,14 @@ impl Desk {
         let findings = file.accepted(findings).at_least(Severity::Warning);
         Ok(json!({
             "load": load,
-            "views": answer::views(Some(file)),
-            // Of a csv of model, load, pressure and cells.
-            "head": answer::head(file),
             "rows": rows,
             "findings": dialect::findings(&findings, file),
         }))
     }
+}
+
+fn no_scene() -> Refusal {
+    Refusal::new("the scene has an error; correct it first")
 }
 
 fn reply(answer: Result<Value, Refusal>) -> String {
@@ -212,7 +212,7 @@ mod tests {
         }
         assert_eq!(refused["ok"]["rows"].as_array().unwrap().len(), 2);
         let curve = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
-        let rows = curve["ok"]["rows"]["ke"].as_str().unwrap();
+        let rows = curve["ok"]["ke"].as_str().unwrap();
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
         assert!(call(&mut desk, drawn)["ok"].as_str().unwrap().starts_with("<svg"));
         let check = call(&mut desk, json!({ "call": "check", "models": ["gw"], "load": load }));

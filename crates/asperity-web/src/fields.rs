@@ -63,7 +63,9 @@ pub(crate) fn files(text: &str) -> Vec<String> {
 /// The text with other values. A value that reads as TOML is written as it is, any other as text.
 /// Another material replaces the numbers of its body, and a rigid counterface the second body.
 pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
-    let (mut document, known) = (parsed(text)?, fields(text));
+    let reason = "the scene file has a syntax error; correct the text first";
+    let mut document: DocumentMut = text.parse().map_err(|_| Refusal::at("TOML", reason))?;
+    let known = fields(text);
     for change in changes {
         if change.path == "rigid_counterface" {
             set_rigid(&mut document, change.value.is_some())?;
@@ -170,11 +172,6 @@ fn set_rigid(document: &mut DocumentMut, rigid: bool) -> Result<(), Refusal> {
         document.remove("rigid_counterface");
     }
     Ok(())
-}
-
-fn parsed(text: &str) -> Result<DocumentMut, Refusal> {
-    let reason = "the scene file has a syntax error; correct the text first";
-    text.parse().map_err(|_| Refusal::at("TOML", reason))
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Boundary elements on the scan of a scene, load by load.
 
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-use asperity::bem::{BemError, BoundaryElements, LoadCase, Progress, Solution};
+use asperity::bem::{BoundaryElements, LoadCase, Progress, Solution};
 use asperity::{Quantity, Separation, SeparationUnit};
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
@@ -42,7 +43,7 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
 pub(crate) fn press(
     file: &SceneFile,
     pressures: &[f64],
-    mut happened: impl FnMut(Value),
+    happened: impl FnMut(Value),
 ) -> Result<(), Refusal> {
     let bem = file.bem(None, false)?;
     if let Some(refused) = scan(file).as_ref().and_then(|scan| scan["refused"].as_str()) {
@@ -51,58 +52,44 @@ pub(crate) fn press(
     let interface = &file.scene.interface;
     let (elements, hardness) = (bem.elements(interface)?, bem.hardness(interface)?);
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
-    let happened = std::cell::RefCell::new(&mut happened);
+    let happened = RefCell::new(happened);
     let tell = |event: Value| (happened.borrow_mut())(event);
-    let failed = |index: usize, why: String| {
-        tell(json!({ "event": "failed", "index": index, "message": why }));
+    let event = |solution: Solution| -> Result<Value, Refusal> {
+        let mut event = solved(file, &elements, &solution);
+        event["svg"] = picture::contact(&bem, &solution, hardness)?.into();
+        event["readings"] = map_readings(&bem, &solution);
+        Ok(event)
     };
-    let solved = |index: usize, solved| match solved {
-        Err(BemError::Cancelled) => {}
-        Err(error) => failed(index, error.to_string()),
-        Ok(solution) => match picture::contact(&bem, &solution, hardness) {
-            Err(error) => failed(index, error.message),
-            Ok(svg) => {
-                let pressure = pressures.get(index).copied().unwrap_or(solution.mean_pressure);
-                let mut event = event(pressure, file, &elements, &solution);
-                event["index"] = index.into();
-                event["svg"] = svg.into();
-                event["readings"] = map_readings(&bem, &solution);
-                tell(event);
-            }
-        },
-    };
+    let failed = |error: Refusal| json!({ "event": "failed", "message": error.message });
     let (first, others) = given.split_at(given.len().min(1));
     for (before, part) in [(0, first), (first.len(), others)] {
         let watch = |progress: &Progress| {
-            tell(of_progress(progress, before, given.len()));
+            let Progress { done, iterations, residual, .. } = *progress;
+            let (done, count) = (before + done, given.len());
+            let mut text = format!("load {done} of {count} done; iteration {iterations}");
+            // A first iteration has none.
+            if residual.is_finite() {
+                text += &format!(", residual {residual:.0e}");
+            }
+            tell(json!({ "event": "progress", "done": done, "count": count, "text": text }));
             ControlFlow::Continue(())
         };
-        elements.solve_each(part, watch, |index, solution| solved(before + index, solution));
+        elements.solve_each(part, watch, |_, solution| {
+            tell(solution.map_err(Refusal::from).and_then(&event).unwrap_or_else(failed));
+        });
     }
     Ok(())
-}
-
-/// Progress within a part of the loads, after `before` solved ones; `count` is the number of all.
-fn of_progress(progress: &Progress, before: usize, count: usize) -> Value {
-    let Progress { index, done, iterations, residual, .. } = *progress;
-    let (index, done) = (before + index, before + done);
-    let mut text = format!("load {done} of {count} done; iteration {iterations}");
-    // A first iteration has none.
-    if residual.is_finite() {
-        text += &format!(", residual {residual:.0e}");
-    }
-    json!({ "event": "progress", "index": index, "done": done, "count": count, "text": text })
 }
 
 /// A load that was solved: its cells, with their names and what they mean. Among them are the other
 /// quantities of the models that a solved contact has, or why one is missing: the stiffness on
 /// first loading, from two more solutions, and on unloading, with the contact held.
-fn event(
-    pressure: f64,
-    file: &SceneFile,
-    elements: &BoundaryElements,
-    solution: &Solution,
-) -> Value {
+fn solved(file: &SceneFile, elements: &BoundaryElements, solution: &Solution) -> Value {
+    // Exactly as given.
+    let pressure = match solution.given {
+        LoadCase::MeanPressure(pressure) => pressure,
+        _ => solution.mean_pressure,
+    };
     // From the plane of the models' separations, so that both are in one picture.
     let gap = Separation::metres(solution.mean_gap).from_surface_mean();
     let from = file.separation_from;

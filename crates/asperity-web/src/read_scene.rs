@@ -32,6 +32,8 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
             found["findings"] = dialect::findings(&file.accepted(findings), &file);
             found["models"] = models(&file);
+            // Of a csv of model, load, pressure and cells.
+            found["head"] = answer::head(&file).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();

@@ -37,8 +37,6 @@ pub(crate) fn form() -> Value {
         KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key)).map(field).collect()
     };
     let is_more = |key: &Key| key.subject == Subject::Scan && !OF_SCANS.contains(&key.name);
-    let every = of(&|key| key.subject == Subject::Surface);
-    let more = [of(&is_more), every.clone()].concat();
     let ways = WAYS.map(|(way, keys)| {
         let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
         let keys = keys.iter().filter_map(|name| Key::find("surface", name));
@@ -49,8 +47,8 @@ pub(crate) fn form() -> Value {
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),
-        "more": more,
-        "every": every,
+        "more": of(&is_more),
+        "every": of(&|key| key.subject == Subject::Surface),
     })
 }
 

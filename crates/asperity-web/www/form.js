@@ -58,7 +58,7 @@ export function fill(shown, edit, form) {
     }
     bodies.append(field(...form.area, edit));
     const ofSurface = ([key, label, hint]) => field(`surface.${key}`, label, hint, edit);
-    const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...form.more.map(ofSurface))] : form.every.map(ofSurface);
+    const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
     $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...rest);
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
@@ -68,7 +68,7 @@ export function fill(shown, edit, form) {
     if (again?.closest("#more")) $("more").open = true;
     again?.focus();
   }
-  if (way === "scan" && form.more.some(([key]) => `surface.${key}` in fields)) $("more").open = true;
+  if (way === "scan" && [...form.more, ...form.every].some(([key]) => `surface.${key}` in fields)) $("more").open = true;
   $("way").value = way;
   for (const input of document.querySelectorAll("[data-path]")) {
     put(input, fields[input.dataset.path] ?? "");

@@ -15,15 +15,16 @@ const loadKeys = () => ({ text: state.load });
 function saves() {
   on("save-csv", () => {
     const rows = chosen().map((id) => page.rows.get(id) ?? "");
-    download("asperity.csv", `${page.head}\n${rows.join("")}`, "text/csv");
+    download("asperity.csv", `${page.shown.head}\n${rows.join("")}`, "text/csv");
   });
   on("save-values", () => {
     const { newtons, pascals } = page.load;
+    const { views, head } = page.shown;
     const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
     const solved = elements.at(pascals);
-    if (solved) rows.push(["bem", columns(page.views, solved)]);
-    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...page.views.map((_, k) => cells[k]?.digits ?? "")].join());
-    download("values.csv", [page.columns, ...lines, ""].join("\n"), "text/csv");
+    if (solved) rows.push(["bem", columns(views, solved)]);
+    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.map((_, k) => cells[k]?.digits ?? "")].join());
+    download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });
   on("save-svg", () => download("asperity.svg", $("curve").dataset.svg, "image/svg+xml"));
   on("save-png", async () => {
