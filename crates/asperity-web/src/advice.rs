@@ -72,17 +72,15 @@ pub(crate) fn check(
     models: &[(&str, Result<&Asked, &String>)],
     at: At,
 ) -> Findings {
-    let mut found: Findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    if found.iter().all(|found| found.severity != Severity::Error) {
-        let answering = models.iter().filter_map(|(_, asked)| asked.ok());
-        found.extend(answering.flat_map(|asked| {
-            let [found, _] = asked.findings(file, &[at]);
-            found
-        }));
-    }
+    let of_scene = file.warnings.iter().cloned().chain(file.findings());
+    let answering = models.iter().filter_map(|(_, asked)| asked.ok());
+    let of_answers = answering.flat_map(|asked| {
+        let [found, _] = asked.findings(file, &[at]);
+        found
+    });
     // The table of values marks it at each model.
     let unmarked = |found: &Finding| found.code != "beyond-full-contact";
-    file.accepted(found.into_iter().filter(unmarked).collect())
+    file.accepted(of_scene.chain(of_answers).filter(unmarked).collect())
 }
 
 /// Compares the models that the scene allows with boundary elements on its scan, if the load was
