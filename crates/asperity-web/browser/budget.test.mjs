@@ -57,7 +57,7 @@ test("a redraw takes at most 3 times as long as natively, 512 x 512 boundary ele
       const { name } = await call("random", { keys: RANDOM });
       const text = await call("use-scan", { text: example("ground-steel"), name });
       assert.equal((await call("show", { text })).error, null);
-      const { rows } = await call("curve", { models: NINE });
+      const rows = await call("curve", { models: NINE });
       assert.equal(Object.keys(rows).length, NINE.length);
       redraws.push({ call: "draw", rows: Object.values(rows), view: "tangent", load: LOAD, solved: [] });
     }

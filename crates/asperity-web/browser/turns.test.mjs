@@ -109,7 +109,7 @@ test("a worker that never starts is given up after two restarts", async () => {
   };
   const desk = new Desk(new Map(), start);
   count = 0;
-  await assert.rejects(desk.sure(() => desk.call("materials")), /404.*3 times in a row/);
+  await assert.rejects(desk.sure(() => desk.call("form")), /404.*3 times in a row/);
   assert.equal(count, 3);
 });
 

@@ -7,7 +7,6 @@ use asperity::{
 };
 use asperity_answer::{Asked, unranked};
 use asperity_inputs::SceneFile;
-use serde::Serialize;
 
 use crate::dialect::{quantity_name, said};
 use crate::message::OnScreen;
@@ -20,24 +19,15 @@ const WITHIN: f64 = 0.05;
 const COMPARED: [Quantity; 3] =
     [Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
 
-/// Which model to trust, and on what evidence.
-#[derive(Debug, Serialize)]
-pub(crate) struct Advice {
-    /// Sentences, the best evidence first: the contact that was solved, solved surfaces like it,
-    /// or, without either, the models compared with each other.
-    pub(crate) summary: Vec<String>,
-}
-
 impl OnScreen {
     /// Deviations of the models from boundary elements in a quantity, by id.
     fn deviations(&self, quantity: Quantity) -> Vec<(&str, Option<f64>)> {
         let name = quantity.to_string();
-        let Some(solved) = self.bem.get(&name).filter(|solved| **solved > 0.0) else {
+        let number = |values: &BTreeMap<String, String>| values.get(&name)?.parse::<f64>().ok();
+        let Some(solved) = number(&self.bem).filter(|solved| *solved > 0.0) else {
             return vec![];
         };
-        let off = |values: &BTreeMap<String, String>| {
-            values.get(&name)?.parse::<f64>().ok().map(|value| value / solved - 1.0)
-        };
+        let off = |values| number(values).map(|value| value / solved - 1.0);
         self.models.iter().map(|(id, values)| (id.as_str(), off(values))).collect()
     }
 
@@ -45,22 +35,26 @@ impl OnScreen {
     /// and why that is uncertain; `ignoring` are the models that ignore yielding here.
     fn sentences(&self, ignoring: &[&str]) -> Vec<String> {
         let here = "on this scan at this load";
-        let of = |quantity: Quantity| {
-            let off = self.deviations(quantity);
+        let (mut found, mut uses) = (vec![], vec![]);
+        for quantity in COMPARED {
+            let (off, name) = (self.deviations(quantity), quantity_name(quantity));
             let models = off.iter().map(|(id, off)| (*id, vec![*off]));
-            let nearest = nearest_to_bem(&quantity_name(quantity), models, off.len())?;
-            Some(format!("{here}, {nearest}"))
-        };
-        let mut found: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
+            let nearest = nearest_to_bem(&name, models, off.len());
+            found.extend(nearest.map(|nearest| format!("{here}, {nearest}")));
+            // The nearest of those that describe yielding where it matters.
+            let off = off.into_iter().filter(|(id, _)| !ignoring.contains(id));
+            let off = off.filter_map(|(id, off)| Some((id, off?.abs())));
+            let best = off.min_by(|a, b| a.1.total_cmp(&b.1));
+            uses.extend(best.map(|(id, _)| format!("{id} for {name}")));
+        }
         if found.is_empty() {
             return found;
         }
         let codes = self.notes.iter().map(String::as_str).collect();
         match unranked(&[codes]) {
-            Some(why) => {
-                found.push(format!("{here}, these deviations are uncertain: {}", why));
-            }
-            None => found.splice(0..0, self.verdict(ignoring)).for_each(drop),
+            Some(why) => found.push(format!("{here}, these deviations are uncertain: {why}")),
+            None if uses.is_empty() => {}
+            None => found.insert(0, format!("of the chosen models, use {}", uses.join(", "))),
         }
         if !ignoring.is_empty() {
             let ids = ignoring.join(", ");
@@ -70,21 +64,6 @@ impl OnScreen {
         }
         found
     }
-
-    /// The nearest model for each quantity among those that describe yielding where it matters.
-    fn verdict(&self, ignoring: &[&str]) -> Option<String> {
-        let of = |quantity: Quantity| {
-            let off = self.deviations(quantity).into_iter();
-            let off = off.filter(|(id, _)| !ignoring.contains(id));
-            let (id, _) = off
-                .filter_map(|(id, off)| Some((id, off?.abs())))
-                .min_by(|a, b| a.1.total_cmp(&b.1))?;
-            Some(format!("{id} for {}", quantity_name(quantity)))
-        };
-        let uses: Vec<String> = COMPARED.into_iter().filter_map(of).collect();
-        let verdict = format!("of the chosen models, use {}", uses.join(", "));
-        (!uses.is_empty()).then_some(verdict)
-    }
 }
 
 /// Findings about the scene and about these models at a load.
@@ -93,26 +72,25 @@ pub(crate) fn check(
     models: &[(&str, Result<&Asked, &String>)],
     at: At,
 ) -> Findings {
-    let mut found: Findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    if found.iter().all(|found| found.severity != Severity::Error) {
-        let answering = models.iter().filter_map(|(_, asked)| asked.ok());
-        found.extend(answering.flat_map(|asked| {
-            let [found, _] = asked.findings(file, &[at]);
-            found
-        }));
-    }
+    let of_scene = file.warnings.iter().cloned().chain(file.findings());
+    let answering = models.iter().filter_map(|(_, asked)| asked.ok());
+    let of_answers = answering.flat_map(|asked| {
+        let [found, _] = asked.findings(file, &[at]);
+        found
+    });
     // The table of values marks it at each model.
     let unmarked = |found: &Finding| found.code != "beyond-full-contact";
-    file.accepted(found.into_iter().filter(unmarked).collect())
+    file.accepted(of_scene.chain(of_answers).filter(unmarked).collect())
 }
 
 /// Compares the models that the scene allows with boundary elements on its scan, if the load was
-/// solved, and on surfaces like it; without either, with each other.
+/// solved, and on surfaces like it; without either, with each other: sentences, the best evidence
+/// first.
 pub(crate) fn advise(
     file: &SceneFile,
     at: At,
     on_screen: Option<&OnScreen>,
-) -> Result<Advice, Refusal> {
+) -> Result<Vec<String>, Refusal> {
     let (models, _) = file.models_beside_bem();
     let reference = file.model(asperity::usual_reference(&file.scene))?;
     let request = Request::new([Quantity::Area, Quantity::Tangent]).at([at]);
@@ -127,7 +105,7 @@ pub(crate) fn advise(
     let close = advice.evidence.iter().any(|place| place.expected.is_ok());
     let mut lines = advice.summary_named(&names);
     if let (false, Some(last)) = (close || solved, lines.last_mut()) {
-        let scan = press::scan(file).is_some_and(|scan| scan.refused.is_none());
+        let scan = press::scan(file).is_some_and(|scan| scan["refused"].is_null());
         *last += match scan {
             true => "; solve this load by boundary elements",
             false => "; choose a scan or make a random surface, and solve this load",
@@ -145,7 +123,7 @@ pub(crate) fn advise(
         summary.push(format!("{verdict}{fitted}"));
     }
     summary.extend(lines);
-    Ok(Advice { summary: summary.iter().map(|line| said(line)).collect() })
+    Ok(summary.iter().map(|line| said(line)).collect())
 }
 
 /// The models on the page that ignore yielding where it matters.
@@ -169,8 +147,7 @@ mod tests {
             ["ke", { "area-fraction": "0.087", "tangent": "1.2e8", "unloading-stiffness": "2e8" }],
             ["gao", { "tangent": "" }],
         ]);
-        let bem =
-            serde_json::json!({ "area-fraction": 0.1, "tangent": 1e8, "unloading-stiffness": 2e8 });
+        let bem = serde_json::json!({ "area-fraction": "0.1", "tangent": "1e8", "unloading-stiffness": "2e8" });
         let given = serde_json::json!({ "bem": bem, "notes": notes, "models": models });
         serde_json::from_value(given).unwrap()
     }
@@ -204,17 +181,17 @@ mod tests {
         let parse = |text: &str| asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         let (file, solved) = (parse(asperity_inputs::template()), on_screen(&[]));
         let advice = advise(&file, At::Pressure(1e8), Some(&solved)).unwrap();
-        assert!(advice.summary[0].starts_with("of the chosen models, use"), "{advice:?}");
-        assert!(advice.summary[0].contains("ke for tangent stiffness"), "{advice:?}");
-        let [.., area, stiffness] = &advice.summary[..] else { panic!() };
+        assert!(advice[0].starts_with("of the chosen models, use"), "{advice:?}");
+        assert!(advice[0].contains("ke for tangent stiffness"), "{advice:?}");
+        let [.., area, stiffness] = &advice[..] else { panic!() };
         let like = "on solved surfaces like this one, nearest to boundary elements in";
         assert!(area.starts_with(&format!("{like} real over nominal area are")), "{area}");
         assert!(stiffness.contains("in tangent stiffness (first loading) are"), "{stiffness}");
-        let without = advise(&file, At::Pressure(1e8), None).unwrap().summary;
+        let without = advise(&file, At::Pressure(1e8), None).unwrap();
         assert_eq!(without, [area.clone(), stiffness.clone()]);
         // The plasticity index of the bolted joint is above those that were solved.
         let joint = parse(include_str!("../../asperity-inputs/examples/bolted-joint.toml"));
-        let [verdict, none] = &advise(&joint, At::Pressure(1e6), None).unwrap().summary[..] else {
+        let [verdict, none] = &advise(&joint, At::Pressure(1e6), None).unwrap()[..] else {
             panic!()
         };
         assert!(verdict.contains("within 5 % of ke (ke, fitted"), "{verdict}");
@@ -229,8 +206,8 @@ mod tests {
         let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
         let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         let advice = advise(&file, At::Pressure(1e4), None).unwrap();
-        let itself = advice.summary.iter().any(|line| line.contains("% of gw; use gw"));
-        let close = advice.summary[0].starts_with("on solved surfaces");
+        let itself = advice.iter().any(|line| line.contains("% of gw; use gw"));
+        let close = advice[0].starts_with("on solved surfaces");
         assert!(itself || close, "{advice:?}");
     }
 }

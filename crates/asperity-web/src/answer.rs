@@ -4,14 +4,17 @@ use asperity::{
     At, Check, ContactError, Described, Evaluation, Findings, Quantity, Request, SeparationUnit,
     Severity, shortest_digits,
 };
-use asperity_answer::Asked;
+use asperity_answer::{Asked, Line};
 use asperity_inputs::SceneFile;
+use serde_json::{Value, json};
 
 use crate::dialect::{PAGE, said};
-use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
 use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::span::Span;
+
+/// The separation beside the quantities of a view.
+pub(crate) const SEPARATION: &str = "separation";
 
 /// The quantities that every scene has.
 const USUAL: [Quantity; 6] = [
@@ -23,6 +26,9 @@ const USUAL: [Quantity; 6] = [
     Quantity::Contacts,
 ];
 
+/// What the program adds where jkr pulls off.
+const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
+
 /// The quantities of a scene: conductances where the bodies have the property.
 pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
     let interface = &file.scene.interface;
@@ -31,24 +37,16 @@ pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
     USUAL.into_iter().chain(thermal).chain(electrical).collect()
 }
 
-/// The separation and the quantities, as columns and views; without a scene those that all have.
-pub(crate) fn views(file: Option<&SceneFile>) -> Vec<View> {
-    let quantities = file.map_or(USUAL.to_vec(), quantities).into_iter().map(View::of);
+/// The columns that can be drawn: the separation and the quantities; without a scene those that all
+/// have.
+pub(crate) fn views(file: Option<&SceneFile>) -> Vec<Value> {
     let from = file.map_or_else(Default::default, |file| file.separation_from);
-    [View::separation(from)].into_iter().chain(quantities).collect()
+    let separation = format!("Distance of the surfaces, from {from} to the other surface.");
+    let view = |id: &str, label: &str, definition: &str| json!({ "id": id, "label": label, "definition": definition });
+    let of = |q: Quantity| view(&q.to_string(), q.label(), q.definition());
+    let quantities = file.map_or(USUAL.to_vec(), quantities).into_iter().map(of);
+    [view(SEPARATION, SEPARATION, &separation)].into_iter().chain(quantities).collect()
 }
-
-/// Why a model without adhesion refuses a tension.
-fn no_tension(file: &SceneFile) -> String {
-    let add = match file.scene.interface.work_of_adhesion {
-        Some(_) => "",
-        None => "add work_of_adhesion in the scene file and ",
-    };
-    format!("models without adhesion carry no tension; {add}choose dmt, jkr or jkr-separation")
-}
-
-/// What the program adds where jkr pulls off.
-const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 
 /// The model of an id with all quantities of the scene that it has, ready for many loads.
 pub(crate) fn compile(file: &SceneFile, id: &str) -> Result<Asked, Refusal> {
@@ -57,31 +55,43 @@ pub(crate) fn compile(file: &SceneFile, id: &str) -> Result<Asked, Refusal> {
     Ok(Asked::new(file, &file.model(id)?, &request, (false, false))?)
 }
 
-/// The values at one load, with warnings about them.
+/// The values at one load, or the reason why there are none, with why no contact has them and
+/// warnings about them.
 pub(crate) fn row(
     file: &SceneFile,
     id: &str,
     asked: &Asked,
     at: At,
-) -> Result<(AnswerRow, Findings), Refusal> {
+) -> Result<(Value, Findings), Refusal> {
     let (lines, warnings) = asked.lines(file, &[at]);
     let separation = || -> Result<f64, ContactError> {
         let found = asked.contact().separation(at)?;
         Ok(found.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene)?.value)
     };
-    let mut cells = vec![cell(SEPARATION, "m", separation().map_err(|e| e.marked()), None)];
+    let mut cells = vec![cell(SEPARATION, "m", separation().map_err(|e| e.marked()))];
     let values = lines.iter().flat_map(|line| &line.values);
     cells.extend(quantities(file).into_iter().zip(values).map(|(quantity, found)| {
-        let bound = found.as_ref().ok().map(|value| value.bound(quantity));
-        let found = found.as_ref().map(Evaluation::value).map_err(ContactError::marked);
-        cell(&quantity.to_string(), quantity.unit(), found, bound)
+        let value = found.as_ref().map(Evaluation::value).map_err(ContactError::marked);
+        let mut cell = cell(&quantity.to_string(), quantity.unit(), value);
+        if let Ok(value) = found {
+            cell["bound"] = value.bound(quantity).into();
+        }
+        cell
     }));
-    let empty = cells.iter().all(|cell| cell.digits.is_none());
     let (model, load) = (file.model(id)?, at.load(&file.scene).unwrap_or_default());
-    let reason = empty.then(|| match load < 0.0 && !model.validity().adhesive {
-        true => format!("load is {}: {}", shown(load, "N"), no_tension(file)),
-        false if load < 0.0 && id == "jkr" => format!("{}{OPENING}", cells[0].shown),
-        false => cells[0].shown.clone(),
+    let (is_tension, why) = (load < 0.0, cells[0]["shown"].as_str().unwrap_or_default());
+    let is_empty = cells.iter().all(|cell| cell["digits"].is_null());
+    let reason = is_empty.then(|| match id {
+        _ if is_tension && !model.validity().adhesive => {
+            let add = match file.scene.interface.work_of_adhesion {
+                Some(_) => "",
+                None => "add work_of_adhesion in the scene file and ",
+            };
+            let load = shown(load, "N");
+            format!("load is {load}: models without adhesion carry no tension; {add}choose dmt, jkr or jkr-separation")
+        }
+        "jkr" if is_tension => format!("{why}{OPENING}"),
+        _ => why.into(),
     });
     // Values of a scene with an error may be impossible because of it.
     let valid = || file.findings().at_least(Severity::Error).is_empty();
@@ -90,7 +100,8 @@ pub(crate) fn row(
         Check::impossible(&model, &file.scene, pressure, area.value()).filter(|_| valid())
     });
     let mark = mark.map(|found| found.say(&PAGE));
-    Ok((AnswerRow { model: id.into(), cells, reason, mark }, warnings.into_iter().collect()))
+    let row = json!({ "model": id, "cells": cells, "reason": reason, "mark": mark });
+    Ok((row, warnings.into_iter().collect()))
 }
 
 /// The rows at pressures, as a csv without its head; blank where there is no value.
@@ -99,7 +110,7 @@ pub(crate) fn rows(file: &SceneFile, id: &str, asked: &Asked, pressures: &[f64])
     let digits = |number: Option<f64>| {
         number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
     };
-    let row = |line: &asperity_answer::Line| {
+    let row = |line: &Line| {
         let (at, scene) = (line.given, &file.scene);
         let given = [at.load(scene), at.pressure(scene), line.separation[1]];
         let values = line.values.iter().map(|found| Some(found.as_ref().ok()?.value()));
@@ -110,25 +121,18 @@ pub(crate) fn rows(file: &SceneFile, id: &str, asked: &Asked, pressures: &[f64])
 }
 
 /// The head of [`rows`].
-pub(crate) fn head(file: &SceneFile) -> Vec<String> {
-    let given = ["model", "load_N", "pressure_Pa", "separation_m"].map(String::from);
-    given.into_iter().chain(quantities(file).into_iter().map(Quantity::column)).collect()
+pub(crate) fn head(file: &SceneFile) -> String {
+    let quantities = quantities(file).into_iter().map(Quantity::column).collect::<Vec<_>>();
+    format!("model,load_N,pressure_Pa,separation_m,{}", quantities.join(","))
 }
 
-/// A value of a quantity as shown, or the reason why there is none.
-pub(crate) fn cell(
-    quantity: &str,
-    unit: &str,
-    found: Result<f64, String>,
-    bound: Option<f64>,
-) -> AnswerCell {
-    let quantity = quantity.to_string();
+/// A value of a quantity as shown with all its digits in SI units, or the reason why there is none.
+pub(crate) fn cell(quantity: &str, unit: &str, found: Result<f64, String>) -> Value {
     match found {
-        Ok(value) => {
-            let digits = Some(shortest_digits(value));
-            AnswerCell { quantity, digits, bound, shown: shown(value, unit) }
-        }
-        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: said(&reason) },
+        Ok(value) => json!({
+            "quantity": quantity, "digits": shortest_digits(value), "shown": shown(value, unit),
+        }),
+        Err(reason) => json!({ "quantity": quantity, "shown": said(&reason) }),
     }
 }
 
@@ -140,11 +144,11 @@ mod tests {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
-    fn of(file: &SceneFile, id: &str, asked: &Asked, at: At) -> AnswerRow {
+    fn of(file: &SceneFile, id: &str, asked: &Asked, at: At) -> Value {
         row(file, id, asked, at).unwrap().0
     }
 
-    fn alone(file: &SceneFile, id: &str, at: At) -> AnswerRow {
+    fn alone(file: &SceneFile, id: &str, at: At) -> Value {
         of(file, id, &compile(file, id).unwrap(), at)
     }
 
@@ -152,7 +156,9 @@ mod tests {
     fn a_load_that_a_model_refuses_has_its_reason() {
         let file = file();
         let ke = compile(&file, "ke").unwrap();
-        let reason = |load: f64| of(&file, "ke", &ke, At::Load(load)).reason.unwrap();
+        let reason = |load: f64| {
+            of(&file, "ke", &ke, At::Load(load))["reason"].as_str().unwrap().to_string()
+        };
         let tension = reason(-5.0);
         let wanted = "load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr or jkr-separation";
         assert_eq!(tension, wanted);
@@ -163,7 +169,7 @@ mod tests {
             mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
         };
         assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
-        assert_eq!(of(&file, "ke", &ke, At::Load(100.0)).reason, None);
+        assert_eq!(of(&file, "ke", &ke, At::Load(100.0))["reason"], Value::Null);
     }
 
     #[test]
@@ -173,11 +179,14 @@ mod tests {
         let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
         let gw = alone(&file, "gw", At::Load(-1.0));
         assert!(
-            gw.reason.unwrap().ends_with("carry no tension; choose dmt, jkr or jkr-separation")
+            gw["reason"]
+                .as_str()
+                .unwrap()
+                .ends_with("carry no tension; choose dmt, jkr or jkr-separation")
         );
         for id in ["dmt", "jkr"] {
             let row = alone(&file, id, At::Load(-1.0));
-            let reason = row.reason.unwrap();
+            let reason = row["reason"].as_str().unwrap().to_string();
             assert!(reason.starts_with("load is -1.0 N: the surfaces pull off at -0."), "{reason}");
             assert_eq!(reason.contains("; jkr-separation, which describes opening"), id == "jkr");
         }
@@ -190,19 +199,19 @@ mod tests {
         let row = of(&file, "ke", &ke, At::Pressure(1e6));
         let request = Request::new(quantities(&file)).at([At::Pressure(1e6)]);
         let response = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
-        for cell in &row.cells[1..] {
-            let quantity: Quantity = cell.quantity.parse().unwrap();
+        for cell in &row["cells"].as_array().unwrap()[1..] {
+            let quantity: Quantity = cell["quantity"].as_str().unwrap().parse().unwrap();
             let wanted = response.values(quantity).unwrap()[0];
-            let found: f64 = cell.digits.as_deref().unwrap().parse().unwrap();
+            let found: f64 = cell["digits"].as_str().unwrap().parse().unwrap();
             assert!((found / wanted - 1.0).abs() < 1e-13, "{quantity}: {found} {wanted}");
-            assert!(cell.bound.unwrap() < 1e-9);
+            assert!(cell["bound"].as_f64().unwrap() < 1e-9);
         }
         let csv = rows(&file, "ke", &ke, &[1e6, 2e6]);
         let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-        assert_eq!(first.len(), head(&file).len());
-        let area = head(&file).iter().position(|name| name == "area_fraction").unwrap();
+        assert_eq!(first.len(), head(&file).split(',').count());
+        let area = head(&file).split(',').position(|name| name == "area_fraction").unwrap();
         // Several loads are evaluated together.
-        let [one, many] = [first[area], row.cells[1].digits.as_deref().unwrap()]
+        let [one, many] = [first[area], row["cells"][1]["digits"].as_str().unwrap()]
             .map(|digits| digits.parse::<f64>().unwrap());
         assert!((one / many - 1.0).abs() < 1e-13, "{one} {many}");
     }
@@ -212,16 +221,18 @@ mod tests {
         let file = file();
         let gao = compile(&file, "gao").unwrap();
         let row = of(&file, "gao", &gao, At::Load(100.0));
-        let found = |name: &str| row.cells.iter().find(|cell| cell.quantity == name).unwrap();
-        assert!(found("area-fraction").digits.is_some());
+        let found = |name: &str| {
+            row["cells"].as_array().unwrap().iter().find(|cell| cell["quantity"] == name).unwrap()
+        };
+        assert!(found("area-fraction")["digits"].is_string());
         let unloading = found("unloading-stiffness");
-        assert!(unloading.digits.is_none() && !unloading.shown.is_empty());
+        assert!(unloading["digits"].is_null() && unloading["shown"].is_string());
         assert!(compile(&file, "dmt").is_err());
     }
 
     fn marks(text: &str, id: &str, at: At) -> Option<String> {
         let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
-        alone(&file, id, at).mark
+        alone(&file, id, at)["mark"].as_str().map(String::from)
     }
 
     #[test]

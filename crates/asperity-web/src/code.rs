@@ -3,73 +3,47 @@
 use asperity::{At, Quantity, Tolerance};
 use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_inputs::SceneFile;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::answer::quantities;
-use crate::message::LoadShown;
 use crate::refusal::Refusal;
-use crate::span::Span;
+use crate::span::{Load, Span};
 
 /// Largest error of interpolation in a table.
 const TABLE_ERROR: f64 = 0.01;
 
-/// Lines that give the digits of the page.
-#[derive(Debug, Serialize)]
-pub(crate) struct Code {
-    pub(crate) shell: String,
-    pub(crate) python: String,
-    pub(crate) rust: String,
-}
-
-/// The same models at the same load.
-pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown)) -> Code {
-    let names: Vec<String> = quantities(file).iter().map(Quantity::to_string).collect();
-    let variants: Vec<String> =
-        quantities(file).iter().map(|quantity| format!("Quantity::{quantity:?}")).collect();
-    let (option, number) = match at {
-        At::Pressure(_) => ("pressure", load.pascals),
-        _ => ("load", load.newtons),
+/// Lines that give the digits of the page: the same models at the same load.
+pub(crate) fn code(file: &SceneFile, ids: &[String], load: &Load) -> Value {
+    let quantities = quantities(file);
+    let names: Vec<String> = quantities.iter().map(Quantity::to_string).collect();
+    let variants: Vec<String> = quantities.iter().map(|q| format!("Quantity::{q:?}")).collect();
+    let (place, at, number) = match load.at {
+        At::Pressure(_) => ("pressure", "Pressure", load.pascals),
+        _ => ("load", "Load", load.newtons),
     };
-    Code {
-        shell: format!(
-            "asperity curve scene.toml --model {} --{option} {number:?} \\\n  --quantity {} --errors --format json\n",
-            ids.join(","),
-            names.join(",")
-        ),
-        python: format!(
-            "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in {ids:?}:\n    \
-             answer = asperity.model(name).solve(scene, {option}={number:?}, quantities=[\"area-fraction\", \"tangent\"])\n    \
-             print(name, answer.area_fraction, answer.tangent)\n"
-        ),
-        rust: format!(
-            "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
-             fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
-             let file = asperity_inputs::load(\"scene.toml\")?;\n    \
-             let quantities = [\n        {},\n    ];\n    \
-             let request = Request::new(quantities).at([At::{}({number:?})]);\n    \
-             for id in {ids:?} {{\n        \
-             println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
-             }}\n    Ok(())\n}}\n",
-            variants.join(",\n        "),
-            if option == "load" { "Load" } else { "Pressure" },
-        ),
-    }
+    // The capitals of the templates.
+    let words = [
+        ("IDS", ids.join(",")),
+        ("LIST", format!("{ids:?}")),
+        ("NAMES", names.join(",")),
+        ("VARIANTS", variants.join(",\n        ")),
+        ("PLACE", place.into()),
+        ("AT", at.into()),
+        ("NUMBER", format!("{number:?}")),
+    ];
+    let lines = |template: &str| {
+        let put = |text: String, (word, given): &(&str, String)| text.replace(word, given);
+        words.iter().fold(template.to_string(), put)
+    };
+    json!({
+        "shell": lines(include_str!("code/shell.txt")),
+        "python": lines(include_str!("code/python.txt")),
+        "rust": lines(include_str!("code/rust.txt")),
+    })
 }
 
-/// A file to take away.
-#[derive(Debug, Serialize)]
-pub(crate) struct TableFile {
-    pub(crate) name: String,
-    pub(crate) text: String,
-}
-
-/// The table of a model over the range of the slider for a finite-element program.
-pub(crate) fn table(
-    file: &SceneFile,
-    id: &str,
-    form: &str,
-    units: &str,
-) -> Result<TableFile, Refusal> {
+/// The table of a model over the range of the slider for a finite-element program, as a file.
+pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
     let refused = |_| Refusal::new(format!("{form:?} is no form of a table"));
     let format: TableFormat = form.parse().map_err(refused)?;
     let extension = match format {
@@ -95,7 +69,7 @@ pub(crate) fn table(
         }
     }
     let text = found.map_err(Refusal::new)?.text;
-    Ok(TableFile { name: format!("{id}-{form}.{extension}"), text })
+    Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": text }))
 }
 
 #[cfg(test)]
@@ -111,15 +85,17 @@ mod tests {
             [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*"), ("ansys", "R")]
         {
             let found = table(&file, "ke", form, "mm-N-MPa").unwrap();
-            assert!(found.text.contains(word) && found.name.starts_with("ke-"), "{}", found.text);
+            assert!(found["text"].as_str().unwrap().contains(word), "{found}");
+            assert!(found["name"].as_str().unwrap().starts_with("ke-"), "{found}");
         }
         assert!(table(&file, "ke", "nastran", "SI").is_err());
         assert!(table(&file, "ke", "csv", "furlong").is_err());
         let keys = LoadKeys { text: "1.5 kN".into(), ..Default::default() };
-        let (at, load) = crate::span::load(&keys, &file.scene).unwrap();
-        let code = code(&file, &["ke".into(), "jg".into()], (at, &load));
-        assert!(code.shell.contains("--model ke,jg --load 1500.0"), "{}", code.shell);
-        assert!(code.python.contains("load=1500.0"), "{}", code.python);
-        assert!(code.python.contains("for name in [\"ke\", \"jg\"]:"), "{}", code.python);
+        let load = Load::of(&keys, &file.scene).unwrap();
+        let code = code(&file, &["ke".into(), "jg".into()], &load);
+        let text = |language: &str| code[language].as_str().unwrap().to_string();
+        assert!(text("shell").contains("--model ke,jg --load 1500.0"), "{code}");
+        assert!(text("python").contains("load=1500.0"), "{code}");
+        assert!(text("python").contains("for name in [\"ke\", \"jg\"]:"), "{code}");
     }
 }

@@ -5,16 +5,15 @@ use std::collections::BTreeMap;
 use asperity::{Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
-use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::answer;
 use crate::files::{admit, usable};
-use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
-use crate::press::{Event, press};
+use crate::message::{LoadKeys, Message};
 use crate::refusal::Refusal;
+use crate::span::{Load, Span};
 use crate::{
-    advice, code, dialect, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
+    advice, answer, code, dialect, fields, law, link, picture, press, read_scene, scan_report,
+    surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -38,7 +37,7 @@ impl Desk {
     fn keep(&mut self, name: &str, bytes: Vec<u8>) -> Value {
         let checksum = link::checksum(&bytes);
         self.files.insert(name.into(), bytes);
-        self.forget();
+        self.file = None;
         json!({ "name": name, "checksum": checksum })
     }
 
@@ -50,14 +49,8 @@ impl Desk {
 
     /// Solves the scan of the scene at mean pressures \[Pa\]; every event is passed on as json.
     pub fn press(&self, pressures: &[f64], mut happened: impl FnMut(&str)) -> String {
-        let mut run = || {
-            let file = self.scene()?;
-            let tell = |event: &Event| {
-                happened(&serde_json::to_string(event).unwrap_or_default());
-            };
-            press(file, pressures, tell)
-        };
-        reply(run())
+        let tell = |event: Value| happened(&event.to_string());
+        reply(self.scene().and_then(|file| press::press(file, pressures, tell)).map(Value::from))
     }
 
     /// The bytes of a file of the scene.
@@ -66,143 +59,128 @@ impl Desk {
         self.files.get(name).map(Vec::as_slice)
     }
 
-    fn forget(&mut self) {
-        self.file = None;
-        self.compiled.clear();
+    fn scene(&self) -> Result<&SceneFile, Refusal> {
+        self.file.as_ref().ok_or_else(no_scene)
     }
 
-    fn scene(&self) -> Result<&SceneFile, Refusal> {
-        self.file.as_ref().ok_or_else(|| Refusal::new("the scene has an error; correct it first"))
+    fn scene_at(&self, load: &LoadKeys) -> Result<(&SceneFile, Load), Refusal> {
+        let file = self.scene()?;
+        Ok((file, Load::of(load, &file.scene)?))
     }
 
     /// The models of these ids on the scene, each compiled once; those that it refuses with the
     /// reason.
     fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
+        let file = self.file.as_ref().ok_or_else(no_scene)?;
+        let made = |id: &String| answer::compile(file, id).map_err(|refusal| refusal.message);
         for id in ids {
-            if !self.compiled.contains_key(id) {
-                let made = answer::compile(self.scene()?, id).map_err(|refusal| refusal.message);
-                self.compiled.insert(id.clone(), made);
-            }
+            self.compiled.entry(id.clone()).or_insert_with(|| made(id));
         }
         let models =
             ids.iter().filter_map(|id| Some((id.as_str(), self.compiled.get(id)?.as_ref())));
-        Ok((self.scene()?, models.collect()))
+        Ok((file, models.collect()))
     }
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
-        match message {
-            Message::Show { text } => json(self.show(&text)),
-            Message::Edit { text, changes } => {
-                let rigid = changes.iter().find(|change| change.path == "rigid_counterface");
-                let text = match rigid {
-                    Some(change) => fields::with_rigid(&text, change.value.is_some())?,
-                    None => fields::edit(&text, &changes)?,
-                };
-                json(text)
-            }
-            Message::Changed { text } => json(fields::changed(&text)),
-            Message::Form => json(surface_keys::Form::new()),
-            Message::Materials => {
-                let all = asperity_inputs::materials().iter();
-                json(all.map(read_scene::material).collect::<Vec<_>>())
-            }
-            Message::Material { text, body, changes } => {
-                let id = changes.first().and_then(|change| change.value.as_deref());
-                json(fields::edit(&text, &fields::material(&text, body, id.unwrap_or_default()))?)
+        Ok(match message {
+            Message::Show { text } => self.show(&text),
+            Message::Edit { text, changes } => fields::edit(&text, &changes)?.into(),
+            Message::Changed { text } => fields::changed(&text).into(),
+            Message::Form => {
+                let materials = asperity_inputs::materials().iter().map(read_scene::material);
+                let mut form = surface_keys::form();
+                form["materials"] = materials.collect();
+                form
             }
             Message::Surface { text, way } => {
-                json(fields::edit(&text, &surface_keys::changes(&way, self.scene()?)?)?)
+                surface_keys::described(&text, &way, self.scene()?)?.into()
             }
-            Message::UseScan { text, name } => json(surface_keys::with_scan(&text, &name)?),
+            Message::UseScan { text, name } => surface_keys::with_scan(&text, &name)?.into(),
             Message::Usable { name, kept } => {
                 let bytes = self.file(&name).unwrap_or_default();
-                json(usable(&name, bytes, kept.as_deref())?)
+                usable(&name, bytes, kept.as_deref())?.into()
             }
-            Message::Admit { name, size } => json(admit(&name, size)?),
-            Message::Random { keys } => {
-                let bytes = keys.file()?;
-                Ok(self.keep(&keys.name(), bytes))
-            }
-            Message::Answer { models, load } => json(self.values(&models, &load)?),
+            Message::Admit { name, size } => admit(&name, size)?.into(),
+            Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
+            Message::Answer { models, load } => self.values(&models, &load)?,
             Message::Curve { models } => {
                 let (file, models) = self.compile(&models)?;
-                let pressures = span::Span::of(&file.scene).pressures();
+                let pressures = Span::of(&file.scene).pressures();
                 let rows = models.into_iter().filter_map(|(id, asked)| {
                     Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
                 });
-                let rows: BTreeMap<&str, String> = rows.collect();
-                json(json!({ "head": answer::head(file).join(","), "rows": rows }))
+                json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw { rows, view, load, solved } => {
-                let file = self.scene()?;
-                let (_, shown) = span::load(&load, &file.scene)?;
-                json(picture::curves(file, &rows, &view, &shown, &solved)?)
+                let (file, load) = self.scene_at(&load)?;
+                picture::curves(file, &rows, &view, &load, &solved)?.into()
             }
-            Message::Scan => json(scan_report::report(self.scene()?)?),
+            Message::Scan => scan_report::report(self.scene()?)?,
             Message::Check { models, load } => {
                 let (file, models) = self.compile(&models)?;
-                let (at, _) = span::load(&load, &file.scene)?;
-                json(dialect::findings(&advice::check(file, &models, at), file))
+                let at = Load::of(&load, &file.scene)?.at;
+                dialect::findings(&advice::check(file, &models, at), file)
             }
             Message::Advise { load, solved } => {
-                let file = self.scene()?;
-                let (at, _) = span::load(&load, &file.scene)?;
-                json(advice::advise(file, at, solved.as_ref())?)
+                let (file, load) = self.scene_at(&load)?;
+                advice::advise(file, load.at, solved.as_ref())?.into()
             }
             Message::Export { model, form, units } => {
-                json(code::table(self.scene()?, &model, &form, &units)?)
+                code::table(self.scene()?, &model, &form, &units)?
             }
             Message::Code { models, load } => {
-                let file = self.scene()?;
-                let (at, shown) = span::load(&load, &file.scene)?;
-                json(code::code(file, &models, (at, &shown)))
+                let (file, load) = self.scene_at(&load)?;
+                code::code(file, &models, &load)
             }
-            Message::Law { model } => json(law::law(self.scene()?, &model)?),
-            Message::Link { state } => json(link::link(&state)?),
-            Message::Unlink { link } => json(link::unlink(&link)?),
-        }
+            Message::Law { model } => law::law(self.scene()?, &model)?,
+            Message::Link { state } => link::link(state)?.into(),
+            Message::Unlink { link } => link::unlink(&link)?,
+        })
     }
 
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
-    fn show(&mut self, text: &str) -> Shown {
-        self.forget();
+    fn show(&mut self, text: &str) -> Value {
+        self.compiled.clear();
         let (found, file) = read_scene::read(text, &self.files);
-        self.files.retain(|name, _| found.files.contains(name));
+        let named = fields::files(text);
+        self.files.retain(|name, _| named.contains(name));
         self.file = file;
         found
     }
 
-    fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Answer, Refusal> {
+    fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Value, Refusal> {
         let (file, models) = self.compile(models)?;
-        let (at, load) = span::load(load, &file.scene)?;
+        let load = Load::of(load, &file.scene)?;
         let (mut rows, mut findings) = (vec![], Findings::default());
         for (id, asked) in models {
             match asked {
                 Ok(asked) => {
-                    let (row, found) = answer::row(file, id, asked, at)?;
+                    let (row, found) = answer::row(file, id, asked, load.at)?;
                     rows.push(row);
                     findings.extend(found);
                 }
-                Err(reason) => rows.push(AnswerRow::without_values(id, reason)),
+                Err(reason) => rows.push(json!({ "model": id, "cells": [], "reason": reason })),
             }
         }
         let findings = file.accepted(findings).at_least(Severity::Warning);
-        let findings = dialect::findings(&findings, file);
-        let head = answer::head(file).join(",");
-        Ok(Answer { load, views: answer::views(Some(file)), head, rows, findings })
+        Ok(json!({
+            "load": load,
+            "rows": rows,
+            "findings": dialect::findings(&findings, file),
+        }))
     }
 }
 
-fn json(value: impl Serialize) -> Result<Value, Refusal> {
-    Ok(serde_json::to_value(value)?)
+fn no_scene() -> Refusal {
+    Refusal::new("the scene has an error; correct it first")
 }
 
-fn reply<T: Serialize>(answer: Result<T, Refusal>) -> String {
-    let text = match answer {
-        Ok(value) => serde_json::to_string(&json!({ "ok": value })),
-        Err(error) => serde_json::to_string(&json!({ "error": error })),
-    };
-    text.unwrap_or_else(|error| json!({ "error": Refusal::new(error) }).to_string())
+fn reply(answer: Result<Value, Refusal>) -> String {
+    match answer {
+        Ok(value) => json!({ "ok": value }),
+        Err(error) => json!({ "error": error }),
+    }
+    .to_string()
 }
 
 #[cfg(test)]
@@ -234,7 +212,7 @@ mod tests {
         }
         assert_eq!(refused["ok"]["rows"].as_array().unwrap().len(), 2);
         let curve = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
-        let rows = curve["ok"]["rows"]["ke"].as_str().unwrap();
+        let rows = curve["ok"]["ke"].as_str().unwrap();
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
         assert!(call(&mut desk, drawn)["ok"].as_str().unwrap().starts_with("<svg"));
         let check = call(&mut desk, json!({ "call": "check", "models": ["gw"], "load": load }));
@@ -275,7 +253,7 @@ mod tests {
     #[test]
     fn a_random_surface_is_pressed_and_shown() {
         let mut desk = Desk::default();
-        let keys = serde_json::to_value(crate::random::example()).unwrap();
+        let keys = json!({ "pixels": "64", "side": "64 um", "longest": "32 um", "shortest": "4 um", "hurst": "0.8", "sq": "0.5 um", "seed": "3" });
         let made = call(&mut desk, json!({ "call": "random", "keys": keys }));
         let name = made["ok"]["name"].as_str().unwrap();
         let text = asperity_inputs::template();

@@ -4,9 +4,9 @@
 use std::borrow::Cow;
 
 use asperity::recommended::{BEM, YIELDING};
-use asperity::{Described, Dialect, Finding, Findings, Model, Quantity, Severity};
+use asperity::{Described, Dialect, Finding, Findings, Model, Quantity};
 use asperity_inputs::SceneFile;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
 const LABELS: [(&str, &str); 4] = [
@@ -47,23 +47,17 @@ pub(crate) struct Page {
 /// The dialect without a scene.
 pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING), merged: false };
 
-/// What the page offers in place of commands; other words in backticks keep these.
-pub(crate) struct Commands;
-
-impl Dialect for Commands {
-    fn term(&self, term: &str) -> String {
-        offer(term).map_or_else(|| format!("`{term}`"), String::from)
-    }
-}
-
-fn offer(term: &str) -> Option<&'static str> {
-    OFFERS.iter().find(|(known, _)| *known == term).map(|(_, offer)| *offer)
+/// A text with what the page offers in place of commands; other words in backticks keep these.
+pub(crate) fn offered(text: &str) -> String {
+    let offered =
+        |text: String, (term, offer): &(&str, &str)| text.replace(&format!("`{term}`"), offer);
+    OFFERS.iter().fold(text.into(), offered)
 }
 
 impl Dialect for Page {
     fn term(&self, term: &str) -> String {
-        if let Some(offer) = offer(term) {
-            return offer.into();
+        if let Some((_, offer)) = OFFERS.iter().find(|(known, _)| *known == term) {
+            return (*offer).into();
         }
         if let Some(lead) = term.strip_suffix(YIELDING) {
             let silent = self.merged && !lead.is_empty();
@@ -140,25 +134,18 @@ pub(crate) fn symbols(text: &str) -> String {
     made
 }
 
-/// A finding as the page shows it.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct FindingShown {
-    pub(crate) code: &'static str,
-    pub(crate) severity: Severity,
-    /// The path of the field of the form, or the name of another number.
-    pub(crate) field: String,
-    pub(crate) message: String,
-}
-
 impl Page {
-    pub(crate) fn finding(&self, found: &Finding) -> FindingShown {
-        let (code, severity, field) = (found.code, found.severity, found.field.to_string());
-        FindingShown { code, severity, field, message: symbols(&found.say(self)) }
+    /// A finding as the page shows it, with the path of its field of the form or the name of
+    /// another number.
+    pub(crate) fn finding(&self, found: &Finding) -> Value {
+        let message = symbols(&found.say(self));
+        let Finding { code, severity, field, .. } = found;
+        json!({ "code": code, "severity": severity, "field": field, "message": message })
     }
 }
 
 /// All findings as shown, with the models that the scene has: of random asperities those for them.
-pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Vec<FindingShown> {
+pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Value {
     let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
     let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ").into();
     let page = Page { yielding, merged: all.iter().any(|found| found.code == "crowded") };
@@ -172,6 +159,11 @@ mod tests {
 
     use super::*;
     use crate::surface_keys::with_scan;
+
+    fn messages(all: &Findings, file: &SceneFile) -> Vec<String> {
+        let message = |found: &Value| found["message"].as_str().unwrap().to_string();
+        findings(all, file).as_array().unwrap().iter().map(message).collect()
+    }
 
     #[test]
     fn terms_are_said_as_labels_symbols_and_offers() {
@@ -205,24 +197,24 @@ mod tests {
         let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         let model = file.model("persson-fudge").unwrap();
         let found = file.findings_at(&model, &[asperity::At::Pressure(1e9)]);
-        let shown = findings(&found, &file);
-        assert!(shown.iter().any(|found| found.message.ends_with("use ke-random or jg-random")));
+        let shown = messages(&found, &file);
+        assert!(shown.iter().any(|message| message.ends_with("use ke-random or jg-random")));
     }
 
     #[test]
     fn where_contacts_merge_no_model_of_asperities_is_advised() {
         let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
         let file = file.unwrap();
-        let messages = |pressure: f64| {
+        let at = |pressure: f64| {
             let found = |id: &str| {
                 let at = [asperity::At::Pressure(pressure)];
                 file.findings_at(&file.model(id).unwrap(), &at).into_iter()
             };
             let all = ["gw", "ke"].into_iter().flat_map(found).collect();
-            findings(&all, &file).into_iter().map(|found| found.message).collect::<String>()
+            messages(&all, &file).concat()
         };
-        assert!(messages(1e7).contains("use ke or jg"), "{}", messages(1e7));
-        let merged = messages(5e8);
+        assert!(at(1e7).contains("use ke or jg"), "{}", at(1e7));
+        let merged = at(5e8);
         assert!(merged.contains("GW ignores yielding") && merged.contains("contacts merge"));
         assert!(!merged.contains("use ke or jg"), "{merged}");
     }
@@ -256,9 +248,10 @@ mod tests {
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
         let merged = file.findings_at(&ke, &[At::Pressure(1e11)]);
         let refusal = |text: String| crate::refusal::Refusal::new(text).message;
-        let shown = |all: &Findings| findings(all, &file).into_iter().map(|found| found.message);
-        let messages = shown(&merged).chain(shown(&check.findings)).chain(shown(&file.warnings));
-        let all: Vec<String> = messages
+        let shown = [&merged, &check.findings, &file.warnings].map(|all| messages(all, &file));
+        let all: Vec<String> = shown
+            .concat()
+            .into_iter()
             .chain([
                 said(&file.surface_shape().unwrap_err().marked()),
                 refusal(refused("material = \"unobtainium\"")),

@@ -3,9 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::Body;
-use asperity_inputs::{BODY, Field, materials};
-use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
+use asperity_inputs::{BODY, materials};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use crate::message::Change;
 use crate::refusal::Refusal;
@@ -16,98 +15,117 @@ const CHANGED: &str = "Changed from:";
 /// The values of all keys as typed: texts without their quotes.
 pub(crate) fn fields(text: &str) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
-    if let Ok(document) = text.parse::<DocumentMut>() {
-        of_table(document.as_table(), "", &mut found);
-    }
+    each_value(text, |path, value| _ = found.insert(path.into(), plain(value)));
     found
 }
 
-fn of_table(table: &dyn TableLike, path: &str, found: &mut BTreeMap<String, String>) {
-    for (key, item) in table.iter() {
-        let path = if path.is_empty() { key.to_string() } else { format!("{path}.{key}") };
-        match item {
-            Item::Value(Value::String(text)) => _ = found.insert(path, text.value().clone()),
-            Item::Value(value) => {
-                let value = value.clone().decorated("", "");
-                found.insert(path, value.to_string());
+/// A value as typed.
+fn plain(value: &Value) -> String {
+    match value.as_str() {
+        Some(text) => text.into(),
+        None => value.clone().decorated("", "").to_string(),
+    }
+}
+
+/// Passes on the values of a text with their paths, those of inline tables too.
+fn each_value(text: &str, mut each: impl FnMut(&str, &Value)) {
+    fn walk(table: &dyn TableLike, path: &str, each: &mut dyn FnMut(&str, &Value)) {
+        for (key, item) in table.iter() {
+            let path = if path.is_empty() { key.into() } else { format!("{path}.{key}") };
+            if let Some(value) = item.as_value() {
+                each(&path, value);
             }
-            Item::Table(table) => of_table(table, &path, found),
-            Item::ArrayOfTables(tables) => {
-                for (k, table) in tables.iter().enumerate() {
-                    of_table(table, &format!("{path}[{}]", k + 1), found);
-                }
+            if let Some(table) = item.as_table_like() {
+                walk(table, &path, each);
             }
-            Item::None => {}
+            for (table, k) in item.as_array_of_tables().into_iter().flatten().zip(1..) {
+                walk(table, &format!("{path}[{k}]"), each);
+            }
         }
+    }
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        walk(document.as_table(), "", &mut each);
     }
 }
 
 /// The names of all files of a text, each once.
 pub(crate) fn files(text: &str) -> Vec<String> {
-    fn walk(table: &dyn TableLike, found: &mut Vec<String>) {
-        for (key, item) in table.iter() {
-            if let Some(tables) = item.as_array_of_tables() {
-                tables.iter().for_each(|table| walk(table, found));
-            } else if let Some(table) = item.as_table_like() {
-                walk(table, found);
-            }
-            let one = item.as_str().filter(|_| key == "file");
-            let several = item.as_array().filter(|_| key == "files");
-            let several = several.into_iter().flatten().filter_map(Value::as_str);
-            for name in one.into_iter().chain(several) {
-                if !found.iter().any(|known| known == name) {
-                    found.push(name.into());
-                }
-            }
-        }
-    }
     let mut found = vec![];
-    if let Ok(document) = text.parse::<DocumentMut>() {
-        walk(document.as_table(), &mut found);
-    }
-    found
+    each_value(text, |path, value| {
+        let one = value.as_str().filter(|_| path.ends_with(".file"));
+        let several = value.as_array().filter(|_| path.ends_with(".files"));
+        let several = several.into_iter().flatten().filter_map(Value::as_str);
+        found.extend(one.into_iter().chain(several).map(String::from));
+    });
+    asperity_answer::once(&found)
 }
 
 /// The text with other values. A value that reads as TOML is written as it is, any other as text.
+/// Another material replaces the numbers of its body, and a rigid counterface the second body.
 pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
-    let mut document = parsed(text)?;
-    for Change { path, value } in changes {
-        let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
-        let Some(table) = section_of(&mut document, section, value.is_some())? else { continue };
-        match value.as_deref().map(str::trim).filter(|value| !value.is_empty()) {
-            None => _ = table.remove(key),
-            Some(value) => {
-                let mut value = as_value(value);
-                // Comments above the key stay; the one behind it describes the old value.
-                match table.get_mut(key) {
-                    Some(item) => {
-                        if let Some(old) = item.as_value() {
-                            let plain = |value: &Value| value.clone().decorated("", "").to_string();
-                            let same = plain(old) == plain(&value);
-                            *value.decor_mut() = old.decor().clone();
-                            if !same {
-                                value.decor_mut().set_suffix("");
-                            }
-                        }
-                        *item = Item::Value(value);
-                    }
-                    None => _ = table.insert(key, Item::Value(value)),
-                }
-            }
+    let reason = "the scene file has a syntax error; correct the text first";
+    let mut document: DocumentMut = text.parse().map_err(|_| Refusal::at("TOML", reason))?;
+    let known = fields(text);
+    for change in changes {
+        if change.path == "rigid_counterface" {
+            set_rigid(&mut document, change.value.is_some())?;
+            continue;
         }
-        without_remark(&mut document, section);
+        if change.value.is_none() && !known.contains_key(&change.path) {
+            continue;
+        }
+        set(&mut document, change)?;
+        for number in numbers_of_material(change, &known) {
+            set(&mut document, &number)?;
+        }
     }
     Ok(document.to_string())
 }
 
-/// Removes the comment behind the head of a body, which describes it as it was.
-fn without_remark(document: &mut DocumentMut, section: &str) {
-    let number = section.strip_prefix("body[").and_then(|rest| rest.strip_suffix(']'));
-    let index = number.and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
-    let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
-    if let Some(body) = index.zip(bodies).and_then(|(index, bodies)| bodies.get_mut(index)) {
-        body.decor_mut().set_suffix("");
+fn set(document: &mut DocumentMut, Change { path, value }: &Change) -> Result<(), Refusal> {
+    let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
+    let value = value.as_deref().map(str::trim).filter(|value| !value.is_empty());
+    let wrong = || Refusal::at(section, format!("{section} is not a section of a scene"));
+    let table = section_of(document, section).ok_or_else(wrong)?;
+    let Some(value) = value else {
+        table.remove(key);
+        return Ok(());
+    };
+    let mut value = value.parse().unwrap_or_else(|_| Value::from(value));
+    match table.get_mut(key) {
+        Some(item) => {
+            // Comments above the key stay; the one behind it describes the old value.
+            if let Some(old) = item.as_value() {
+                *value.decor_mut() = old.decor().clone();
+                if plain(old) != plain(&value) {
+                    value.decor_mut().set_suffix("");
+                }
+            }
+            *item = Item::Value(value);
+        }
+        None => _ = table.insert(key, Item::Value(value)),
     }
+    Ok(())
+}
+
+/// The table of a section such as `body[2]`; made, where it can be the next one. The comment behind
+/// the head of a body describes it as it was, and goes.
+fn section_of<'d>(document: &'d mut DocumentMut, section: &str) -> Option<&'d mut dyn TableLike> {
+    let Some((name, number)) = section.split_once('[') else {
+        return match section {
+            "" => Some(document.as_table_mut()),
+            name => document.entry(name).or_insert_with(toml_edit::table).as_table_like_mut(),
+        };
+    };
+    let none = || Item::ArrayOfTables(ArrayOfTables::new());
+    let tables = document.entry(name).or_insert_with(none).as_array_of_tables_mut()?;
+    let k = number.trim_end_matches(']').parse::<usize>().ok()?.checked_sub(1)?;
+    if k == tables.len() {
+        tables.push(Table::new());
+    }
+    let table = tables.get_mut(k)?;
+    table.decor_mut().set_suffix("");
+    Some(table)
 }
 
 /// The text of an example that was changed: the comment that begins it, which describes the
@@ -124,90 +142,36 @@ pub(crate) fn changed(text: &str) -> String {
     format!("# {CHANGED} {first}.\n{rest}")
 }
 
-/// The changes that give a body a material or, without an id, the numbers of its material.
-pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
-    let path = |name: &str| format!("body[{body}].{name}");
-    let old = fields(text).remove(&path("material"));
-    let old = materials().iter().find(|known| Some(&known.id) == old.as_ref());
-    let old = old.filter(|_| id.is_empty()).map(|material| &material.body);
-    if id.is_empty() && old.is_none() {
-        return vec![];
-    }
-    let number = |field: &Field<Body>| {
-        let value = old.and_then(field.get).map(|value| format!("{value:e}"));
-        Change { path: path(field.name), value }
+/// The numbers that a body with another material has: none or, without a material, those of the old
+/// one.
+fn numbers_of_material(change: &Change, known: &BTreeMap<String, String>) -> Vec<Change> {
+    let Some(body) = change.path.strip_suffix(".material") else { return vec![] };
+    let is_own = change.value.as_ref().is_none_or(String::is_empty);
+    let old = materials().iter().find(|old| Some(&old.id) == known.get(&change.path));
+    let number = |field: &asperity_inputs::Field<asperity::Body>| {
+        let value = old.filter(|_| is_own).and_then(|old| (field.get)(&old.body));
+        let (path, value) = (format!("{body}.{}", field.name), value.map(|x| format!("{x:e}")));
+        Change { path, value }
     };
-    let id = (!id.is_empty()).then(|| id.to_string());
-    // Of another material nothing stays.
-    let named = Change { path: path("material"), value: id };
-    [named].into_iter().chain(BODY.iter().map(number)).collect()
+    BODY.iter().map(number).collect()
 }
 
-/// The text without the second body, or with it again, alike the first.
-pub(crate) fn with_rigid(text: &str, rigid: bool) -> Result<String, Refusal> {
-    let mut document = parsed(text)?;
+/// Takes the second body away, or brings it back, alike the first.
+fn set_rigid(document: &mut DocumentMut, rigid: bool) -> Result<(), Refusal> {
     let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
     let bodies = bodies.ok_or_else(|| Refusal::new("the scene has no [[body]]"))?;
     if rigid {
         if bodies.len() > 1 {
             bodies.remove(1);
         }
-        document.insert("rigid_counterface", toml_edit::value(true));
+        document["rigid_counterface"] = toml_edit::value(true);
     } else {
         if let (1, Some(first)) = (bodies.len(), bodies.get(0).cloned()) {
             bodies.push(first);
         }
         document.remove("rigid_counterface");
     }
-    Ok(document.to_string())
-}
-
-fn parsed(text: &str) -> Result<DocumentMut, Refusal> {
-    text.parse().map_err(|_| {
-        let reason = "the scene file has a syntax error; correct the text first";
-        Refusal::at("TOML", reason)
-    })
-}
-
-fn as_value(text: &str) -> Value {
-    text.parse().unwrap_or_else(|_| Value::String(Formatted::new(text.to_string())))
-}
-
-/// The table of a section, such as `body[2]`; made if asked for.
-fn section_of<'d>(
-    document: &'d mut DocumentMut,
-    section: &str,
-    make: bool,
-) -> Result<Option<&'d mut dyn TableLike>, Refusal> {
-    let wrong = || Refusal::at(section, format!("{section} is not a section of a scene"));
-    if section.is_empty() {
-        return Ok(Some(document.as_table_mut()));
-    }
-    let (name, number) = match section.split_once('[') {
-        Some((name, rest)) => (name, rest.trim_end_matches(']').parse::<usize>().ok()),
-        None => (section, None),
-    };
-    if make && !document.contains_key(name) {
-        document.insert(
-            name,
-            match number {
-                Some(_) => Item::ArrayOfTables(ArrayOfTables::new()),
-                None => Item::Table(Table::new()),
-            },
-        );
-    }
-    let found = match (document.get_mut(name), number) {
-        (Some(Item::ArrayOfTables(tables)), Some(number)) => {
-            if make && number == tables.len() + 1 {
-                tables.push(Table::new());
-            }
-            let table = number.checked_sub(1).and_then(|k| tables.get_mut(k));
-            table.map(|table| table as &mut dyn TableLike)
-        }
-        (Some(item), None) => item.as_table_like_mut(),
-        _ => None,
-    };
-    if make && found.is_none() { Err(wrong()) } else { Ok(found) }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -216,6 +180,14 @@ mod tests {
 
     fn change(path: &str, value: Option<&str>) -> Change {
         Change { path: path.into(), value: value.map(str::to_string) }
+    }
+
+    fn with_rigid(text: &str, rigid: bool) -> Result<String, Refusal> {
+        edit(text, &[change("rigid_counterface", rigid.then_some("true"))])
+    }
+
+    fn with_material(text: &str, id: &str) -> String {
+        edit(text, &[change("body[1].material", Some(id))]).unwrap()
     }
 
     const TEXT: &str = "nominal_area = 1e-4 # m^2\n\n[[body]] # steel\nhardness = \"7 GPa\" # hard\n\
@@ -269,9 +241,9 @@ mod tests {
 
     #[test]
     fn a_material_becomes_own_values_with_all_its_numbers_and_back() {
-        let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
+        let text = with_material(TEXT, "copper-cold-worked");
         assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
-        let own = edit(&text, &material(&text, 1, "")).unwrap();
+        let own = with_material(&text, "");
         let known = materials().iter().find(|known| known.id == "copper-cold-worked").unwrap();
         for (key, wanted) in [
             ("youngs_modulus", Some(known.body.youngs_modulus)),
@@ -282,9 +254,8 @@ mod tests {
             assert_eq!(found.parse::<f64>().ok(), wanted, "{key}");
         }
         // Another material takes all of them away.
-        let again = edit(&own, &material(&own, 1, "copper-cold-worked")).unwrap();
+        let again = with_material(&own, "copper-cold-worked");
         assert_eq!(fields(&again), fields(&text));
-        assert!(material(TEXT, 1, "").is_empty());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use asperity::{Described, Tolerance, short};
 use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::dialect::model_name;
 use crate::model_sentence::source;
@@ -18,25 +18,7 @@ const STEPS: u32 = 240;
 /// The least ratio of two interferences that both have a label.
 const ROOM: f64 = 2.2;
 
-/// The law of a model on the asperity of a scene.
-#[derive(Debug, Serialize)]
-pub(crate) struct Law {
-    pub(crate) svg: String,
-    /// Name and source of the model.
-    pub(crate) source: String,
-    /// The drawn interferences at which the law has a kink or a jump, on `axis`.
-    pub(crate) kinks: Vec<String>,
-    /// Label of the interferences: `interference over σ_z`.
-    pub(crate) axis: &'static str,
-    /// What the law holds for.
-    pub(crate) range: String,
-    /// Radius, modulus and hardness of the scene's asperity, as a sentence.
-    pub(crate) asperity: String,
-    /// The page of the guide with its equations.
-    pub(crate) guide: String,
-}
-
-/// The page of the guide about a model.
+/// The page of the guide about a model, with its equations.
 fn guide(id: &str) -> String {
     let chapter = match id.split('-').collect::<Vec<_>>()[..] {
         [.., "random"] => "random",
@@ -48,14 +30,13 @@ fn guide(id: &str) -> String {
 }
 
 /// Force and area of one asperity of the scene by a model, against the interference over the
-/// critical one or, without hardness, over σ_z.
-pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
+/// critical one or, without hardness, over σ_z: the picture, the drawn interferences at which the
+/// law has a kink or a jump, the range, and the asperity.
+pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
     let model = file.model(id)?;
     let Some(asperity_model) = model.asperity_model() else {
-        return Err(Refusal::new(format!(
-            "{} has no law of a single asperity",
-            model_name(&model)
-        )));
+        let name = model_name(&model);
+        return Err(Refusal::new(format!("{name} has no law of a single asperity")));
     };
     let asperity = file.scene.asperity()?;
     let (unit, axis, of, [first, last]) = match asperity.hardness {
@@ -73,12 +54,11 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     let tolerance = Tolerance::default();
     let force = asperity_model.force(&asperity, tolerance)?;
     let area = asperity_model.area(&asperity, tolerance)?;
-    let kinks: Vec<f64> =
-        force.kinks().into_iter().map(|x| x * force.interference_unit / unit).collect();
-    let mut at: Vec<f64> =
-        (0..=STEPS).map(|k| first * (last / first).powf(f64::from(k) / f64::from(STEPS))).collect();
-    let inside: Vec<f64> = kinks.into_iter().filter(|x| (first..last).contains(x)).collect();
-    at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
+    let kinks = force.kinks().into_iter().map(|x| x * force.interference_unit / unit);
+    let kinks: Vec<f64> = kinks.filter(|x| (first..last).contains(x)).collect();
+    let step = |k| first * (last / first).powf(f64::from(k) / f64::from(STEPS));
+    let mut at: Vec<f64> = (0..=STEPS).map(step).collect();
+    at.extend(kinks.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
     at.sort_by(f64::total_cmp);
     let mut csv = "curve,interference,force_N,area_m2\n".to_string();
     let mut readings = vec![];
@@ -93,46 +73,45 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         let x = Axis::new("interference", axis).log();
         let mut panel = Panel::new(x, Axis::new(column, name).log());
         panel.curves = vec![Curve::new(0, id, "")];
-        panel.verticals = marks(&inside);
+        panel.verticals = marks(&kinks);
         panel.readings = readings.clone();
         panel
     };
     let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
     let mut figure = Figure::new("", &[], panels);
     figure.columns = 2;
-    let mut kinks: Vec<String> = inside.iter().map(|x| short(*x)).collect();
+    let mut kinks: Vec<String> = kinks.iter().map(|x| short(*x)).collect();
     kinks.dedup();
     let validity = model.validity();
     let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
     let stated = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
     let defect = validity.known_defect.map(|defect| defect.summary.to_string());
-    Ok(Law {
-        svg: draw(&figure, &csv)?,
-        source: source(&model),
-        kinks,
-        axis,
-        range: stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
-        asperity: asperity_sentence(file),
-        guide: guide(id),
-    })
+    Ok(json!({
+        "svg": draw(&figure, &csv)?,
+        "source": source(&model),
+        "kinks": kinks,
+        "axis": axis,
+        "range": stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
+        "asperity": asperity_sentence(file),
+        "guide": guide(id),
+    }))
 }
 
 /// Radius, modulus and hardness of the scene, by their symbols.
 fn asperity_sentence(file: &SceneFile) -> String {
     let interface = &file.scene.interface;
-    let hardness = interface.softer_hardness();
     let critical = file.scene.asperity().and_then(|asperity| asperity.critical_interference());
     let numbers = [
         ("asperity radius R", Some(file.scene.surface.asperity_radius), "m"),
         ("equivalent modulus E", Some(interface.equivalent_modulus), "Pa"),
-        ("hardness of the softer body H", hardness, "Pa"),
+        ("hardness of the softer body H", interface.softer_hardness(), "Pa"),
         ("critical interference w_c", critical.ok(), "m"),
     ];
-    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
-        value.map(|value| format!("{name} = {}", shown(value, unit)))
+    let of = |(name, value, unit): (&str, Option<f64>, &str)| {
+        Some(format!("{name} = {}", shown(value?, unit)))
     };
-    let all = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
-    format!("One asperity on a rigid flat: {all}.")
+    let all: Vec<String> = numbers.into_iter().filter_map(of).collect();
+    format!("One asperity on a rigid flat: {}.", all.join(", "))
 }
 
 /// Lines at kinks, in order; those close behind another have no room for a label.
@@ -160,16 +139,19 @@ mod tests {
     fn laws_are_drawn_with_their_kinks_and_have_a_page() {
         let found = law(&file(), "ke").unwrap();
         for text in [">6<", ">110<", "force (N)", "of the critical interference w_c)\nforce "] {
-            assert!(found.svg.contains(text), "{text}");
+            assert!(found["svg"].as_str().unwrap().contains(text), "{text}");
         }
         assert_eq!(
-            (&found.kinks[..], found.guide.as_str()),
-            (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
+            (&found["kinks"], &found["guide"]),
+            (&json!(["1", "6", "110"]), &json!("guide/ke.html"))
         );
-        assert!(found.source.contains("(2002)"), "{}", found.source);
-        let (before, critical) =
-            found.asperity.split_once(", critical interference w_c = ").unwrap();
-        assert!(before.ends_with("H = 2 GPa") && critical.ends_with("m."), "{}", found.asperity);
+        assert!(found["source"].as_str().unwrap().contains("(2002)"), "{found}");
+        let (before, critical) = found["asperity"]
+            .as_str()
+            .unwrap()
+            .split_once(", critical interference w_c = ")
+            .unwrap();
+        assert!(before.ends_with("H = 2 GPa") && critical.ends_with("m."), "{found}");
         assert!(
             law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
         );
@@ -189,8 +171,8 @@ mod tests {
         let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
         for id in ["gw", "dmt", "jkr"] {
             let found = law(&file, id).unwrap();
-            assert!(found.svg.contains("interference over σ"), "{id}");
-            assert!(!found.svg.contains("critical"), "{id}");
+            assert!(found["svg"].as_str().unwrap().contains("interference over σ"), "{id}");
+            assert!(!found["svg"].as_str().unwrap().contains("critical"), "{id}");
         }
         assert!(law(&file, "ke").unwrap_err().message.contains("hardness"));
     }

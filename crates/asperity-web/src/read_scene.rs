@@ -1,82 +1,74 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
-use std::collections::BTreeMap;
-
-use asperity::{Body, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits};
+use asperity::{
+    Body, DerivedNumber, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits,
+};
 use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
+use serde_json::{Value, json};
 
 use crate::dialect::{PAGE, model_name, said, symbols};
-use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
 use crate::model_sentence::model_sentence;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::{answer, dialect, fields, press, surface_keys};
 
-/// The longest text of a scene, in bytes, as for scene files.
-const MOST_TEXT: usize = 1 << 20;
-
-/// Reads a text; the scene is missing where it has an error.
-pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>) {
-    let mut found = Shown {
-        fields: BTreeMap::new(),
-        way: "asperities",
-        files: vec![],
-        error: None,
-        findings: vec![],
-        numbers: vec![],
-        models: vec![],
-        usual: "",
-        views: answer::views(None),
-        scan: None,
-    };
-    if text.len() > MOST_TEXT {
-        let reason = format!("the scene file is longer than {MOST_TEXT} bytes: shorten the text");
-        found.error = Some(Refusal::at("the scene file", reason));
-        return (found, None);
-    }
-    found.fields = fields::fields(text);
-    found.way = surface_keys::way(&found.fields);
-    found.files = fields::files(text);
-    let file = match parse_handed(text, files) {
-        Ok(file) => file,
-        Err(error) => {
-            found.error = Some(Refusal::of(error, &found.fields));
-            return (found, None);
+/// Reads a text: the values of all keys as typed, how the surface is described, the files that it
+/// names, and what its scene has. The scene is missing where the text has an error; its columns are
+/// those of every scene then.
+pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>) {
+    let typed = fields::fields(text);
+    let mut found = json!({
+        "way": surface_keys::way(&typed),
+        "files": fields::files(text),
+        "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
+    });
+    let read = parse_handed(text, files).map_err(|error| Refusal::of(error, &typed));
+    found["fields"] = json!(typed);
+    found["views"] = answer::views(read.as_ref().ok()).into();
+    match read {
+        Ok(file) => {
+            let check = file.check(None);
+            found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(number).collect();
+            let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
+            found["findings"] = dialect::findings(&file.accepted(findings), &file);
+            found["models"] = models(&file);
+            // Of a csv of model, load, pressure and cells.
+            found["head"] = answer::head(&file).into();
+            // The model that tables begin with.
+            found["usual"] = asperity::usual_reference(&file.scene).into();
+            found["scan"] = press::scan(&file).into();
+            (found, Some(file))
         }
-    };
-    if let Ok(check) = file.check(None) {
-        found.numbers = check.numbers.iter().map(number).collect();
+        Err(error) => {
+            found["error"] = json!(error);
+            (found, None)
+        }
     }
-    let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-    found.findings = dialect::findings(&file.accepted(findings), &file);
-    (found.models, found.views) = (models(&file), answer::views(Some(&file)));
-    found.usual = asperity::usual_reference(&file.scene);
-    found.scan = press::scan(&file);
-    (found, Some(file))
 }
 
 /// The models of a scene, those that it does not allow with the reason.
-fn models(file: &SceneFile) -> Vec<ModelShown> {
+fn models(file: &SceneFile) -> Value {
     let (allowed, left_out) = file.models_beside_bem();
     let shown = |model: &Model, reason: Option<String>| {
-        ModelShown {
-            id: model.id().into(),
-            name: model_name(model).into(),
-            about: model_sentence(model),
+        json!({
+            "id": model.id(),
+            "name": model_name(model),
+            "about": model_sentence(model),
             // Averages over contact angles take seconds to prepare.
-            slow: model.validity().angles,
-            whole: model.asperity_model().is_none(),
-            reason,
-        }
+            "slow": model.validity().angles,
+            // Theories of the whole surface have no law of one asperity.
+            "whole": model.asperity_model().is_none(),
+            "reason": reason,
+        })
     };
-    let mut all: Vec<ModelShown> = allowed.iter().map(|model| shown(model, None)).collect();
-    all.extend(left_out.iter().filter_map(|left_out| {
+    let left_out = left_out.iter().filter_map(|left_out| {
         Some(shown(&left_out.id.parse().ok()?, Some(said(&left_out.reason.marked()))))
-    }));
-    all
+    });
+    allowed.iter().map(|model| shown(model, None)).chain(left_out).collect()
 }
 
-pub(crate) fn material(material: &'static Material) -> MaterialShown {
+/// A material of the list, with its numbers and where they were read.
+pub(crate) fn material(material: &Material) -> Value {
     let body = &material.body;
     let number = |field: &Field<Body>| {
         let Key { symbol, unit, .. } = Key::find("body", field.name)?;
@@ -91,16 +83,18 @@ pub(crate) fn material(material: &'static Material) -> MaterialShown {
              harden are harder: a measured hardness is better)"
         );
     }
-    MaterialShown { id: &material.id, name: &material.name, shown, source: &material.source }
+    let Material { id, name, source, .. } = material;
+    json!({ "id": id, "name": name, "shown": shown, "source": source })
 }
 
-pub(crate) fn number(number: &asperity::DerivedNumber) -> NumberShown {
-    NumberShown {
-        name: PAGE.term(number.name),
-        digits: shortest_digits(number.value),
-        shown: shown(number.value, number.unit),
-        meaning: symbols(&number.meaning),
-    }
+/// A derived number, with all digits and as shown.
+fn number(number: &DerivedNumber) -> Value {
+    json!({
+        "name": PAGE.term(number.name),
+        "digits": shortest_digits(number.value),
+        "shown": shown(number.value, number.unit),
+        "meaning": symbols(&number.meaning),
+    })
 }
 
 #[cfg(test)]
@@ -110,27 +104,34 @@ mod tests {
     #[test]
     fn a_text_has_fields_models_and_files_and_a_wrong_one_its_error() {
         let (found, file) = read(asperity_inputs::template(), &HandedFiles::new());
-        assert!(file.is_some() && found.error.is_none());
-        assert!(found.models.iter().any(|model| model.id == "at" && model.slow));
-        let gw = found.models.iter().find(|model| model.id == "gw").unwrap();
-        let slow = found.models.iter().filter(|model| model.slow).map(|model| model.id.as_str());
+        assert!(file.is_some() && found["error"].is_null());
+        let models = found["models"].as_array().unwrap();
+        assert!(models.iter().any(|model| model["id"] == "at" && model["slow"] == true));
+        let gw = models.iter().find(|model| model["id"] == "gw").unwrap();
+        let slow = models.iter().filter(|model| model["slow"] == true).map(|model| &model["id"]);
         let known = ["gao", "at", "at-additive", "at-overlap"];
-        assert!(slow.clone().count() > 1 && slow.clone().all(|id| known.contains(&id)));
-        assert!(!gw.slow && gw.reason.is_none() && gw.about.contains("(1966)"));
+        assert!(
+            slow.clone().count() > 1
+                && slow.clone().all(|id| known.iter().any(|known| id == known))
+        );
+        assert!(gw["slow"] == false && gw["reason"].is_null());
+        assert!(gw["about"].as_str().unwrap().contains("(1966)"));
         let (found, file) = read("[surface]\nfile = \"a.x3p\"\n", &HandedFiles::new());
-        assert!(file.is_none() && found.error.is_some());
-        assert_eq!((found.way, found.files), ("scan", vec!["a.x3p".to_string()]));
-        let (found, _) = read(&"#".repeat(MOST_TEXT + 1), &HandedFiles::new());
-        assert!(found.error.unwrap().message.contains("longer than"));
+        assert!(file.is_none() && !found["error"].is_null());
+        assert_eq!((&found["way"], &found["files"]), (&json!("scan"), &json!(["a.x3p"])));
     }
 
     #[test]
     fn materials_are_shown_with_their_numbers_and_source() {
         let all: Vec<_> = asperity_inputs::materials().iter().map(material).collect();
         assert!(all.len() >= 25);
-        assert!(all.iter().all(|one| one.shown.starts_with("E ") && !one.source.is_empty()));
-        let copper = all.iter().find(|one| one.id == "copper-hot-rolled").unwrap();
+        let text = |one: &Value, key: &str| one[key].as_str().unwrap().to_string();
+        assert!(
+            all.iter()
+                .all(|one| text(one, "shown").starts_with("E ") && !text(one, "source").is_empty())
+        );
+        let copper = all.iter().find(|one| one["id"] == "copper-hot-rolled").unwrap();
         let hardness = "; hardness 193.2 MPa (2.8 times the yield strength; ";
-        assert!(copper.shown.contains(hardness), "{}", copper.shown);
+        assert!(text(copper, "shown").contains(hardness), "{copper}");
     }
 }

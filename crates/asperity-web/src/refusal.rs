@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::error::Error;
 
-use asperity::{ContactError, Dialect};
+use asperity::ContactError;
 use asperity_inputs::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
 use serde::Serialize;
 
-use crate::dialect::{Commands, said};
+use crate::dialect::{offered, said};
 
 /// An error with its place.
 #[derive(Debug, Serialize)]
@@ -24,7 +24,7 @@ pub(crate) struct Refusal {
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
-        let message = Commands.say(&message.to_string());
+        let message = offered(&message.to_string());
         Self { message, line: None, field: None, field_message: None }
     }
 
@@ -34,7 +34,7 @@ impl Refusal {
 
     /// An error of a scene whose values were typed like this.
     pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
-        let field_message = field_message(&error, typed).map(|text| Commands.say(&text));
+        let field_message = field_message(&error, typed).map(|text| offered(&text));
         Self { field_message, ..Self::from(error) }
     }
 }
@@ -43,25 +43,20 @@ impl Refusal {
 fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
     Some(match error {
         SceneError::Value { at, near, needed, .. } => {
-            let text = typed.get(&at.field)?;
-            if let Some(hint) = notation_hint(text) {
+            let (text, key) = (typed.get(&at.field)?, at.field.rsplit('.').next()?);
+            if let Some(hint) = notation_hint(text).or_else(|| quantity_hint(key, text)) {
                 return Some(format!("{text} {hint}"));
             }
-            let key = at.field.rsplit('.').next()?;
-            if let Some(hint) = quantity_hint(key, text) {
-                return Some(format!("{text} {hint}"));
-            }
-            let unit = unit_of(key);
             // Plain numbers are in the SI unit.
-            let unit = unit.filter(|_| text.parse::<f64>().is_ok());
-            let unit = unit.map(|unit| format!(" {unit}"));
-            let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
+            let unit = unit_of(key).filter(|_| text.parse::<f64>().is_ok());
+            let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+            let near = near.as_ref();
+            let near = near.map_or(String::new(), |near| format!(" (the nearest is {near})"));
             // The form has no quotes.
             let needed = match needed {
                 Needed::Number(meaning) => format!("a number ({meaning})"),
                 Needed::Other(words) => words.clone(),
             };
-            let [unit, near] = [unit, near].map(Option::unwrap_or_default);
             format!("{text}{unit}{near}: {needed} was required")
         }
         SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),

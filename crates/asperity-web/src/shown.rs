@@ -6,6 +6,8 @@ use asperity::{short, shortest_digits};
 const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"];
 const PREFIXES: [(f64, &str); 7] =
     [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")];
+/// All digits of a number but the last, in which conversions differ.
+pub(crate) const EXACTLY: usize = 15;
 
 /// The unit in which a number is legible, in SI units and by its name: `(1e6, "MN/m")`.
 pub(crate) fn legible(value: f64, unit: &str) -> (f64, String) {
@@ -26,27 +28,13 @@ pub(crate) fn shown(value: f64, unit: &str) -> String {
     format!("{} {name}", short(value / factor)).trim_end().into()
 }
 
-/// A number as a scene file and the program take it, rounded to three digits: `126 N`.
-pub(crate) fn typed(value: f64, unit: &str) -> String {
-    let three: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    let (factor, prefix) = PREFIXES
-        .into_iter()
-        .find(|(factor, prefix)| three.abs() >= *factor && *prefix != "m")
-        .unwrap_or((1.0, ""));
-    let small = three.abs() < 1.0;
-    let (factor, prefix) = if small { (1.0, "") } else { (factor, prefix) };
-    format!("{} {prefix}{unit}", short(three / factor))
-}
-
-/// A number as [`typed`], with all digits but the last, in which conversions differ: `1.2345 kN`.
-pub(crate) fn exactly(value: f64, unit: &str) -> String {
-    let size = value.abs();
-    let (factor, prefix) = PREFIXES
-        .into_iter()
-        .find(|(factor, _)| size >= *factor && *factor >= 1.0)
-        .unwrap_or((1.0, ""));
-    let number = format!("{:.14e}", value / factor);
-    format!("{} {prefix}{unit}", number.parse().map_or(number, shortest_digits))
+/// A number as a scene file and the program take it, rounded to some digits: `126 N`.
+pub(crate) fn typed(value: f64, unit: &str, digits: usize) -> String {
+    let rounded = |x: f64| format!("{x:.*e}", digits - 1).parse().unwrap_or(x);
+    let size = rounded(value).abs();
+    let fits = |(factor, _): &(f64, &str)| *factor >= 1.0 && size >= *factor;
+    let (factor, prefix) = PREFIXES.into_iter().find(fits).unwrap_or((1.0, ""));
+    format!("{} {prefix}{unit}", shortest_digits(rounded(value / factor)))
 }
 
 #[cfg(test)]
@@ -80,7 +68,7 @@ mod tests {
             (0.0, "Pa", "0 Pa"),
             (0.1 + 0.2, "Pa", "0.3 Pa"),
         ] {
-            let text = exactly(value, unit);
+            let text = typed(value, unit, EXACTLY);
             assert_eq!(text, wanted);
             let read = asperity_inputs::quantity(&text, unit).unwrap();
             assert!((read - value).abs() <= 1e-15 * value, "{text}");
@@ -92,7 +80,7 @@ mod tests {
         for (value, unit, wanted) in
             [(1259.0, "N", "1.26 kN"), (0.05, "N", "0.05 N"), (2.512e8, "Pa", "251 MPa")]
         {
-            let text = typed(value, unit);
+            let text = typed(value, unit, 3);
             assert_eq!(text, wanted);
             let read = asperity_inputs::quantity(&text, unit).unwrap();
             assert!((read / value - 1.0).abs() < 5e-3, "{text}");

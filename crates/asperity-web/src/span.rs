@@ -2,10 +2,11 @@
 
 use asperity::{At, Scene};
 use asperity_inputs::{NO_LOAD, converted, quantity};
+use serde::Serialize;
 
-use crate::message::{LoadKeys, LoadShown};
+use crate::message::LoadKeys;
 use crate::refusal::Refusal;
-use crate::shown::{exactly, shown, typed};
+use crate::shown::{EXACTLY, shown, typed};
 
 /// The units of loads.
 const NEWTON: &str = "N";
@@ -17,6 +18,8 @@ const DECADES: f64 = 5.0;
 /// The upper end of the slider over E g or over the hardness: 40 % of an elastic surface touches at
 /// 0.2 E g.
 const HIGHEST: f64 = 0.3;
+/// Digits of a load of the slider.
+const SLID: usize = 3;
 
 /// A range of mean pressures.
 #[derive(Debug, Clone, Copy)]
@@ -42,10 +45,6 @@ impl Span {
         self.high * 10f64.powf(DECADES * (position.clamp(0.0, 1.0) - 1.0))
     }
 
-    fn position(self, pressure: f64) -> f64 {
-        (1.0 + (pressure / self.high).log10() / DECADES).clamp(0.0, 1.0)
-    }
-
     /// The pressures of a curve.
     pub(crate) fn pressures(self) -> Vec<f64> {
         (0..=POINTS).map(|k| self.pressure(f64::from(k) / f64::from(POINTS))).collect()
@@ -58,65 +57,76 @@ impl Span {
     }
 }
 
-/// A load as typed or slid to, on a scene. Its text has a unit, so that it says the same without
-/// the unit beside it.
-pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Refusal> {
-    let (span, area) = (Span::of(scene), scene.nominal_area);
-    let in_pascals = |unit: &str| unit == PASCAL;
-    let wrong = |reason: String| Refusal::at("load", format!("load: {reason}"));
-    let (mut text, mut pressure) = (keys.text.trim().to_string(), None);
-    if let Some(position) = keys.position {
-        let slid = span.pressure(position);
-        pressure = Some(in_pascals(&keys.unit));
-        text = match in_pascals(&keys.unit) {
-            true => typed(slid, PASCAL),
-            false => typed(slid * area, NEWTON),
+/// A load on the scene.
+#[derive(Debug, Serialize)]
+pub(crate) struct Load {
+    #[serde(skip)]
+    pub(crate) at: At,
+    /// As it was typed, with its unit, so that it says the same without the unit beside it; or the
+    /// text for the slider.
+    pub(crate) text: String,
+    /// `N` or `Pa`.
+    pub(crate) unit: &'static str,
+    pub(crate) newtons: f64,
+    pub(crate) pascals: f64,
+    /// The load in the other unit.
+    other: String,
+    /// The place of the slider.
+    position: f64,
+}
+
+impl Load {
+    /// A load as typed or slid to, on a scene.
+    pub(crate) fn of(keys: &LoadKeys, scene: &Scene) -> Result<Self, Refusal> {
+        let (span, area) = (Span::of(scene), scene.nominal_area);
+        let known = |unit: &str| if unit == PASCAL { PASCAL } else { NEWTON };
+        let wrong = |reason: String| Refusal::at("load", format!("load: {reason}"));
+        let beside = known(&keys.unit);
+        let mut text = match keys.position.map(|position| span.pressure(position)) {
+            None => keys.text.trim().to_string(),
+            Some(slid) if beside == PASCAL => typed(slid, PASCAL, SLID),
+            Some(slid) => typed(slid * area, NEWTON, SLID),
         };
-    }
-    let (newtons, pascals) = match (quantity(&text, NEWTON), quantity(&text, PASCAL)) {
-        // A plain number has the unit beside it.
-        (Ok(number), Ok(_)) => {
-            let unit = if in_pascals(&keys.unit) { PASCAL } else { NEWTON };
-            pressure = Some(in_pascals(unit));
-            text = format!("{text} {unit}");
-            if in_pascals(unit) { (number * area, number) } else { (number, number / area) }
-        }
-        (Ok(newtons), Err(_)) => (newtons, newtons / area),
-        (Err(_), Ok(pascals)) => {
-            pressure = Some(true);
-            (pascals * area, pascals)
-        }
-        (Err(newtons), Err(pascals)) => {
-            // A unit that is known tells a load from a pressure.
-            if let Some(same) = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL)) {
-                return Err(wrong(format!(
-                    "{text:?} is not a known unit: write {same}, which is the same"
-                )));
+        let (mut unit, given) = match (quantity(&text, NEWTON), quantity(&text, PASCAL)) {
+            // A plain number has the unit beside it.
+            (Ok(number), Ok(_)) => {
+                text = format!("{text} {beside}");
+                (beside, number)
             }
-            let (reason, other) = match in_pascals(&keys.unit) {
-                true => (pascals, "a load such as 2kN"),
-                false => (newtons, "a pressure such as 5MPa"),
-            };
-            return Err(wrong(format!("{reason}, or {other}")));
+            (Ok(newtons), Err(_)) => (NEWTON, newtons),
+            (Err(_), Ok(pascals)) => (PASCAL, pascals),
+            (Err(newtons), Err(pascals)) => {
+                // A unit that is known tells a load from a pressure.
+                let same = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL));
+                return Err(wrong(match same {
+                    Some(same) => {
+                        format!("{text:?} is not a known unit: write {same}, which is the same")
+                    }
+                    None if beside == PASCAL => format!("{pascals}, or a load such as 2kN"),
+                    None => format!("{newtons}, or a pressure such as 5MPa"),
+                }));
+            }
+        };
+        let [newtons, pascals] =
+            if unit == PASCAL { [given * area, given] } else { [given, given / area] };
+        if !newtons.is_finite() || !pascals.is_finite() {
+            return Err(wrong(format!("{text:?}: a finite number was required")));
         }
-    };
-    if !newtons.is_finite() || !pascals.is_finite() {
-        return Err(wrong(format!("{text:?}: a finite number was required")));
+        if newtons == 0.0 {
+            return Err(wrong(NO_LOAD.into()));
+        }
+        if let Some(show) = keys.show.as_deref().map(known).filter(|show| *show != unit) {
+            unit = show;
+            text = typed(if unit == PASCAL { pascals } else { newtons }, unit, EXACTLY);
+        }
+        let (at, other) = match unit {
+            PASCAL => (At::Pressure(pascals), shown(newtons, NEWTON)),
+            _ => (At::Load(newtons), shown(pascals, PASCAL)),
+        };
+        let place = (1.0 + (pascals / span.high).log10() / DECADES).clamp(0.0, 1.0);
+        let position = if pascals > 0.0 { place } else { 0.0 };
+        Ok(Self { at, text, unit, newtons, pascals, other, position })
     }
-    if newtons == 0.0 {
-        return Err(wrong(NO_LOAD.into()));
-    }
-    let mut pressure = pressure.unwrap_or(false);
-    if let Some(unit) = keys.show.as_deref().filter(|unit| in_pascals(unit) != pressure) {
-        pressure = in_pascals(unit);
-        text = if pressure { exactly(pascals, PASCAL) } else { exactly(newtons, NEWTON) };
-    }
-    let (at, unit, other) = match pressure {
-        true => (At::Pressure(pascals), PASCAL, shown(newtons, NEWTON)),
-        false => (At::Load(newtons), NEWTON, shown(pascals, PASCAL)),
-    };
-    let position = if pascals > 0.0 { span.position(pascals) } else { 0.0 };
-    Ok((at, LoadShown { text, unit, newtons, pascals, other, position }))
 }
 
 #[cfg(test)]
@@ -137,35 +147,35 @@ mod tests {
             unit: unit.into(),
             show: None,
         };
-        let of = |keys: &LoadKeys| load(keys, &scene).unwrap();
-        assert_eq!(of(&keys("2 kN", None, "N")).0, At::Load(2000.0));
-        assert_eq!(of(&keys("2 MPa", None, "N")).0, At::Pressure(2e6));
-        assert_eq!(of(&keys("2e6", None, "Pa")).0, At::Pressure(2e6));
-        assert_eq!(of(&keys("2 kN", None, "Pa")).0, At::Load(2000.0));
+        let of = |keys: &LoadKeys| Load::of(keys, &scene).unwrap();
+        assert_eq!(of(&keys("2 kN", None, "N")).at, At::Load(2000.0));
+        assert_eq!(of(&keys("2 MPa", None, "N")).at, At::Pressure(2e6));
+        assert_eq!(of(&keys("2e6", None, "Pa")).at, At::Pressure(2e6));
+        assert_eq!(of(&keys("2 kN", None, "Pa")).at, At::Load(2000.0));
         for unit in ["N", "Pa"] {
-            let (_, slid) = of(&keys("", Some(0.4), unit));
+            let slid = of(&keys("", Some(0.4), unit));
             assert!((slid.position - 0.4).abs() < 1e-3, "{slid:?}");
-            let (_, again) = of(&keys(&slid.text, None, unit));
+            let again = of(&keys(&slid.text, None, unit));
             assert!((again.pascals / slid.pascals - 1.0).abs() < 1e-15);
         }
         // The text of a plain number is shown with the unit beside it.
-        assert_eq!(of(&keys("2e6", None, "Pa")).1.text, "2e6 Pa");
-        assert_eq!(of(&keys("2e6 Pa", None, "N")).0, At::Pressure(2e6));
-        let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();
+        assert_eq!(of(&keys("2e6", None, "Pa")).text, "2e6 Pa");
+        assert_eq!(of(&keys("2e6 Pa", None, "N")).at, At::Pressure(2e6));
+        let refused = Load::of(&keys("2 kg", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
         for (text, same) in [("5 kN/cm2", "50 MPa"), ("36 ksi", "248.2 MPa"), ("9 lbf", "40.03 N")]
         {
             for unit in ["N", "Pa"] {
-                let refused = load(&keys(text, None, unit), &scene).unwrap_err();
+                let refused = Load::of(&keys(text, None, unit), &scene).unwrap_err();
                 let wanted =
                     format!("load: {text:?} is not a known unit: write {same}, which is the same");
                 assert_eq!(refused.message, wanted);
             }
         }
-        let refused = load(&keys("1 kip", None, "Pa"), &scene).unwrap_err();
+        let refused = Load::of(&keys("1 kip", None, "Pa"), &scene).unwrap_err();
         assert!(refused.message.contains("is not a number in Pa"), "{}", refused.message);
-        assert!(load(&keys("1e999", None, "N"), &scene).is_err());
-        let refused = load(&keys("0", None, "N"), &scene).unwrap_err();
+        assert!(Load::of(&keys("1e999", None, "N"), &scene).is_err());
+        let refused = Load::of(&keys("0", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("neither a load"), "{}", refused.message);
     }
 
@@ -174,11 +184,11 @@ mod tests {
         let scene = scene();
         for text in ["2 kN", "123.4 N", "0.7 mN", "1.7e-3 N"] {
             let keys = LoadKeys { text: text.into(), ..LoadKeys::default() };
-            let (_, first) = load(&keys, &scene).unwrap();
+            let first = Load::of(&keys, &scene).unwrap();
             let show = |text: &str, unit: &str| {
                 let keys =
                     LoadKeys { text: text.into(), show: Some(unit.into()), ..LoadKeys::default() };
-                load(&keys, &scene).unwrap().1
+                Load::of(&keys, &scene).unwrap()
             };
             assert_eq!(show(text, "N").text, text);
             let other = show(text, "Pa");

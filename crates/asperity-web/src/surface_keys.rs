@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use asperity::short;
+use asperity_answer::rounded;
 use asperity_inputs::{KEYS, Key, SceneFile, Subject};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::fields::{edit, fields, files};
 use crate::message::Change;
 use crate::random::RANDOM;
 use crate::refusal::Refusal;
 
-/// Ways with their keys. The first key of each tells it from the others.
+/// Ways with their keys. The first two of each tell it from the others.
 const WAYS: [(&str, &[&str]); 5] = [
     ("scan", &["file", "files"]),
     ("moments", &["m0", "m2", "m4"]),
@@ -24,45 +24,32 @@ const WAYS: [(&str, &[&str]); 5] = [
 const OF_FILES: [&str; 3] = ["unit", "pixel_size", "channel"];
 /// Keys of a scan that the form always shows.
 const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
+/// Keys that another description of the surface leaves: the second surface, and what models make of
+/// both.
+const OF_BOTH: [&str; 3] = ["counterface", "asperities", "separation_from"];
 
-/// The fields of the form. Each is a key with its label, and a value as it may be typed, or the
-/// values to choose from, separated by `|`.
-#[derive(Debug, Serialize)]
-pub(crate) struct Form {
-    area: [&'static str; 3],
-    body: Vec<[&'static str; 3]>,
-    interface: Vec<[&'static str; 3]>,
-    /// Those of the ways to describe a surface.
-    ways: BTreeMap<&'static str, Vec<[&'static str; 3]>>,
-    /// Those of every surface.
-    every: Vec<[&'static str; 3]>,
-    /// Those that are rarely set for a scan.
-    more: Vec<[&'static str; 3]>,
-}
-
-impl Form {
-    pub(crate) fn new() -> Self {
-        let field = |key: &Key| [key.name, key.form[0], key.form[1]];
-        let fields = |is_of: &dyn Fn(&Key) -> bool| -> Vec<_> {
-            let keys = KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key));
-            keys.map(field).collect()
-        };
-        let every = fields(&|key| key.subject == Subject::Surface);
-        let is_more = |key: &Key| key.subject == Subject::Scan && !OF_SCANS.contains(&key.name);
-        let ways = WAYS.into_iter().map(|(way, keys)| {
-            let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
-            let keys = keys.iter().filter_map(|name| Key::find("surface", name));
-            (way, keys.map(field).collect())
-        });
-        Self {
-            area: Key::find("", "nominal_area").map_or([""; 3], field),
-            body: fields(&|key| key.subject == Subject::Body),
-            interface: fields(&|key| key.subject == Subject::Interface),
-            ways: ways.collect(),
-            more: [fields(&is_more), every.clone()].concat(),
-            every,
-        }
-    }
+/// The fields of the form, of the two bodies, their contact and every surface, of each way to
+/// describe a surface, and those that are rarely set for a scan. Each is a key with its label, and
+/// a value as it may be typed, or the values to choose from, separated by `|`.
+pub(crate) fn form() -> Value {
+    let field = |key: &Key| [key.name, key.form[0], key.form[1]];
+    let of = |is_of: &dyn Fn(&Key) -> bool| -> Vec<_> {
+        KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key)).map(field).collect()
+    };
+    let is_more = |key: &Key| key.subject == Subject::Scan && !OF_SCANS.contains(&key.name);
+    let ways = WAYS.map(|(way, keys)| {
+        let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
+        let keys = keys.iter().filter_map(|name| Key::find("surface", name));
+        (way, keys.map(field).collect::<Vec<_>>())
+    });
+    json!({
+        "area": Key::find("", "nominal_area").map(field),
+        "body": of(&|key| key.subject == Subject::Body),
+        "interface": of(&|key| key.subject == Subject::Interface),
+        "ways": BTreeMap::from(ways),
+        "more": of(&is_more),
+        "every": of(&|key| key.subject == Subject::Surface),
+    })
 }
 
 /// The way in which the keys of a text describe the surface.
@@ -72,13 +59,12 @@ pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
     WAYS.iter().find(of).map_or("asperities", |(way, _)| way)
 }
 
-/// The changes that describe the surface of a scene in another way, to six digits.
-pub(crate) fn changes(way: &str, file: &SceneFile) -> Result<Vec<Change>, Refusal> {
+/// The text with the surface of its scene described in another way, to six digits.
+pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<String, Refusal> {
     let surface = file.scene.surface;
     let moments = surface.moments();
     let [radius, density] = [surface.asperity_radius, surface.asperity_density];
     let std = surface.asperity_height_std;
-    let (_, keys) = known(way)?;
     let numbers = match way {
         "moments" => [moments.m0, moments.m2, moments.m4],
         "iso" => [moments.m0.sqrt(), density, 1.0 / radius],
@@ -86,14 +72,10 @@ pub(crate) fn changes(way: &str, file: &SceneFile) -> Result<Vec<Change>, Refusa
         "asperities" => [radius, density, std],
         _ => return Err(Refusal::new("drop or choose a scan file instead")),
     };
-    let mut changes = removals(keys);
-    changes.extend(
-        keys.iter().zip(numbers).map(|(key, number)| Change {
-            path: format!("surface.{key}"),
-            value: Some(six(number)),
-        }),
-    );
-    Ok(changes)
+    let keys = WAYS.iter().find(|(name, _)| *name == way).map_or(&[][..], |(_, keys)| keys);
+    let mut changes = removals(|key| keys.contains(&key.name));
+    changes.extend(keys.iter().zip(numbers).map(|(key, x)| surface_key(key, Some(rounded(x)))));
+    edit(text, &changes)
 }
 
 /// The text whose surface is a file. In place of another file it is treated alike: levelled and
@@ -106,62 +88,32 @@ pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
     let old = fields.get("surface.file").map(String::as_str);
     let kind = |name: &str| Path::new(name).extension().map(|end| end.to_ascii_lowercase());
     let is_alike = old.map(kind) == Some(kind(name));
-    let is_kept = |key: &&Key| match key.subject {
-        Subject::Scan if OF_FILES.contains(&key.name) => is_alike,
-        Subject::Scan => key.name != "files",
-        subject => subject == Subject::Surface,
-    };
-    let mut kept = vec![];
-    if old.is_some() {
-        kept.extend(KEYS.iter().filter(is_kept).map(|key| key.name));
-    }
-    // Random surfaces are periodic, and what takes their place may not be.
-    if is_random(name) || old.is_some_and(is_random) {
-        kept.retain(|key| *key != "periodic");
-    }
-    let mut changes = removals(&kept);
+    let is_random = |name: &str| name.starts_with(RANDOM) && name.ends_with(".x3p");
+    let mut changes = removals(|key| match (key.subject, key.name) {
+        _ if old.is_none() => false,
+        // Random surfaces are periodic, and what takes their place may not be.
+        (_, "periodic") => !is_random(name) && !old.is_some_and(is_random),
+        (Subject::Scan, key) if OF_FILES.contains(&key) => is_alike,
+        (Subject::Scan, key) => key != "files",
+        (subject, _) => subject == Subject::Surface,
+    });
     // In quotes, so that no name of a file reads as anything else.
-    changes.push(Change { path: "surface.file".into(), value: Some(quoted(name)) });
+    changes.push(surface_key("file", Some(toml_edit::Value::from(name).to_string())));
     if is_random(name) {
-        changes.push(Change { path: "surface.periodic".into(), value: Some("true".into()) });
+        changes.push(surface_key("periodic", Some("true".into())));
     }
     edit(text, &changes)
 }
 
-fn is_random(name: &str) -> bool {
-    name.starts_with(RANDOM) && name.ends_with(".x3p")
+fn surface_key(name: &str, value: Option<String>) -> Change {
+    Change { path: format!("surface.{name}"), value }
 }
 
-fn quoted(name: &str) -> String {
-    toml_edit::Value::from(name).to_string()
-}
-
-fn known(way: &str) -> Result<(&'static str, &'static [&'static str]), Refusal> {
-    let found = WAYS.into_iter().find(|(name, _)| *name == way);
-    found.ok_or_else(|| Refusal::new(format!("{way:?} is no description of a surface")))
-}
-
-/// What describes a surface, but for these keys, goes; the second surface and what models make of
-/// both stay.
-fn removals(kept: &[&str]) -> Vec<Change> {
-    let stay = ["counterface", "asperities", "separation_from"];
-    let removed = KEYS.iter().filter(|key| key.section == "surface" && !stay.contains(&key.name));
-    let removed = removed.filter(|key| !kept.contains(&key.name));
-    removed.map(|key| Change { path: format!("surface.{}", key.name), value: None }).collect()
-}
-
-/// A number to six digits.
-fn six(number: f64) -> String {
-    let six: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    match six.abs() {
-        size if (1e-3..1e5).contains(&size) => short_digits(six),
-        _ => format!("{six:e}"),
-    }
-}
-
-fn short_digits(number: f64) -> String {
-    let text = asperity::shortest_digits(number);
-    if text.len() > 12 { short(number) } else { text }
+/// The keys that describe a surface go, but for those that are kept.
+fn removals(is_kept: impl Fn(&Key) -> bool) -> Vec<Change> {
+    let removed = KEYS.iter().filter(|key| key.section == "surface" && !is_kept(key));
+    let removed = removed.filter(|key| !OF_BOTH.contains(&key.name));
+    removed.map(|key| surface_key(key.name, None)).collect()
 }
 
 #[cfg(test)]
@@ -175,7 +127,7 @@ mod tests {
         let file = asperity_inputs::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
         for (name, _) in &WAYS[1..] {
-            let edited = edit(text, &changes(name, &file).unwrap()).unwrap();
+            let edited = described(text, name, &file).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
             let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
             let wanted = file.scene.surface;
@@ -187,7 +139,7 @@ mod tests {
         let found = fields(&with_scan(text, "a \"b\".x3p").unwrap());
         assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
         assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
-        assert!(changes("scan", &file).is_err() && changes("x", &file).is_err());
+        assert!(described(text, "scan", &file).is_err() && described(text, "x", &file).is_err());
     }
 
     #[test]
@@ -202,7 +154,7 @@ mod tests {
             let text = format!("{head}\n[surface]\n{surface}\n");
             let file = asperity_inputs::parse(&text, folder).unwrap();
             for (name, _) in &WAYS[1..] {
-                let edited = edit(&text, &changes(name, &file).unwrap()).unwrap();
+                let edited = described(&text, name, &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
                 let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
                 let ratio = found.asperity_radius / file.scene.surface.asperity_radius;

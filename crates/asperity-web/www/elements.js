@@ -156,7 +156,8 @@ class Elements {
 
   // The points of a quantity that boundary elements give.
   points(view) {
-    return this.solved.filter(({ points }) => points[view] !== undefined).map(({ pressure, points }) => [pressure, points[view]]);
+    const of = ({ cells }) => cells.find(({ quantity }) => quantity === view)?.digits;
+    return this.solved.filter(of).map((one) => [one.pressure, Number(of(one))]);
   }
 }
 

@@ -17,13 +17,13 @@ export function field(path, label, hint, edit) {
   return element("div", { className: "row" }, element("label", { htmlFor: id }, ...lowered(label)), input, note);
 }
 
-function body(k, edit, { form, materials }) {
+function body(k, edit, form) {
   const box = element("div", { className: "body" }, element("h3", {}, k === 1 ? "First body" : "Second body"));
   const path = `body[${k}].material`;
   const pick = element("select", { id: `material-${k}`, data: { path } });
   pick.append(element("option", { value: "" }, "own values"));
-  pick.append(...materials.map(({ id, name }) => element("option", { value: id }, name)));
-  pick.addEventListener("change", () => edit([{ path, value: pick.value }], k));
+  pick.append(...form.materials.map(({ id, name }) => element("option", { value: id }, name)));
+  pick.addEventListener("change", () => edit([{ path, value: pick.value }]));
   pick.setAttribute("aria-describedby", `${pick.id}-note`);
   box.append(element("div", { className: "row wide" }, element("label", { htmlFor: pick.id }, "Material"), pick));
   box.append(element("p", { id: `${pick.id}-note`, className: "note", hidden: true }));
@@ -35,8 +35,7 @@ function body(k, edit, { form, materials }) {
 let built = "";
 
 // Builds the fields that the scene needs, and fills them.
-export function fill(shown, edit, page) {
-  const { form, materials } = page;
+export function fill(shown, edit, form) {
   const { fields, way } = shown;
   const has = (start) => Object.keys(fields).some((path) => path.startsWith(start));
   const rigid = fields.rigid_counterface === "true";
@@ -51,15 +50,15 @@ export function fill(shown, edit, page) {
     if (has("interface.")) {
       bodies.append(...form.interface.map(([key, label, hint]) => field(`interface.${key}`, label, hint, edit)));
     } else {
-      bodies.append(body(1, edit, page));
+      bodies.append(body(1, edit, form));
       const check = element("input", { type: "checkbox", id: "rigid", checked: rigid });
       check.addEventListener("change", () => edit([{ path: "rigid_counterface", value: check.checked ? "true" : null }]));
       bodies.append(element("label", {}, check, " rigid counterface"));
-      if (!rigid) bodies.append(body(2, edit, page));
+      if (!rigid) bodies.append(body(2, edit, form));
     }
     bodies.append(field(...form.area, edit));
     const ofSurface = ([key, label, hint]) => field(`surface.${key}`, label, hint, edit);
-    const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...form.more.map(ofSurface))] : form.every.map(ofSurface);
+    const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
     $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...rest);
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
@@ -69,7 +68,7 @@ export function fill(shown, edit, page) {
     if (again?.closest("#more")) $("more").open = true;
     again?.focus();
   }
-  if (way === "scan" && form.more.some(([key]) => `surface.${key}` in fields)) $("more").open = true;
+  if (way === "scan" && [...form.more, ...form.every].some(([key]) => `surface.${key}` in fields)) $("more").open = true;
   $("way").value = way;
   for (const input of document.querySelectorAll("[data-path]")) {
     put(input, fields[input.dataset.path] ?? "");
@@ -77,7 +76,7 @@ export function fill(shown, edit, page) {
   for (const k of [1, 2]) {
     const source = $(`source-${k}`);
     if (!source) continue;
-    const material = materials.find(({ id }) => id === fields[`body[${k}].material`]);
+    const material = form.materials.find(({ id }) => id === fields[`body[${k}].material`]);
     $(`material-${k}`).value = material?.id ?? "";
     source.hidden = !material;
     source.textContent = material ? `${material.shown}. Source: ${material.source}` : "";

@@ -94,7 +94,7 @@ async function start() {
   takeAway.start();
   $("scene").addEventListener("blur", rest);
   try {
-    for (const list of ["form", "materials"]) page[list] = await desks.quick.sure(() => desks.quick.call(list));
+    page.form = await desks.quick.sure(() => desks.quick.call("form"));
   } catch (error) {
     fail(error.message);
     return write(await exampleText(EXAMPLES[0][0]));

@@ -44,8 +44,8 @@ export function change(make, kind) {
 
 const tools = (call, keys) => desks.quick.sure(() => desks.quick.call(call, keys));
 
-// Changes by paths; a material replaces the numbers of its body.
-export const edit = (changes, body) => change((text) => tools(body === undefined ? "edit" : "material", { text, changes, body }));
+// Changes by paths.
+export const edit = (changes) => change((text) => tools("edit", { text, changes }));
 
 async function showScene() {
   const text = state.text;
@@ -62,7 +62,7 @@ async function showScene() {
     Object.assign(page, { load: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
-  form.fill(shown, edit, page);
+  form.fill(shown, edit, page.form);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
   takeAway.files(shown.files);
@@ -112,7 +112,7 @@ async function values(keys) {
   if (rows.some(({ reason }) => !reason)) page.answered = found.load.text;
   // Slow models are still to answer.
   else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
-  Object.assign(page, { load: found.load, refused: "", views: found.views, columns: found.head });
+  Object.assign(page, { load: found.load, refused: "" });
   if (state.load !== found.load.text) takeAway.dropAdvice();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
@@ -153,9 +153,8 @@ async function withdraw(load, message, keys) {
 // The rows of curves that are not there yet.
 async function curves(desk, models) {
   const missing = models.filter((id) => !page.rows.has(id));
-  if (missing.length === 0 && page.head) return;
-  const { head, rows } = await ask(desk, "curve", { models: missing });
-  page.head = head;
+  if (missing.length === 0) return;
+  const rows = await ask(desk, "curve", { models: missing });
   Object.entries(rows).forEach(([id, text]) => page.rows.set(id, text));
 }
 
@@ -189,7 +188,7 @@ async function slowValues(shown, keys) {
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
   const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
-  if (page.load) blocks.table(page.views, chosen(), page.values, elements.at(page.load.pascals), about);
+  if (page.load) blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), about);
   followers.forEach((follow) => follow());
 }
 

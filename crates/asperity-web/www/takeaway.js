@@ -15,15 +15,16 @@ const loadKeys = () => ({ text: state.load });
 function saves() {
   on("save-csv", () => {
     const rows = chosen().map((id) => page.rows.get(id) ?? "");
-    download("asperity.csv", `${page.head}\n${rows.join("")}`, "text/csv");
+    download("asperity.csv", `${page.shown.head}\n${rows.join("")}`, "text/csv");
   });
   on("save-values", () => {
     const { newtons, pascals } = page.load;
+    const { views, head } = page.shown;
     const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
     const solved = elements.at(pascals);
-    if (solved) rows.push(["bem", columns(page.views, solved)]);
-    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...page.views.map((_, k) => cells[k]?.digits ?? "")].join());
-    download("values.csv", [page.columns, ...lines, ""].join("\n"), "text/csv");
+    if (solved) rows.push(["bem", columns(views, solved)]);
+    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.map((_, k) => cells[k]?.digits ?? "")].join());
+    download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });
   on("save-svg", () => download("asperity.svg", $("curve").dataset.svg, "image/svg+xml"));
   on("save-png", async () => {
@@ -62,11 +63,11 @@ async function copyLink() {
 function onScreen() {
   const solved = page.load && elements.at(page.load.pascals);
   if (!solved) return null;
-  const values = (id) => (page.values.get(id)?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]);
+  const values = (row) => Object.fromEntries((row?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]));
   return {
-    bem: solved.points,
+    bem: values(solved),
     notes: solved.notes.map(({ code }) => code),
-    models: chosen().map((id) => [id, Object.fromEntries(values(id))]),
+    models: chosen().map((id) => [id, values(page.values.get(id))]),
   };
 }
 
@@ -75,11 +76,11 @@ function advise() {
   work("slow", "advice", async () => {
     const { text } = page;
     const { load } = state;
-    const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
+    const lines = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
       $("advice").replaceChildren();
       throw error;
     });
-    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, ...lowered(line))));
+    if (text === page.text && load === state.load) $("advice").replaceChildren(...lines.map((line) => element("li", {}, ...lowered(line))));
   });
 }
 
