@@ -36,7 +36,7 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
         all.extend(measured::pictures(folder)?);
-        all.push(("truth.md".to_owned(), truth_ranges::table(Evidence::CSV)?));
+        all.push(("truth.md".to_owned(), truth_ranges::table(Evidence::committed()?)));
     }
     Ok(all)
 }

@@ -55,7 +55,9 @@ const fn of(name: &'static str, table: fn() -> Result<Table>, style: Style) -> F
 }
 
 /// Models beside boundary elements.
-const CSV: &str = Evidence::CSV;
+fn truth_table(which: usize) -> Result<Table> {
+    truth::table(Evidence::committed()?, &TRUTH[which])
+}
 
 /// All figures: those of the paper first.
 pub const FIGURES: [FigureSpec; 19] = [
@@ -75,7 +77,7 @@ pub const FIGURES: [FigureSpec; 19] = [
     of("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
     of("conductance-models", joints::conductance, joints::conductance_figure),
     of("conductance-metals", metals::table, metals::style),
-    of(TRUTH[0].name, || truth::table(CSV, &TRUTH[0]), |csv| truth::style(csv, &TRUTH[0])),
-    of(TRUTH[1].name, || truth::table(CSV, &TRUTH[1]), |csv| truth::style(csv, &TRUTH[1])),
-    of(TRUTH[2].name, || truth::table(CSV, &TRUTH[2]), |csv| truth::style(csv, &TRUTH[2])),
+    of(TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
+    of(TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),
+    of(TRUTH[2].0, || truth_table(2), |csv| truth::style(csv, &TRUTH[2])),
 ];
