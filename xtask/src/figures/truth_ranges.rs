@@ -1,6 +1,5 @@
 //! `figures/truth.md`: the range of each model's deviations.
 
-use anyhow::Result;
 use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
 
 use crate::table::{markdown_head, markdown_row};

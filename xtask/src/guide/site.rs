@@ -1,20 +1,21 @@
 //! Which page shows which file and heading, and where links lead.
 
 use std::collections::{BTreeMap, HashMap};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 
-use super::chapters::{self, Chapter};
-use super::links::{DOI, normal};
-use super::markdown::{self, Heading, Ids, LinkTarget};
+use super::chapters::{self, ALL, Chapter};
+use super::markdown::{Ids, LinkTarget, Outline};
 use crate::folder::root;
+
+/// The only address outside that a page may link.
+pub const DOI: &str = "https://doi.org/";
 
 /// What a chapter shows, one after the other.
 pub enum Piece {
-    /// A markdown text with the path of its file, from which its links start, the words before its
-    /// first heading, and its headings.
-    Text(PathBuf, String, String, Vec<Heading>),
+    /// A markdown text with the path of its file, from which its links start.
+    Text(PathBuf, String, Outline),
     /// A list or laws, by their name.
     Drawn(&'static str),
 }
@@ -40,7 +41,7 @@ impl Site {
     /// A file or a section that does not exist.
     pub fn read() -> Result<(Self, Vec<Shown>)> {
         let (mut site, mut all) = (Self::default(), vec![]);
-        for chapter in chapters::all() {
+        for chapter in ALL.iter() {
             let page = chapter.address();
             let (mut ids, mut pieces) = (Ids::default(), vec![]);
             for part in &chapter.parts {
@@ -49,8 +50,8 @@ impl Site {
                     continue;
                 };
                 let path = PathBuf::from(path);
-                let (lead, headings) = markdown::outline(&text, &mut ids);
-                for heading in &headings {
+                let outline = Outline::new(&text, &mut ids);
+                for heading in &outline.headings {
                     let address = format!("{page}#{}", heading.id);
                     site.anchors.entry((path.clone(), heading.anchor.clone())).or_insert(address);
                 }
@@ -59,7 +60,7 @@ impl Site {
                 if is_whole || !site.pages.contains_key(&path) {
                     site.pages.insert(path.clone(), page.clone());
                 }
-                pieces.push(Piece::Text(path, text, lead, headings));
+                pieces.push(Piece::Text(path, text, outline));
             }
             all.push((chapter, pieces));
         }
@@ -84,6 +85,10 @@ impl Site {
     /// # Errors
     /// A link that leads nowhere.
     pub fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<LinkTarget> {
+        // A link of rustdoc, a mail.
+        if link.contains("::") || link.contains('@') {
+            return Ok(LinkTarget::Text(String::new()));
+        }
         // The guide works where there is no network: an address is text.
         if let Some((_, rest)) = link.split_once("://").filter(|_| !link.starts_with(DOI)) {
             return Ok(LinkTarget::Text(format!(" ({})", rest.trim_end_matches('/'))));
@@ -97,19 +102,32 @@ impl Site {
             "" => from.to_owned(),
             path => normal(&from.with_file_name("").join(path)),
         };
-        let from = || format!("{}: {link}", from.display());
-        if !anchor.is_empty() {
+        let from = from.display();
+        Ok(LinkTarget::Address(if !anchor.is_empty() {
             let found = self.anchors.get(&(path, anchor.to_owned())).cloned();
-            let found =
-                found.with_context(|| format!("{}: no page of the guide has this heading", from()));
-            return found.map(LinkTarget::Address);
-        }
-        if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
-            return Ok(LinkTarget::Address(page.clone()));
-        }
-        ensure!(root().join(&path).is_file(), "{}: no such file", from());
-        Ok(LinkTarget::Address(self.file(&path)))
+            found
+                .with_context(|| format!("{from}: {link}: no page of the guide has this heading"))?
+        } else if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
+            page.clone()
+        } else {
+            ensure!(root().join(&path).is_file(), "{from}: {link}: no such file");
+            self.file(&path)
+        }))
     }
+}
+
+/// Without `.` and `..`.
+#[must_use]
+pub fn normal(path: &Path) -> PathBuf {
+    let mut normal = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => drop(normal.pop()),
+            part => normal.push(part),
+        }
+    }
+    normal
 }
 
 #[cfg(test)]

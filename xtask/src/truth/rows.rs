@@ -92,7 +92,9 @@ fn lines(rows: &[(Case, Bem)]) -> Result<String> {
         for contact in &contacts {
             for (quantity, bem) in Compared::ALL.into_iter().zip(in_row) {
                 let found = match contact {
-                    Some(contact) => value(quantity, contact.as_ref(), case.load, moments.m0.sqrt())?,
+                    Some(contact) => {
+                        value(quantity, contact.as_ref(), case.load, moments.m0.sqrt())?
+                    }
                     None => None,
                 };
                 let relative = found.map(|found| Evidence::relative(quantity, found, bem).round());

@@ -124,9 +124,7 @@ fn contacts(
     let of = |(load, solved): (&f64, &[Contact])| {
         let middle = solved[solved.len() / 2];
         let stiffness = match solved {
-            [less, _, more] => {
-                2.0 * STEP * load * MODULUS * GRADIENT / (less.gap - more.gap)
-            }
+            [less, _, more] => 2.0 * STEP * load * MODULUS * GRADIENT / (less.gap - more.gap),
             _ => middle.unloading_stiffness,
         };
         let unit = MODULUS / sq;
