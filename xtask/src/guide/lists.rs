@@ -79,8 +79,8 @@ pub fn models() -> Result<String> {
 /// A figure that cannot be read.
 pub fn figures(site: &mut Site) -> Result<String> {
     let mut html = String::from("<h2 id=\"pictures\">Pictures</h2>\n");
-    for spec in &FIGURES {
-        let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{}.{end}", spec.name));
+    for (name, ..) in &FIGURES {
+        let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{name}.{end}"));
         let picture = read(&root().join(&svg))?;
         let title = picture.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
         let (title, _) = title.with_context(|| format!("{svg} has no title"))?;
