@@ -30,8 +30,13 @@ fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
     points.into_iter().flat_map(with_gap).collect()
 }
 
-/// Force and area of one asperity of the paper's scene; gaps mark jumps.
+/// Force and area of one asperity of the paper's scene in all models.
 pub fn table() -> Result<Table> {
+    table_of(&MODELS)
+}
+
+/// Force and area of one asperity of the paper's scene; gaps mark jumps.
+fn table_of(models: &[&str]) -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     let youngs_modulus = 2.0 * (1.0 - 0.31 * 0.31) * scene.interface.equivalent_modulus;
     scene.interface.tangent_modulus = Some(HARDENING * youngs_modulus);
@@ -39,7 +44,7 @@ pub fn table() -> Result<Table> {
     let (critical, force_unit) = (asperity.critical_interference()?, asperity.critical_force()?);
     let area_unit = std::f64::consts::PI * asperity.radius * critical;
     let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
-    for id in MODELS {
+    for id in models {
         let model: Model = id.parse()?;
         let law = |quantity| model.law(&asperity, quantity, Tolerance::default());
         let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
@@ -66,9 +71,10 @@ pub fn style(_: &str) -> Result<Figure> {
     Ok(beside(1, panels(&MODELS, "interference over critical interference")?))
 }
 
-/// The same for some models side by side, to be drawn from their rows.
-pub fn some(models: &[&str]) -> Result<Figure> {
-    Ok(beside(COLUMNS.len(), panels(models, "w/w_c")?))
+/// The same for some models side by side, and its csv.
+pub fn some(models: &[&str]) -> Result<(Figure, String)> {
+    let figure = beside(COLUMNS.len(), panels(models, "w/w_c")?);
+    Ok((figure, table_of(models)?.into_text()))
 }
 
 fn panels(models: &[&str], interference: &str) -> Result<Vec<Panel>> {

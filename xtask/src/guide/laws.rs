@@ -8,7 +8,6 @@ use asperity_plot::{Axis, Figure, Mark, draw as drawn};
 
 use crate::figures::models::{beside, named, panel, solve};
 use crate::figures::{captions, some_laws};
-use crate::folder::{figures_folder, read};
 use crate::table::Table;
 
 /// The svg of laws, `laws ` and their name or the ids of models, and the text that stands for it.
@@ -33,21 +32,11 @@ fn picture(laws: &str) -> Result<Picture> {
         "laws hardening" => hardening(),
         "laws adhesion" => adhesion(),
         "laws elastic area" => elastic_area(),
-        models => of(models),
+        models => {
+            let others = models.split(' ').skip(1).filter(|id| *id != "gw");
+            some_laws(&["gw"].into_iter().chain(others).collect::<Vec<_>>())
+        }
     }
-}
-
-/// Beside those of GW, from the numbers of the figure of all laws.
-fn of(models: &str) -> Result<Picture> {
-    let all = read(&figures_folder().join("laws-single-asperity.csv"))?;
-    let others = models.split(' ').skip(1).filter(|id| *id != "gw");
-    let keys: Vec<&str> = ["gw"].into_iter().chain(others).collect();
-    let shown = |(number, line): &(usize, &str)| {
-        *number == 0 || keys.iter().any(|key| line.split(',').next() == Some(key))
-    };
-    let lines = all.split_inclusive('\n').enumerate().filter(shown);
-    let csv = lines.map(|(_, line)| line).collect();
-    Ok((some_laws(&keys)?, csv))
 }
 
 /// `count` numbers from `from` to `to`, each the same multiple of the one before.

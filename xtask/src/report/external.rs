@@ -66,11 +66,8 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
             command: vec!["python3".into(), script],
         });
     }
-    let either = |[config, pkg]: [&[&str]; 2]| {
-        output_of("pkg-config", pkg).or_else(|| output_of("gsl-config", config))
-    };
-    if let Some(flags) = either([&["--cflags", "--libs"], &["--cflags", "--libs", "gsl"]]) {
-        let version = either([&["--version"], &["--modversion", "gsl"]]).unwrap_or_default();
+    if let Some(flags) = output_of("gsl-config", &["--cflags", "--libs"]) {
+        let version = output_of("gsl-config", &["--version"]).unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
         save(&source, include_str!("external/qag.c"))?;
         let mut cc = Command::new("cc");

@@ -5,7 +5,6 @@
 //! Errors and counts are reproducible and guarded by tests; times are not.
 
 mod cases;
-mod effort;
 mod external;
 mod machine;
 mod markdown;
@@ -14,7 +13,6 @@ mod ours;
 mod outcome;
 mod points;
 mod problem;
-pub mod readme;
 mod scope;
 mod tables;
 pub mod throughput;
@@ -30,7 +28,6 @@ use crate::figures::measured::pictures;
 use crate::folder::{figures_folder, read, root, save as save_all, write as save};
 use external::External;
 use ours::Laws;
-use readme::with_numbers;
 use tables::Run;
 
 /// Measures and writes; returns the paths written. Progress is shown on a terminal only.
@@ -49,7 +46,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut paths = vec![];
     if folder == figures_folder() {
         let path = root().join("README.md");
-        save(&path, with_numbers(&read(&path)?, &speed)?)?;
+        save(&path, markdown::readme(&read(&path)?, &speed)?)?;
         paths.push(path);
     }
     let tables =

@@ -107,15 +107,15 @@ impl Run<'_> {
             self.bar.inc(1);
             rows.push(Row::new(pair, name, setting, found));
         };
+        let tolerances = self.scope.tolerances(&pair.0);
         for (method, name, _) in METHODS {
-            for setting in self.scope.settings(method, &pair.0) {
+            for setting in method.settings(&tolerances, self.scope.points()) {
                 add(name, setting, self.own(method, setting, &points, &grid)?);
             }
         }
-        let (tolerances, effort) = (self.scope.tolerances(&pair.0), self.scope.effort());
         for &tolerance in tolerances.iter().filter(|_| self.timed) {
-            let law = ours::build_law(&pair.0, pair.1, tolerance, effort)?;
-            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
+            let law = ours::build_law(&pair.0, pair.1, tolerance, self.scope)?;
+            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, self.scope)?;
             add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
             add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
         }
@@ -144,7 +144,7 @@ impl Run<'_> {
                 let _ = black_box(black_box(job)());
             });
         };
-        let time = self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
+        let time = self.timed.then(|| self.scope.median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
         let count = |point| method.evaluations(self.laws, point, setting);

@@ -1,7 +1,6 @@
 //! Three ways of giving skewed surfaces and those with a lay to models of isotropic surfaces.
 
-use anyhow::Result;
-use asperity::bem::HeightMap;
+use anyhow::{Context, Result};
 use asperity::{
     Compared, Evidence, EvidenceCase, HeightDistribution, Model, ProfileMoments, Quantity, Scene,
     Surface, TabulatedHeights, Tolerance,
@@ -27,36 +26,26 @@ const WAYS: [&str; 3] = ["mean of all directions", "across the lay", "mean, meas
 fn scenes(family: &Family, index: f64) -> Result<[Option<Scene>; 3]> {
     let surface = family.surface(family.pixels)?;
     let mean = scene(&surface, index)?;
+    let scan = |pixels: usize| -> Result<Topography> {
+        let map = surface.seed(1).heights(pixels)?;
+        let scan = Topography::new(map.heights().to_vec(), map.shape()[1], map.pixel())?;
+        Ok(scan.with_periodic(true))
+    };
     let mut across_lay = (family.slope_ratio > 1.0).then(|| mean.clone());
     if let Some(scene) = &mut across_lay {
-        let map = surface.seed(1).heights(FINER * family.pixels)?;
-        scene.surface = Surface::from_moments(&across(&map))?;
+        // The lay is along the rows.
+        let found = scan(FINER * family.pixels)?.moments()?;
+        let [m2, m4] = found.along_columns.context("a map of several rows")?;
+        let m0 = found.profile.m0;
+        scene.surface = Surface::from_moments(&ProfileMoments { m0, m2, m4 })?;
     }
-    let map = surface.seed(1).heights(family.pixels)?;
-    let scan = Topography::new(map.heights().to_vec(), map.shape()[1], map.pixel())?;
-    let summits = scan.with_periodic(true).summits()?;
+    let summits = scan(family.pixels)?.summits()?;
     let (offset, density) = (summits.mean(), summits.height_density()?);
     let heights = density.heights_m.into_iter().map(|z| z + offset);
     let points: Vec<(f64, f64)> = heights.zip(density.density_per_m).collect();
     let mut measured = mean.clone();
     measured.heights = HeightDistribution::other(TabulatedHeights::new("measured", &points)?);
     Ok([Some(mean), across_lay, Some(measured)])
-}
-
-/// Moments of the columns of a periodic map; the lay is along the rows.
-fn across(map: &HeightMap) -> ProfileMoments {
-    let ([rows, columns], [dy, _]) = (map.shape(), map.pixel());
-    let height = |i: usize, j: usize| map.heights()[(i % rows) * columns + j];
-    let mean = |of: &dyn Fn(usize, usize) -> f64| {
-        let all = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        all.map(|(i, j)| of(i, j).powi(2)).sum::<f64>() / (rows * columns) as f64
-    };
-    let second = |i, j| (height(i, j) - 2.0 * height(i + 1, j) + height(i + 2, j)) / (dy * dy);
-    ProfileMoments {
-        m0: map.rms_height().powi(2),
-        m2: mean(&|i, j| (height(i + 1, j) - height(i, j)) / dy),
-        m4: mean(&second),
-    }
 }
 
 /// Deviations of the area of a model on a scene from those of the cases.
