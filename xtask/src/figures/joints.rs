@@ -5,11 +5,11 @@ use anyhow::Result;
 use asperity::joints::conductance::{
     CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
 };
-use asperity::{At, Quantity, Response, Scene, linspace};
+use asperity::{At, Quantity, Response, Scene};
 use asperity_plot::{Axis, Figure};
 use rayon::prelude::*;
 
-use super::models::{self, beside, curves, named, of, panel, pressure_axis, solve};
+use super::models::{self, beside, curves, geometric, named, of, panel, pressure_axis, solve};
 use crate::table::Table;
 
 /// The models with circular contacts.
@@ -28,7 +28,7 @@ const CONDUCTIVITY: f64 = 50.0;
 
 /// Pressures on the nominal area \[Pa\].
 fn pressures() -> impl Iterator<Item = f64> {
-    linspace(4.0, 8.0, 121).into_iter().map(|x| 10f64.powf(x))
+    geometric(1e4, 1e8, 121).into_iter()
 }
 
 /// Quantities of every model with circular contacts, in the order of [`CIRCULAR`].

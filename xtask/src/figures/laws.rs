@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::{Model, Quantity, Tolerance};
 use asperity_plot::{Axis, Figure, Mark, Panel};
 
-use super::models::{self, beside, curves, panel};
+use super::models::{self, beside, curves, geometric, panel};
 use crate::table::Table;
 
 /// All models, with one reading of AT.
@@ -21,8 +21,7 @@ const COLUMNS: [(&str, &str); 3] = [
 
 /// Points of x = w/w_c: a logarithmic grid with, at every jump, the values on both sides and a gap.
 fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
-    let mut points: Vec<f64> =
-        (0..=200).map(|k| 10f64.powf(-0.5 + 3.0 * f64::from(k) / 200.0)).collect();
+    let mut points = geometric(10f64.powf(-0.5), 10f64.powf(2.5), 201);
     points.retain(|x| !kinks.iter().any(|k| (x / k - 1.0).abs() < 1e-3));
     points.extend(kinks.iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
     points.sort_by(f64::total_cmp);

@@ -2,11 +2,11 @@
 
 use anyhow::Result;
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, Body, Interface, Quantity, Scene, Surface, linspace};
+use asperity::{At, Body, Interface, ProfileMoments, Quantity, Scene, Surface};
 use asperity_plot::{Axis, Figure};
 
 use super::joints::CORRELATIONS;
-use super::models::{beside, curves, named, of, panel, pressure_axis, solve};
+use super::models::{beside, curves, geometric, named, of, panel, pressure_axis, solve};
 use crate::table::Table;
 
 /// Assumed: Young's modulus [Pa], Poisson's ratio, hardness [Pa], conductivity [W/(m K)].
@@ -31,19 +31,15 @@ fn scene(bodies: [[f64; 4]; 2]) -> Result<Scene> {
         body
     });
     let [height_std, mean_slope, bandwidth] = ROUGHNESS;
-    let one = GapRoughness { height_std, mean_slope };
-    let both = GapRoughness::between(&one, &one);
-    // η = m₄/(6√3 π m₂) with m₄ = α m₂²/m₀, of the gap.
-    let m2 = 0.5 * std::f64::consts::PI * both.mean_slope.powi(2);
-    let density =
-        bandwidth * m2 / both.height_std.powi(2) / (6.0 * 3f64.sqrt() * std::f64::consts::PI);
-    let surface = Surface::from_mean_slope(both.height_std, both.mean_slope, density)?;
+    // Of the gap, with m₂ = π m²/2 of each.
+    let (m0, m2) = (2.0 * height_std.powi(2), std::f64::consts::PI * mean_slope.powi(2));
+    let surface = Surface::from_moments(&ProfileMoments { m0, m2, m4: bandwidth * m2 * m2 / m0 })?;
     Ok(Scene::new(Interface::between(&first, &second)?, surface, 1e-4))
 }
 
 /// Conductance of the models and correlations of each joint, and over that of CMY.
 pub fn table() -> Result<Table> {
-    let pressures: Vec<f64> = linspace(5.0, 7.0, 61).into_iter().map(|x| 10f64.powf(x)).collect();
+    let pressures = geometric(1e5, 1e7, 61);
     let conductance = Quantity::ThermalConductancePerArea;
     let mut table = Table::new(&["joint", "curve", "pressure_Pa", H, "over_cmy"]);
     for (joint, bodies) in JOINTS {

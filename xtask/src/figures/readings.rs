@@ -1,11 +1,11 @@
 //! The three readings of the AT sum, compared with Gao and KE.
 
 use anyhow::{Context, Result};
-use asperity::{Model, Quantity, Request, linspace};
+use asperity::{Model, Quantity, Request};
 use asperity_plot::{Axis, Figure, Mark, Strip};
 use rayon::prelude::*;
 
-use super::models::{self, beside, curves, named, of, panel};
+use super::models::{self, beside, curves, geometric, named, of, panel};
 use crate::table::Table;
 
 /// The readings, with their looks and names in the legend.
@@ -25,8 +25,7 @@ pub fn table() -> Result<Table> {
     let request = Request::new([Quantity::Force]);
     let reference = "gw".parse::<Model>()?.compile(&scene, &request)?;
     let critical = scene.asperity()?.critical_interference()?;
-    let steps: Vec<f64> =
-        linspace(0.3f64.ln(), 30f64.ln(), 201).into_iter().map(f64::exp).collect();
+    let steps = geometric(0.3, 30.0, 201);
     let ids: Vec<&str> = READINGS.iter().map(|reading| reading.0).chain(OTHERS).collect();
     let ratios = |id: &&str| -> Result<Vec<[f64; 3]>> {
         // One law for all plasticity indices: only σ_z changes.

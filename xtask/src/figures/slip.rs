@@ -5,7 +5,7 @@ use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance, linspace};
 use asperity_plot::{Axis, Figure, Mark};
 
-use super::models::{self, TOLERANCE, beside, named, of, panel};
+use super::models::{self, TOLERANCE, beside, geometric, named, of, panel};
 use crate::table::Table;
 
 const FRICTION: f64 = 0.3;
@@ -50,8 +50,7 @@ pub fn table() -> Result<Table> {
     }
     for (pressure, (key, ..)) in PRESSURES.into_iter().zip(LOSSES) {
         let slip = joint(pressure)?;
-        for exponent in linspace(-9.0, -5.5, 106) {
-            let amplitude = 10f64.powf(exponent);
+        for amplitude in geometric(1e-9, 10f64.powf(-5.5), 106) {
             let loss = slip.loss(amplitude)?.value() / area;
             table.push(&["loss", key], [Some(amplitude), None, Some(loss)])?;
         }

@@ -6,7 +6,7 @@ use asperity::{
 };
 use asperity_plot::{Axis, Figure, Mark, draw as drawn};
 
-use crate::figures::models::{beside, named, panel, solve};
+use crate::figures::models::{beside, geometric, named, panel, solve};
 use crate::figures::{captions, some_laws};
 use crate::table::Table;
 
@@ -37,12 +37,6 @@ fn picture(laws: &str) -> Result<Picture> {
             some_laws(&["gw"].into_iter().chain(others).collect::<Vec<_>>())
         }
     }
-}
-
-/// `count` numbers from `from` to `to`, each the same multiple of the one before.
-fn decades(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
-    let steps = f64::from(count - 1);
-    (0..count).map(move |k| from * (to / from).powf(f64::from(k) / steps))
 }
 
 const COLUMNS: [&str; 4] = ["curve", "interference_m", "force_N", "area_m2"];
@@ -90,7 +84,7 @@ fn hardening() -> Result<Picture> {
         let mut steel = Body::yielding(modulus, 0.3, 400e6);
         steel.tangent_modulus = Some(share * modulus);
         let asperity = Asperity::new(&Interface::between(&steel, &steel)?, radius)?;
-        Ok((id, asperity, decades(1e-9, 1e-5, 121).collect()))
+        Ok((id, asperity, geometric(1e-9, 1e-5, 121)))
     };
     let x = Axis::new(COLUMNS[1], "interference (µm)").times(1e6).log();
     let force = Axis::new(COLUMNS[2], "force (N)").log();
@@ -130,7 +124,7 @@ fn elastic_area() -> Result<Picture> {
     let (mut table, mut curves) = (Table::new(&columns), vec![]);
     for (slot, id) in ["gw", "gw-random", "persson", "persson-fudge"].into_iter().enumerate() {
         let model: Model = id.parse()?;
-        let ratios: Vec<f64> = decades(1e-3, 1.0, 61).collect();
+        let ratios = geometric(1e-3, 1.0, 61);
         let pressures = ratios.iter().map(|ratio| At::Pressure(ratio * modulus * gradient));
         let area = solve(id, &scene, &[Quantity::AreaFraction], pressures)?;
         for (ratio, value) in ratios.iter().zip(area.values(Quantity::AreaFraction)?) {

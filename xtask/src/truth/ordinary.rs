@@ -147,10 +147,9 @@ mod tests {
         for (name, actual, pressures) in scenes()? {
             let kept = kept(folder.path(), name)?;
             for case in cases(&actual, &pressures)? {
-                let Case { family, index, load, .. } = case;
-                let contact = Contact { load, area: 1e-3, ..Contact::default() };
+                let contact = Contact { load: case.load, area: 1e-3, ..Contact::default() };
                 for seed in 1..=SEEDS {
-                    kept.add(&family, family.pixels_for(load), index, seed, &[contact])?;
+                    kept.add(&case, seed, &[contact])?;
                 }
             }
         }

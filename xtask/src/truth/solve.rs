@@ -77,10 +77,8 @@ fn solve_family(cases: &[Case], kept: &Kept, progress: impl Fn(&str)) -> Result<
                         && kept.seeds(case).len() as u64 == seed - 1
                         && !kept.is_done(case)
                 };
-                let loads: Vec<f64> = cases.iter().filter(needed).map(|case| case.load).collect();
-                if loads.is_empty() {
-                    continue;
-                }
+                let needed: Vec<&Case> = cases.iter().filter(needed).collect();
+                let Some(case) = needed.first() else { continue };
                 progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name));
                 let map: &HeightMap = match &mut map {
                     Some(map) => map,
@@ -92,10 +90,10 @@ fn solve_family(cases: &[Case], kept: &Kept, progress: impl Fn(&str)) -> Result<
                 }
                 let sq = surface.moments().m0.sqrt();
                 let (light, heavy): (Vec<f64>, Vec<f64>) =
-                    loads.iter().partition(|load| **load <= LIGHT);
+                    needed.iter().map(|case| case.load).partition(|load| *load <= LIGHT);
                 let mut found = contacts(&elements, &light, sq, true)?;
                 found.extend(contacts(&elements, &heavy, sq, false)?);
-                kept.add(family, pixels, index, seed, &found)?;
+                kept.add(case, seed, &found)?;
             }
         }
     }
