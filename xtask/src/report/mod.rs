@@ -26,9 +26,6 @@ pub use scope::Scope;
 
 use crate::figures::measured::pictures;
 use crate::folder::{figures_folder, read, root, save as save_all, write as save};
-use external::External;
-use ours::Laws;
-use tables::Run;
 
 /// Measures and writes; returns the paths written. Progress is shown on a terminal only.
 ///
@@ -39,7 +36,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     let bar = ProgressBar::new_spinner();
     let workshop = tempfile::tempdir()?;
     let libraries = external::find(workshop.path())?;
-    let (speed, hard) = tables(scope, true, &libraries, bar)?;
+    let (speed, hard) = tables::write(scope, true, &libraries, &bar)?;
     let throughput = throughput::measure(scope)?;
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first, because they take long and a picture can fail.
@@ -56,19 +53,6 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// `speed-vs-error.csv` and `hard-cases.csv`.
-fn tables(
-    scope: Scope,
-    timed: bool,
-    libraries: &[External],
-    bar: ProgressBar,
-) -> Result<(String, String)> {
-    let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.pairs()?)?;
-    let run = Run { scope, laws: &laws, cases: &cases, timed, libraries, bar };
-    Ok((run.speed()?, run.hard()?))
-}
-
 /// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
 /// small errors and differs between compilers.
 #[must_use]
@@ -83,7 +67,7 @@ pub fn errors_agree(a: f64, b: f64) -> bool {
 /// # Errors
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
-    tables(scope, false, &[], ProgressBar::hidden())
+    tables::write(scope, false, &[], &ProgressBar::hidden())
 }
 
 #[cfg(test)]

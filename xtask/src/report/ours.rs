@@ -88,8 +88,7 @@ pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     }
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
-    let factor = problem.scene.asperities() * problem.law.value_unit;
-    let factor = if slope { factor / problem.std() } else { factor };
+    let factor = problem.in_units(1.0);
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
         let found = found.map_err(|_| NOT_CONVERGED)?;

@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use anyhow::Result;
-use asperity::{Model, Quantity};
+use asperity::{Described, Model, Quantity};
 
 use super::problem::{INTEGRALS, tightest};
 use crate::figures::report_csv::median;
@@ -21,20 +20,16 @@ pub enum Scope {
 
 impl Scope {
     /// The pairs of model and quantity.
-    ///
-    /// # Errors
-    /// Only if a model's name is unknown.
-    pub fn pairs(self) -> Result<Vec<(Model, Quantity)>> {
+    #[must_use]
+    pub fn pairs(self) -> Vec<(Model, Quantity)> {
         let (models, quantities) = match self {
-            Self::Full => (Model::all(), &INTEGRALS[..]),
-            Self::Quick => {
-                let models = ["ke", "jg", "gao"].map(str::parse);
-                let models = models.into_iter().collect::<Result<Vec<Model>, _>>()?;
-                (models, &[Quantity::Force, Quantity::Tangent][..])
-            }
+            Self::Full => ("", &INTEGRALS[..]),
+            Self::Quick => ("ke jg gao", &[Quantity::Force, Quantity::Tangent][..]),
         };
+        let wanted =
+            |model: &Model| models.is_empty() || models.split(' ').any(|id| id == model.id());
         let pairs = |model: Model| quantities.iter().map(move |q| (model.clone(), *q));
-        Ok(models.into_iter().flat_map(pairs).collect())
+        Model::all().into_iter().filter(wanted).flat_map(pairs).collect()
     }
 
     /// Tolerances for a model, loosest first, down to its tightest.
