@@ -34,12 +34,12 @@ pub fn table() -> Result<Table> {
             let mut rougher = scene.clone();
             rougher.surface.asperity_height_std = psi * psi * critical;
             let (model, gw) = (compiled.on(&rougher)?, reference.on(&rougher)?);
-            let mut ratios = [0.0; 3];
-            for (ratio, s) in ratios.iter_mut().zip(SEPARATIONS) {
+            let ratio = |s: f64| -> Result<f64> {
                 let [a, b] = [&model, &gw].map(|c| c.evaluate(Quantity::Force, s));
-                *ratio = a?.value() / b?.value();
-            }
-            Ok(ratios)
+                Ok(a?.value() / b?.value())
+            };
+            let [a, b, c] = SEPARATIONS.map(ratio);
+            Ok([a?, b?, c?])
         };
         steps.iter().map(at).collect()
     };
