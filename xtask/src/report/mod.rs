@@ -20,23 +20,21 @@ pub mod throughput;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use indicatif::ProgressBar;
 
 pub use scope::Scope;
 
 use crate::figures::measured::pictures;
 use crate::folder::{figures_folder, read, root, save as save_all, write as save};
 
-/// Measures and writes; returns the paths written. Progress is shown on a terminal only.
+/// Measures and writes; returns the paths written.
 ///
 /// # Errors
 /// A reference table or another library that does not work, a case that is refused, a file that
 /// cannot be written.
 pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
-    let bar = ProgressBar::new_spinner();
     let workshop = tempfile::tempdir()?;
     let libraries = external::find(workshop.path())?;
-    let (speed, hard) = tables::write(scope, true, &libraries, &bar)?;
+    let (speed, hard) = tables::write(scope, true, &libraries)?;
     let throughput = throughput::measure(scope)?;
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first, because they take long and a picture can fail.
@@ -67,7 +65,7 @@ pub fn errors_agree(a: f64, b: f64) -> bool {
 /// # Errors
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
-    tables::write(scope, false, &[], &ProgressBar::hidden())
+    tables::write(scope, false, &[])
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use asperity::{Model, Quantity};
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use super::cases::{self, Case};
@@ -57,21 +56,19 @@ impl Row {
 }
 
 /// `speed-vs-error.csv` and `hard-cases.csv`; with times and the cost of building if they are
-/// taken, and of other libraries. The bar counts the finished rows.
+/// taken, and of other libraries.
 ///
 /// # Errors
 /// When the library refuses a case, or another library's process fails.
-pub fn write(
-    scope: Scope,
-    timed: bool,
-    libraries: &[External],
-    bar: &ProgressBar,
-) -> Result<(String, String)> {
+pub fn write(scope: Scope, timed: bool, libraries: &[External]) -> Result<(String, String)> {
     let (laws, pairs) = (Laws::default(), scope.pairs());
     let cases = cases::read(&laws, &pairs)?;
-    let run = Run { scope, laws, cases, timed, libraries, bar };
+    let run = Run { scope, laws, cases, timed, libraries };
     let mut csv = csv::Writer::from_writer(vec![]);
     for pair in &pairs {
+        if timed {
+            eprintln!("{} {}", pair.0, pair.1);
+        }
         run.rows(pair)?.iter().try_for_each(|row| csv.serialize(row))?;
     }
     Ok((String::from_utf8(csv.into_inner()?)?, run.hard()?))
@@ -83,7 +80,6 @@ struct Run<'a> {
     cases: Vec<Case>,
     timed: bool,
     libraries: &'a [External],
-    bar: &'a ProgressBar,
 }
 
 impl Run<'_> {
@@ -105,10 +101,8 @@ impl Run<'_> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
-        let mut add = |name, setting, found: Measured| {
-            self.bar.inc(1);
-            rows.push(Row::new(pair, name, setting, found));
-        };
+        let mut add =
+            |name, setting, found: Measured| rows.push(Row::new(pair, name, setting, found));
         let tolerances = self.scope.tolerances(&pair.0);
         for (method, name, _) in METHODS {
             for setting in method.settings(&tolerances, self.scope.points()) {
