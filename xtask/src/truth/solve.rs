@@ -1,6 +1,7 @@
 //! Boundary elements on random surfaces. Light loads are solved on large surfaces with the highest
 //! pixels as unknowns.
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -60,25 +61,21 @@ pub fn are_kept(cases: &[Case], kept: &Kept, solve_missing: bool) -> Result<bool
 /// A case that cannot be solved or kept.
 fn solve_family(cases: &[Case], kept: &Kept, progress: impl Fn(&str)) -> Result<()> {
     let Some(Case { family, .. }) = cases.first() else { return Ok(()) };
-    let mut sizes: Vec<usize> = cases.iter().map(|case| family.pixels_for(case.load)).collect();
-    sizes.sort_unstable();
-    sizes.dedup();
-    let mut indices: Vec<f64> = cases.iter().map(|case| case.index).collect();
-    indices.dedup();
+    let sizes: BTreeSet<usize> = cases.iter().map(|case| family.pixels_for(case.load)).collect();
     let most = cases.iter().map(|case| case.seeds[1]).max().unwrap_or(0);
     for pixels in sizes {
         let surface = family.surface(pixels)?;
         for seed in 1..=most {
             let mut map = None;
-            for &index in &indices {
+            for of_material in cases.chunk_by(|a, b| equal(a.index, b.index)) {
                 let needed = |case: &&Case| {
-                    equal(case.index, index)
-                        && family.pixels_for(case.load) == pixels
+                    family.pixels_for(case.load) == pixels
                         && kept.seeds(case).len() as u64 == seed - 1
                         && !kept.is_done(case)
                 };
-                let needed: Vec<&Case> = cases.iter().filter(needed).collect();
+                let needed: Vec<&Case> = of_material.iter().filter(needed).collect();
                 let Some(case) = needed.first() else { continue };
+                let index = case.index;
                 progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name));
                 let map: &HeightMap = match &mut map {
                     Some(map) => map,
