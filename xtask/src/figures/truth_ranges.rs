@@ -21,14 +21,8 @@ boundary elements, and the bandwidths that were solved.
 ";
 
 /// Skewnesses, and ratios of slopes.
-const SHAPES: [(&str, f64, f64); 6] = [
-    ("skewness -2", -2.0, 1.0),
-    ("skewness -1", -1.0, 1.0),
-    ("skewness +1", 1.0, 1.0),
-    ("lay 2", 0.0, 2.0),
-    ("lay 4", 0.0, 4.0),
-    ("lay 8", 0.0, 8.0),
-];
+const SHAPES: [(f64, f64); 6] =
+    [(-2.0, 1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, 2.0), (0.0, 4.0), (0.0, 8.0)];
 /// The cell of a column without deviations.
 pub const NOTHING: &str = "–";
 
@@ -65,6 +59,13 @@ pub fn material(index: f64) -> String {
     if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() }
 }
 
+/// The name of a skewness or of a ratio of slopes.
+#[must_use]
+pub fn shape_name(skewness: f64, slope_ratio: f64) -> String {
+    let is_lay = slope_ratio > 1.0;
+    if is_lay { format!("lay {slope_ratio}") } else { format!("skewness {skewness:+}") }
+}
+
 /// The lowest and the highest deviation as a cell.
 #[must_use]
 pub fn ends(off: impl IntoIterator<Item = f64>) -> String {
@@ -99,10 +100,10 @@ pub fn table(evidence: &Evidence) -> String {
         };
         distinct(plain().map(|case| case.plasticity_index)).into_iter().map(column).collect()
     };
-    let shape = |(name, skewness, ratio): (&str, f64, f64)| {
+    let shape = |(skewness, ratio)| {
         let same = |c: &&EvidenceCase| equal(c.skewness, skewness) && equal(c.slope_ratio, ratio);
         let own = cases().filter(same).filter(|case| case.plasticity_index > 0.0);
-        (name.to_owned(), own.collect())
+        (shape_name(skewness, ratio), own.collect())
     };
     let mut out = String::from(PREFACE);
     for (columns, heading) in [

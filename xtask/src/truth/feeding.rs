@@ -9,7 +9,7 @@ use asperity_topography::Topography;
 
 use super::family::{FAMILIES, Family, pressure, scene};
 use super::rows::compiled;
-use crate::figures::truth_ranges::{NOTHING, ends, equal};
+use crate::figures::truth_ranges::{NOTHING, ends, equal, shape_name};
 use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared: one law without and two with yielding, and the whole surface.
@@ -72,10 +72,7 @@ pub fn table(evidence: &Evidence) -> Result<String> {
             let mut cases = family.cases(evidence)?;
             cases.retain(|case| equal(case.plasticity_index, index));
             if !cases.is_empty() {
-                heads.push(match family.slope_ratio {
-                    lay if lay > 1.0 => format!("lay {lay}"),
-                    _ => format!("skewness {:+}", family.skewness),
-                });
+                heads.push(shape_name(family.skewness, family.slope_ratio));
                 columns.push((cases, scenes(family, index)?));
             }
         }
