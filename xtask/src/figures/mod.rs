@@ -1,20 +1,17 @@
 //! The list of figures: for each a table of numbers and the description of its picture.
 
 mod angles;
+mod at;
 pub mod captions;
+mod cycles;
 mod joints;
 mod laws;
 pub mod measured;
-mod metals;
 pub(crate) mod models;
 pub(crate) mod paper;
-mod readings;
 pub mod report_csv;
-mod shares;
-mod slip;
 pub mod truth;
 pub mod truth_ranges;
-mod unloading;
 
 use anyhow::Result;
 use asperity::Evidence;
@@ -47,13 +44,13 @@ pub const FIGURES: [FigureSpec; 19] = [
     ("fig10-area-kucharski", kucharski, kucharski_figure),
     ("laws-single-asperity", laws::table, laws::style),
     ("angle-density", angles::table, angles::style),
-    ("at-regime-shares", shares::table, shares::style),
-    ("at-readings", readings::table, readings::style),
-    ("unloading-models", unloading::table, unloading::style),
-    ("slip-loops", slip::table, slip::style),
+    ("at-regime-shares", at::shares, at::shares_figure),
+    ("at-readings", at::readings, at::readings_figure),
+    ("unloading-models", cycles::unloading, cycles::unloading_figure),
+    ("slip-loops", cycles::slip, cycles::slip_figure),
     ("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
     ("conductance-models", joints::conductance, joints::conductance_figure),
-    ("conductance-metals", metals::table, metals::style),
+    ("conductance-metals", joints::metals, joints::metals_figure),
     (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
     (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),
     (TRUTH[2].0, || truth_table(2), |csv| truth::style(csv, &TRUTH[2])),
