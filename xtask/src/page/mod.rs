@@ -6,7 +6,7 @@ mod server;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 
 pub use server::serve;
 
@@ -59,13 +59,12 @@ fn build(folder: &Path) -> Result<()> {
     // Of the same version as the crate wasm-bindgen, so that nothing has to be installed. Built
     // beside the module, whose last steps have one thread.
     let pack = ["build", "--quiet", "--release", "--manifest-path"];
-    let pack = cargo().args(pack).arg("crates/asperity-web/pack/Cargo.toml").spawn();
-    let mut pack = pack.context("cargo")?;
     let module = ["--config", SIMD, "build", "--quiet", "--package", "asperity-web", "--lib"];
-    let built = run(cargo().args(module).args(["--profile", "page", "--target", TARGET]));
-    let packed = pack.wait().context("cargo")?;
-    built?;
-    ensure!(packed.success(), "the build of crates/asperity-web/pack failed: {packed}");
+    let (packed, built) = rayon::join(
+        || run(cargo().args(pack).arg("crates/asperity-web/pack/Cargo.toml")),
+        || run(cargo().args(module).args(["--profile", "page", "--target", TARGET])),
+    );
+    packed.and(built)?;
     let module = tools.join(TARGET).join("page/asperity_web.wasm");
     run(Command::new(tools.join("release/asperity-web-pack")).arg(module).arg(folder))
 }

@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity::{
-    Asperity, Formula, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance,
-};
-use asperity_quadrature::reach;
+use asperity::{Asperity, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance};
+use asperity_quadrature::{Sampler, reach};
 
 /// 1/√(2π).
 const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
@@ -189,16 +187,9 @@ impl Problem {
     }
 }
 
+/// NaN, at which every method fails, where the part cannot be sampled.
 fn part_at(part: &Part, x: f64) -> f64 {
-    match &part.form {
-        Formula::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
-        Formula::Function { sampler, .. } => {
-            let mut value = [0.0];
-            match sampler.sample(&[x], &mut value) {
-                Ok(()) => value[0],
-                // NaN, at which every method fails.
-                Err(_) => f64::NAN,
-            }
-        }
-    }
+    let mut value = [0.0];
+    let sampled = part.form.sample(&[x], &mut value);
+    if sampled.is_ok() { value[0] } else { f64::NAN }
 }
