@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Component, Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 
 use super::chapters::{self, ALL, Chapter};
 use super::markdown::{Ids, LinkTarget, Outline};
@@ -26,10 +26,8 @@ pub type Shown = (&'static Chapter, Vec<Piece>);
 /// Pages of files and headings, and the files that pages link or show.
 #[derive(Default)]
 pub struct Site {
-    /// The page of a file.
-    pages: HashMap<PathBuf, String>,
-    /// The page and id of a heading of a file.
-    anchors: HashMap<(PathBuf, String), String>,
+    /// The page of a file, and the place on a page of a heading, `file#heading`.
+    places: HashMap<String, String>,
     /// The addresses of the copies of files.
     pub files: BTreeMap<PathBuf, String>,
 }
@@ -49,23 +47,22 @@ impl Site {
                     pieces.push(Piece::Drawn(part));
                     continue;
                 };
-                let path = PathBuf::from(path);
                 let outline = Outline::new(&text, &mut ids);
                 for heading in &outline.headings {
                     let address = format!("{page}#{}", heading.id);
-                    site.anchors.entry((path.clone(), heading.anchor.clone())).or_insert(address);
+                    let key = format!("{path}#{}", heading.anchor);
+                    site.places.entry(key).or_insert(address);
                 }
                 // Of sections and code, none stands for the whole.
-                let is_whole = Path::new(part) == path;
-                if is_whole || !site.pages.contains_key(&path) {
-                    site.pages.insert(path.clone(), page.clone());
+                if *part == path || !site.places.contains_key(path) {
+                    site.places.insert(path.into(), page.clone());
                 }
-                pieces.push(Piece::Text(path, text, outline));
+                pieces.push(Piece::Text(path.into(), text, outline));
             }
             all.push((chapter, pieces));
         }
-        site.pages.insert("README.md".into(), "index.html".into());
-        site.pages.insert("figures".into(), "figures.html".into());
+        site.places.insert("README.md".into(), "index.html".into());
+        site.places.insert("figures".into(), "figures.html".into());
         Ok((site, all))
     }
 
@@ -85,34 +82,31 @@ impl Site {
     /// # Errors
     /// A link that leads nowhere.
     pub fn resolve(&mut self, from: &Path, link: &str, is_picture: bool) -> Result<LinkTarget> {
-        // A link of rustdoc, a mail.
-        if link.contains("::") || link.contains('@') {
-            return Ok(LinkTarget::Text(String::new()));
-        }
         // The guide works where there is no network: an address is text.
         if let Some((_, rest)) = link.split_once("://").filter(|_| !link.starts_with(DOI)) {
             return Ok(LinkTarget::Text(format!(" ({})", rest.trim_end_matches('/'))));
+        }
+        // A link of rustdoc, a mail.
+        if link.contains("::") || link.contains('@') {
+            return Ok(LinkTarget::Text(String::new()));
         }
         // To the pages themselves, from the chapters written for the guide.
         if link.starts_with(DOI) || link.starts_with("../") && link.ends_with("index.html") {
             return Ok(LinkTarget::Address(link.into()));
         }
-        let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+        let (path, anchor) = link.split_once('#').map_or((link, None), |(p, a)| (p, Some(a)));
         let path = match path {
             "" => from.to_owned(),
             path => normal(&from.with_file_name("").join(path)),
         };
+        let key = path.display().to_string() + &anchor.map_or(String::new(), |a| format!("#{a}"));
+        if let Some(place) = self.places.get(&key).filter(|_| !is_picture) {
+            return Ok(LinkTarget::Address(place.clone()));
+        }
         let from = from.display();
-        Ok(LinkTarget::Address(if !anchor.is_empty() {
-            let found = self.anchors.get(&(path, anchor.to_owned())).cloned();
-            found
-                .with_context(|| format!("{from}: {link}: no page of the guide has this heading"))?
-        } else if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
-            page.clone()
-        } else {
-            ensure!(root().join(&path).is_file(), "{from}: {link}: no such file");
-            self.file(&path)
-        }))
+        ensure!(anchor.is_none(), "{from}: {link}: no page of the guide has this heading");
+        ensure!(root().join(&path).is_file(), "{from}: {link}: no such file");
+        Ok(LinkTarget::Address(self.file(&path)))
     }
 }
 
