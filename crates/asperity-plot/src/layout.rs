@@ -10,9 +10,10 @@ use crate::text::{LINE, wrap};
 
 /// The positions of all parts of a figure.
 pub(crate) struct Layout<'a> {
-    words: Words,
+    title: Vec<String>,
     pub(crate) frames: Vec<Rect>,
     legend: Option<(Legend<'a>, f64)>,
+    caption: Vec<String>,
     caption_top: f64,
     pub(crate) height: f64,
 }
@@ -20,21 +21,25 @@ pub(crate) struct Layout<'a> {
 impl<'a> Layout<'a> {
     /// Places the parts of a figure.
     pub(crate) fn new(figure: &'a Figure, plots: &[Plot]) -> Self {
-        let words = Words::new(&figure.title, &figure.caption);
+        let title = wrap(&figure.title, TITLE, WIDTH - 2.0 * EDGE);
+        let caption = caption_lines(&figure.caption);
         let legend = Legend::new(&figure.panels, WIDTH - 2.0 * EDGE);
-        let is_below = figure.legend == figure::Legend::Below && !legend.is_empty();
-        let legend_height = if is_below { legend.height + 4.0 } else { 0.0 };
-        let caption_height = if words.tail > 0.0 { words.tail + 9.0 } else { 0.0 };
+        let legend =
+            (figure.legend == figure::Legend::Below && !legend.is_empty()).then_some(legend);
+        let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);
+        let caption_height = if caption.is_empty() { 0.0 } else { lines_height(&caption) + 9.0 };
         let tail = legend_height + caption_height + EDGE;
-        let (frames, foot) = frames(figure, plots, words.head, tail);
+        let head = EDGE + title.len() as f64 * TITLE * LINE;
+        let (frames, foot) = frames(figure, plots, head, tail);
         let caption_top = foot + legend_height + 9.0;
-        let legend = is_below.then_some((legend, foot));
-        Self { words, frames, legend, caption_top, height: foot + tail }
+        let legend = legend.map(|legend| (legend, foot));
+        Self { title, frames, legend, caption, caption_top, height: foot + tail }
     }
 
     /// Draws title, legend and caption.
     pub(crate) fn draw(&self, canvas: &Canvas) {
-        self.words.draw(canvas, self.caption_top);
+        draw_title(canvas, &self.title);
+        draw_caption(canvas, &self.caption, self.caption_top);
         if let Some((legend, top)) = &self.legend {
             legend.draw(canvas, ((WIDTH - legend.width) / 2.0, *top));
         }
@@ -74,31 +79,21 @@ fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, 
     (frames, foot)
 }
 
-/// The title above a picture and the caption below it, wrapped.
-pub(crate) struct Words {
-    title: Vec<String>,
-    caption: Vec<String>,
-    /// Where the title ends.
-    pub(crate) head: f64,
-    /// The height of the caption; 0 without one.
-    pub(crate) tail: f64,
+/// The paragraphs of a caption, wrapped.
+pub(crate) fn caption_lines(caption: &[String]) -> Vec<String> {
+    caption.iter().flat_map(|part| wrap(part, SMALL, WIDTH - 4.0 * EDGE)).collect()
 }
 
-impl Words {
-    pub(crate) fn new(title: &str, caption: &[String]) -> Self {
-        let title = wrap(title, TITLE, WIDTH - 2.0 * EDGE);
-        let lines = caption.iter().flat_map(|part| wrap(part, SMALL, WIDTH - 4.0 * EDGE));
-        let caption: Vec<String> = lines.collect();
-        let (head, tail) =
-            (EDGE + title.len() as f64 * TITLE * LINE, caption.len() as f64 * SMALL * LINE);
-        Self { title, caption, head, tail }
-    }
+/// The height that lines of small text take.
+pub(crate) fn lines_height(lines: &[String]) -> f64 {
+    lines.len() as f64 * SMALL * LINE
+}
 
-    /// Draws both, the caption at this height.
-    pub(crate) fn draw(&self, canvas: &Canvas, caption_top: f64) {
-        let bold = Type { bold: true, ..Type::new(TITLE, BLACK, "middle") };
-        canvas.lines(&self.title, (WIDTH / 2.0, EDGE), bold);
-        let small = Type::new(SMALL, DARK_GREY, "start");
-        canvas.lines(&self.caption, (2.0 * EDGE, caption_top), small);
-    }
+pub(crate) fn draw_title(canvas: &Canvas, title: &[String]) {
+    let face = Type { bold: true, ..Type::new(TITLE, BLACK, "middle") };
+    canvas.lines(title, (WIDTH / 2.0, EDGE), face);
+}
+
+pub(crate) fn draw_caption(canvas: &Canvas, caption: &[String], top: f64) {
+    canvas.lines(caption, (2.0 * EDGE, top), Type::new(SMALL, DARK_GREY, "start"));
 }

@@ -5,10 +5,10 @@ use base64::engine::general_purpose::STANDARD;
 
 use crate::canvas::{Canvas, Rect, Type, picture};
 use crate::error::PlotError;
-use crate::layout::Words;
-use crate::size::{EDGE, LABEL, SMALL, TICK, WIDTH};
+use crate::layout::{caption_lines, draw_caption, draw_title, lines_height};
+use crate::size::{EDGE, LABEL, SMALL, TICK, TITLE, WIDTH};
 use crate::style::BLACK;
-use crate::text::{CAPITAL, LINE, number};
+use crate::text::{CAPITAL, LINE, number, wrap};
 
 /// A map to be drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -63,12 +63,16 @@ const COLOURS: [[u8; 3]; 6] =
 /// positive.
 pub fn draw_map(map: &Map) -> Result<String, PlotError> {
     check(map)?;
-    let words = Words::new(&map.title, &map.caption);
-    let placed = Placed::new(map, (2.0 * EDGE, words.head + 6.0), LARGEST);
+    let title = wrap(&map.title, TITLE, WIDTH - 2.0 * EDGE);
+    let top = EDGE + title.len() as f64 * TITLE * LINE + 6.0;
+    let placed = Placed::new(map, (2.0 * EDGE, top), LARGEST);
+    let caption = caption_lines(&map.caption);
     let caption_top = placed.below + 14.0 + LABEL * LINE + 12.0;
-    picture(&map.title, (WIDTH, caption_top + words.tail + EDGE), |canvas| {
-        words.draw(canvas, caption_top);
-        placed.draw(canvas)
+    picture(&map.title, (WIDTH, caption_top + lines_height(&caption) + EDGE), |canvas| {
+        draw_title(canvas, &title);
+        placed.draw(canvas)?;
+        draw_caption(canvas, &caption, caption_top);
+        Ok(())
     })
 }
 

@@ -2,8 +2,8 @@
 
 use crate::canvas::{Canvas, Rect, Type, picture};
 use crate::error::PlotError;
-use crate::layout::Words;
-use crate::size::{EDGE, SMALL, WIDTH};
+use crate::layout::{caption_lines, draw_caption, draw_title, lines_height};
+use crate::size::{EDGE, SMALL, TITLE, WIDTH};
 use crate::style::{BLACK, INDIGO, WHITE};
 use crate::text::{CAPITAL, LINE, widest, width, wrap};
 
@@ -54,11 +54,13 @@ pub fn draw_matrix(matrix: &Matrix) -> Result<String, PlotError> {
     };
     let heads: Vec<Vec<String>> = matrix.columns.iter().map(head).collect();
     let tallest = heads.iter().map(Vec::len).max().unwrap_or(1) as f64;
-    let words = Words::new(&matrix.title, &matrix.caption);
-    let top = words.head + tallest * HEAD * LINE + 10.0;
+    let top = EDGE + (TITLE + tallest * HEAD) * LINE + 10.0;
     let foot = top + ROW * rows as f64;
-    picture(&matrix.title, (WIDTH, foot + 8.0 + words.tail + EDGE), |canvas| {
-        words.draw(canvas, foot + 8.0);
+    let caption = caption_lines(&matrix.caption);
+    let height = foot + 8.0 + lines_height(&caption) + EDGE;
+    picture(&matrix.title, (WIDTH, height), |canvas| {
+        draw_title(canvas, std::slice::from_ref(&matrix.title));
+        draw_caption(canvas, &caption, foot + 8.0);
         for (k, lines) in heads.iter().enumerate() {
             let place =
                 (left + (k as f64 + 0.5) * wide, top - 3.0 - lines.len() as f64 * HEAD * LINE);
