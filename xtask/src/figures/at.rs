@@ -1,7 +1,7 @@
 //! The three readings of the AT sum, compared with Gao and KE, and the shares of the regimes in the
 //! force.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::{Model, Quantity, Request, linspace};
 use asperity_plot::{Axis, Figure, Mark, Strip};
 use rayon::prelude::*;
@@ -59,11 +59,9 @@ pub fn readings() -> Result<Table> {
 /// The window of the plasticity index in which the printed reading is negative, from the csv.
 fn negative_window(csv: &str, separation: f64) -> Result<Option<(f64, f64)>> {
     let start = format!("{separation},at,");
-    let mut points: Vec<(f64, f64)> = vec![];
-    for row in csv.lines().filter_map(|line| line.strip_prefix(&start)) {
-        let (x, y) = row.split_once(',').context("a row of two numbers")?;
-        points.push((x.parse()?, y.parse()?));
-    }
+    let rows = csv.lines().filter_map(|line| line.strip_prefix(&start)?.split_once(','));
+    let points = rows.map(|(x, y)| Ok((x.parse()?, y.parse()?)));
+    let points: Vec<(f64, f64)> = points.collect::<Result<_>>()?;
     let crossing = |pair: &[(f64, f64)]| match *pair {
         [a, b] if a.1.signum() * b.1.signum() < 0.0 => Some(a.0 + (b.0 - a.0) * a.1 / (a.1 - b.1)),
         _ => None,

@@ -74,11 +74,10 @@ pub fn conductance() -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     scene.interface.thermal_conductivity = Some(CONDUCTIVITY);
     let roughness = GapRoughness::of(&scene.surface.moments());
-    let quantity = Quantity::ThermalConductance;
+    let quantity = Quantity::ThermalConductancePerArea;
     let mut curves: Vec<(&str, Vec<Option<f64>>)> = vec![];
     for (id, answer) in CIRCULAR.iter().zip(solved(&scene, &[quantity])?) {
-        let per_area = answer.values(quantity)?.into_iter().map(|h| Some(h / scene.nominal_area));
-        curves.push((id, per_area.collect()));
+        curves.push((id, answer.values(quantity)?.into_iter().map(Some).collect()));
     }
     let reference = curves[KE].1.clone();
     let (k, asperity) = (CONDUCTIVITY, scene.asperity()?);
