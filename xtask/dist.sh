@@ -8,6 +8,13 @@ cd "$(dirname "$0")/.."
 root=$PWD
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 if [ "${1:-}" = --quick ]; then quick=-quick profile=quick; else quick= profile=release; fi
+missing=
+python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null ||
+    missing+=$'\nPython 3.10 or newer with venv and pip: `apt install python3 python3-venv`'
+target=x86_64-unknown-linux-musl
+[ $quick ] || rustup target list --installed 2>/dev/null | grep -qx $target ||
+    missing+=$'\n'"the Rust target $target: \`rustup target add $target\`"
+[ -z "$missing" ] || { echo "Error: missing for this task:$missing" >&2; exit 1; }
 dist=$root/target/dist$quick
 tools=$root/target/dist-tools/bin
 trial=$(mktemp -d)
@@ -55,7 +62,6 @@ if [ $quick ]; then
     cargo build --bin asperity --workspace
     built=target/debug
 else
-    target=x86_64-unknown-linux-musl
     cargo build --bin asperity --package asperity-cli --profile program --target $target
     built=target/$target/program
 fi

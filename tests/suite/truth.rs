@@ -41,7 +41,7 @@ fn models_agree_with_the_committed_table() {
     let head = lines.next().unwrap();
     let some: Vec<&str> = lines.step_by(29).collect();
     let text = [&[head], &some[..]].concat().join("\n") + "\n";
-    let found = with_new_models(&text).unwrap();
+    let found = with_new_models(&asperity::Evidence::parse(&text).unwrap()).unwrap();
     // The counts are those of the table.
     assert!(agree(&found, &text, 0.0), "{found}");
 }

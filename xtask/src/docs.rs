@@ -21,32 +21,32 @@ pub fn write() -> Result<PathBuf> {
     let metadata: Value = serde_json::from_str(&printed)?;
     let target = metadata["target_directory"].as_str().context("cargo metadata")?;
     let path = Path::new(target).join("doc/index.html");
-    folder::write(&path, page(&metadata))?;
+    folder::write(&path, page(&metadata).context("cargo metadata")?)?;
     Ok(path)
 }
 
-/// A link and a description for each documented library, the facade first.
-fn page(metadata: &Value) -> String {
-    let all = |value: &Value| value.as_array().cloned().unwrap_or_default();
-    let is_library = |target: &Value| {
-        let is_library = |kind: &Value| kind.as_str().is_some_and(|kind| kind.ends_with("lib"));
-        target["doc"] == true && all(&target["kind"]).iter().any(is_library)
+/// A link and a description for each documented library, the facade first; `None` of other than the
+/// metadata of cargo.
+fn page(metadata: &Value) -> Option<String> {
+    let is_library = |target: &&Value| {
+        let kind = target["kind"][0].as_str();
+        target["doc"] == true && kind.is_some_and(|kind| kind.ends_with("lib"))
     };
-    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let library = |package: &Value| {
-        let library = all(&package["targets"]).into_iter().find(is_library)?;
-        Some((text(&library["name"]), text(&package["description"])))
-    };
-    let mut libraries: Vec<_> = all(&metadata["packages"]).iter().filter_map(library).collect();
-    libraries.sort_by_key(|(name, _)| (name != "asperity", name.clone()));
-    let row = |(name, description): &(String, String)| {
+    let mut libraries = vec![];
+    for package in metadata["packages"].as_array()? {
+        if let Some(library) = package["targets"].as_array()?.iter().find(is_library) {
+            libraries.push((library["name"].as_str()?, package["description"].as_str()?));
+        }
+    }
+    libraries.sort_by_key(|(name, _)| (*name != "asperity", *name));
+    let row = |(name, description): (&str, &str)| {
         let (folder, description) = (name.replace('-', "_"), escape(description));
         format!(
             "<tr><td><a href=\"{folder}/index.html\">{folder}</a></td><td>{description}</td></tr>\n"
         )
     };
-    let rows: String = libraries.iter().map(row).collect();
-    include_str!("docs.html").replace("<!-- rows -->\n", &rows)
+    let rows: String = libraries.into_iter().map(row).collect();
+    Some(include_str!("docs.html").replace("<!-- rows -->\n", &rows))
 }
 
 #[cfg(test)]
@@ -65,7 +65,7 @@ mod tests {
             package("asperity", "lib"),
             package("asperity-cli", "bin"),
         ];
-        let text = page(&json!({ "packages": packages }));
+        let text = page(&json!({ "packages": packages })).unwrap();
         let at = |text_of: &str| text.find(text_of);
         assert!(at("asperity/index.html\">asperity</a></td>") < at("asperity_core/index.html"));
         assert!(at("asperity_cli").is_none());

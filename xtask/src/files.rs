@@ -7,19 +7,19 @@ use asperity::Evidence;
 use asperity_plot::draw;
 use rayon::prelude::*;
 
+use crate::figures::captions::with_caption;
 use crate::figures::{FIGURES, FigureSpec, measured, truth_ranges};
 use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
 /// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
-    let name = spec.name;
-    let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
+fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]> {
+    let numbers = table().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match read(&folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,
         _ => numbers,
     };
-    let svg = spec.picture(&csv).and_then(|figure| Ok(draw(&figure, &csv)?));
+    let svg = style(&csv).and_then(|figure| Ok(draw(&with_caption(name, figure)?, &csv)?));
     let svg = svg.with_context(|| format!("the picture of {name}"))?;
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
@@ -27,16 +27,16 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
 /// The figures of these names. Without names, all of them, and the pictures of the report, drawn
 /// from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
-    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
-        let known = FIGURES.map(|f| f.name).join(", ");
+    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.0 == **n)) {
+        let known = FIGURES.map(|f| f.0).join(", ");
         bail!("{name:?} is not a figure; the figures are {known}");
     }
-    let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.name);
+    let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.0);
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
         all.extend(measured::pictures(folder)?);
-        all.push(("truth.md".to_owned(), truth_ranges::table(Evidence::CSV)?));
+        all.push(("truth.md".to_owned(), truth_ranges::table(Evidence::committed()?)));
     }
     Ok(all)
 }

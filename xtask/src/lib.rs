@@ -15,7 +15,6 @@ pub mod folder;
 #[cfg(feature = "guide")]
 pub mod guide;
 pub mod html;
-pub mod needs;
 #[cfg(feature = "page")]
 pub mod page;
 #[cfg(feature = "report")]

@@ -70,7 +70,7 @@ pub fn agree_by(a: &str, b: &str, same: impl Fn(f64, f64) -> bool) -> bool {
 
 /// The head of a markdown table, its last columns aligned to the right.
 #[must_use]
-pub fn markdown_head(heads: &[&str], right: usize) -> String {
+pub fn markdown_head<T: AsRef<str>>(heads: &[T], right: usize) -> String {
     let (left, right) = ("---|".repeat(heads.len() - right), "---:|".repeat(right));
     format!("{}|{left}{right}\n", markdown_row(heads))
 }

@@ -16,10 +16,8 @@ pub struct Matrix {
     pub caption: Vec<String>,
     /// Names of the columns; they may break after hyphens.
     pub columns: Vec<String>,
-    /// Names of the rows.
-    pub rows: Vec<String>,
-    /// The cells, row by row.
-    pub cells: Vec<Vec<MatrixCell>>,
+    /// The rows: their names and their cells.
+    pub rows: Vec<(String, Vec<MatrixCell>)>,
 }
 
 /// One cell.
@@ -45,11 +43,10 @@ const DARK: f64 = 0.55;
 /// When there are no cells, or another number than rows times columns.
 pub fn draw_matrix(matrix: &Matrix) -> Result<String, PlotError> {
     let (rows, columns) = (matrix.rows.len(), matrix.columns.len());
-    let fit = matrix.cells.len() == rows && matrix.cells.iter().all(|row| row.len() == columns);
-    if rows == 0 || columns == 0 || !fit {
+    if rows == 0 || columns == 0 || matrix.rows.iter().any(|(_, row)| row.len() != columns) {
         return Err(PlotError::Cells { rows, columns });
     }
-    let left = EDGE + widest(&matrix.rows, SMALL) + 10.0;
+    let left = EDGE + widest(matrix.rows.iter().map(|(name, _)| name), SMALL) + 10.0;
     let wide = (WIDTH - EDGE - left) / columns as f64;
     let head = |name: &String| -> Vec<String> {
         let lines = wrap(&name.replace('-', "- "), HEAD, wide - 4.0);
@@ -69,7 +66,7 @@ pub fn draw_matrix(matrix: &Matrix) -> Result<String, PlotError> {
                 (left + (k as f64 + 0.5) * wide, top - 3.0 - lines.len() as f64 * HEAD * LINE);
             canvas.lines(lines, place, Type::new(HEAD, BLACK, "middle"));
         }
-        for (k, (name, cells)) in matrix.rows.iter().zip(&matrix.cells).enumerate() {
+        for (k, (name, cells)) in matrix.rows.iter().enumerate() {
             let y = top + k as f64 * ROW;
             let baseline = (left - 7.0, y + 0.5 * (ROW + CAPITAL * SMALL));
             canvas.text(name, baseline, Type::new(SMALL, BLACK, "end"));
@@ -103,8 +100,7 @@ mod tests {
             title: "a < b".into(),
             caption: vec!["One.".into(), "Two.".into()],
             columns: vec!["gauss-legendre-64".into(), "ours".into()],
-            rows: vec!["far-tail".into()],
-            cells: vec![vec![cell.clone(), cell]],
+            rows: vec![("far-tail".into(), vec![cell.clone(), cell])],
         }
     }
 
@@ -122,7 +118,7 @@ mod tests {
     #[test]
     fn cells_that_do_not_fit_the_heads_are_refused() {
         let mut wrong = matrix(0.0);
-        wrong.cells[0].pop();
+        wrong.rows[0].1.pop();
         assert!(draw_matrix(&wrong).is_err() && draw_matrix(&Matrix::default()).is_err());
     }
 }

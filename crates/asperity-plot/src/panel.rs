@@ -43,7 +43,7 @@ pub(crate) fn plots<'a>(figure: &'a Figure, csv: &str) -> Result<Vec<Plot<'a>>, 
     let table = CsvTable::read(csv)?;
     let each = (0..figure.panels.len()).map(|index| Plot::new(figure, index, &table));
     let all = each.collect::<Result<_, _>>()?;
-    series::check_all_drawn(figure, &table)?;
+    table.check_all_drawn()?;
     Ok(all)
 }
 

@@ -1,12 +1,12 @@
 //! The curves of a panel, taken from the text of the csv and split at gaps.
 
-use std::collections::BTreeSet;
-use std::iter;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::error::PlotError;
-use crate::figure::{Figure, Panel, Scale};
+use crate::figure::{Panel, Scale};
 use crate::style::{Colour, Curve};
 
 /// A pair of numbers: in the units of the csv, in fractions of a frame, or in pixels.
@@ -16,6 +16,8 @@ pub(crate) type Point = (f64, f64);
 pub(crate) struct CsvTable {
     head: StringRecord,
     rows: Vec<StringRecord>,
+    /// The curves that panels have taken, by the column that names them.
+    drawn: RefCell<BTreeMap<usize, BTreeSet<String>>>,
 }
 
 impl CsvTable {
@@ -24,7 +26,19 @@ impl CsvTable {
         Ok(Self {
             head: reader.headers()?.clone(),
             rows: reader.records().collect::<Result<_, _>>()?,
+            drawn: RefCell::default(),
         })
+    }
+
+    /// Refuses a table with a curve that no panel has taken.
+    pub(crate) fn check_all_drawn(&self) -> Result<(), PlotError> {
+        for (&place, keys) in self.drawn.borrow().iter() {
+            if let Some(row) = self.rows.iter().find(|row| !keys.contains(&row[place])) {
+                let (curve, column) = (row[place].into(), self.head[place].into());
+                return Err(PlotError::Undrawn { curve, column });
+            }
+        }
+        Ok(())
     }
 
     fn column(&self, name: &str) -> Result<usize, PlotError> {
@@ -69,10 +83,8 @@ pub(crate) struct Area<'a> {
 /// Takes the curves of a panel from the table.
 pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Series<'a>>, PlotError> {
     let take = |curve: &'a Curve| {
-        let marked = match &curve.marked {
-            Some(key) => pieces(panel, table, key)?.concat(),
-            None => vec![],
-        };
+        let marked = curve.marked.as_ref().map(|key| pieces(panel, table, key)).transpose()?;
+        let marked = marked.unwrap_or_default().concat();
         Ok(Series { curve, pieces: pieces(panel, table, &curve.key)?, marked })
     };
     panel.curves.iter().map(take).collect()
@@ -81,10 +93,10 @@ pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Serie
 fn pieces(panel: &Panel, table: &CsvTable, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
     let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
     let keys = table.column(&panel.curve_column)?;
-    let only = match &panel.only {
-        Some((column, value)) => Some((table.column(column)?, value)),
-        None => None,
-    };
+    table.drawn.borrow_mut().entry(keys).or_default().insert(key.into());
+    let only = panel.only.as_ref();
+    let only = only.map(|(column, value)| table.column(column).map(|place| (place, value)));
+    let only = only.transpose()?;
     let wanted = |row: &&StringRecord| {
         &row[keys] == key && only.is_none_or(|(column, value)| row[column] == **value)
     };
@@ -143,25 +155,6 @@ pub(crate) fn areas<'a>(
 
 fn same_x(a: &[Point], b: &[Point]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0.total_cmp(&b.0).is_eq())
-}
-
-/// Refuses a csv with a curve that no panel draws.
-pub(crate) fn check_all_drawn(figure: &Figure, table: &CsvTable) -> Result<(), PlotError> {
-    for column in figure.panels.iter().map(|panel| &panel.curve_column).collect::<BTreeSet<_>>() {
-        let panels = || figure.panels.iter().filter(|panel| panel.curve_column == *column);
-        let curves = panels().flat_map(|panel| &panel.curves);
-        let curves = curves.flat_map(|curve| iter::once(&curve.key).chain(&curve.marked));
-        let curves = curves.map(String::as_str);
-        let edges = panels().flat_map(|panel| &panel.between);
-        let edges = edges.flat_map(|between| [between.lower.as_str(), between.upper.as_str()]);
-        let drawn: BTreeSet<&str> = curves.chain(edges).collect();
-        let place = table.column(column)?;
-        if let Some(row) = table.rows.iter().find(|row| !drawn.contains(&row[place])) {
-            let (curve, column) = (row[place].into(), column.clone());
-            return Err(PlotError::Undrawn { curve, column });
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

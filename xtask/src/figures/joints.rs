@@ -1,15 +1,15 @@
 //! Quantities from the sum of the contact radii against the pressure: three stiffnesses and thermal
-//! conductance.
+//! conductance, of the paper's scene and of joints of two metals beside correlations.
 
 use anyhow::Result;
 use asperity::joints::conductance::{
-    CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
+    Correlation, CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
 };
-use asperity::{At, Quantity, Response, Scene, linspace};
+use asperity::{At, Body, Interface, ProfileMoments, Quantity, Response, Scene, Surface};
 use asperity_plot::{Axis, Figure};
 use rayon::prelude::*;
 
-use super::models::{self, beside, curves, named, of, panel, pressure_axis, solve};
+use super::models::{self, beside, curves, geometric, named, of, panel, pressure_axis, solve};
 use crate::table::Table;
 
 /// The models with circular contacts.
@@ -28,7 +28,7 @@ const CONDUCTIVITY: f64 = 50.0;
 
 /// Pressures on the nominal area \[Pa\].
 fn pressures() -> impl Iterator<Item = f64> {
-    linspace(4.0, 8.0, 121).into_iter().map(|x| 10f64.powf(x))
+    geometric(1e4, 1e8, 121).into_iter()
 }
 
 /// Quantities of every model with circular contacts, in the order of [`CIRCULAR`].
@@ -66,7 +66,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
 }
 
 /// The usual correlations, with their looks and names in the legend.
-pub(super) const CORRELATIONS: [(&str, usize, &str); 2] =
+const CORRELATIONS: [(&str, usize, &str); 2] =
     [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
 
 /// Conductance of every model and of the correlations where they hold, and over that of KE.
@@ -74,11 +74,10 @@ pub fn conductance() -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     scene.interface.thermal_conductivity = Some(CONDUCTIVITY);
     let roughness = GapRoughness::of(&scene.surface.moments());
-    let quantity = Quantity::ThermalConductance;
+    let quantity = Quantity::ThermalConductancePerArea;
     let mut curves: Vec<(&str, Vec<Option<f64>>)> = vec![];
     for (id, answer) in CIRCULAR.iter().zip(solved(&scene, &[quantity])?) {
-        let per_area = answer.values(quantity)?.into_iter().map(|h| Some(h / scene.nominal_area));
-        curves.push((id, per_area.collect()));
+        curves.push((id, answer.values(quantity)?.into_iter().map(Some).collect()));
     }
     let reference = curves[KE].1.clone();
     let (k, asperity) = (CONDUCTIVITY, scene.asperity()?);
@@ -88,7 +87,7 @@ pub fn conductance() -> Result<Table> {
     let held = |found: CorrelationValue| found.holds.then_some(found.conductance);
     curves.push(("cmy", pressures().map(|p| Ok(held(cmy(p)?))).collect::<Result<_>>()?));
     curves.push(("mikic", pressures().map(|p| Ok(held(mikic(p)?))).collect::<Result<_>>()?));
-    let mut table = Table::new(&["curve", "pressure_Pa", "conductance_W_per_m2K", "over_ke"]);
+    let mut table = Table::new(&["curve", "pressure_Pa", H, "over_ke"]);
     for (id, column) in &curves {
         for ((p, h), ke) in pressures().zip(column).zip(&reference) {
             if let Some((h, ke)) = h.zip(*ke) {
@@ -103,9 +102,77 @@ pub fn conductance() -> Result<Table> {
 pub fn conductance_figure(_: &str) -> Result<Figure> {
     let curves = [curves(&CIRCULAR)?, named(&CORRELATIONS)].concat();
     let panels = [
-        Axis::new("conductance_W_per_m2K", "conductance h (W/(m² K))").log(),
+        Axis::new(H, "conductance h (W/(m² K))").log(),
         Axis::new("over_ke", "conductance over that of KE"),
     ]
     .map(|y| panel(&pressure_axis(), y, &curves));
     Ok(beside(2, panels))
+}
+
+/// Assumed: Young's modulus [Pa], Poisson's ratio, hardness [Pa], conductivity [W/(m K)].
+const ALUMINIUM: [f64; 4] = [70e9, 0.33, 1.1e9, 170.0];
+const STEEL: [f64; 4] = [200e9, 0.29, 2.5e9, 16.0];
+const COPPER: [f64; 4] = [120e9, 0.34, 0.9e9, 390.0];
+const JOINTS: [(&str, [[f64; 4]; 2]); 3] = [
+    ("Al-Al", [ALUMINIUM, ALUMINIUM]),
+    ("Al-steel", [ALUMINIUM, STEEL]),
+    ("Cu-Cu", [COPPER, COPPER]),
+];
+const SOME: [&str; 5] = ["gw", "zmc", "ke", "etsion", "jg"];
+/// Assumed, of each body: σ [m], m, and α = m₀m₄/m₂².
+const ROUGHNESS: [f64; 3] = [1e-6, 0.1, 8.0];
+const H: &str = "conductance_W_per_m2K";
+
+/// Two equally rough bodies.
+fn metal_scene(bodies: [[f64; 4]; 2]) -> Result<Scene> {
+    let [first, second] = bodies.map(|[youngs_modulus, poissons_ratio, hardness, conductivity]| {
+        let mut body = Body::new(youngs_modulus, poissons_ratio, hardness);
+        body.thermal_conductivity = Some(conductivity);
+        body
+    });
+    let [height_std, mean_slope, bandwidth] = ROUGHNESS;
+    // Of the gap, with m₂ = π m²/2 of each.
+    let (m0, m2) = (2.0 * height_std.powi(2), std::f64::consts::PI * mean_slope.powi(2));
+    let surface = Surface::from_moments(&ProfileMoments { m0, m2, m4: bandwidth * m2 * m2 / m0 })?;
+    Ok(Scene::new(Interface::between(&first, &second)?, surface, 1e-4))
+}
+
+/// Conductance of the models and correlations of each joint, and over that of CMY.
+pub fn metals() -> Result<Table> {
+    let pressures = geometric(1e5, 1e7, 61);
+    let conductance = Quantity::ThermalConductancePerArea;
+    let mut table = Table::new(&["joint", "curve", "pressure_Pa", H, "over_cmy"]);
+    for (joint, bodies) in JOINTS {
+        let scene = metal_scene(bodies)?;
+        let roughness = GapRoughness::of(&scene.surface.moments());
+        let mut curves: Vec<(&str, Vec<f64>)> = vec![];
+        for correlation in Correlation::ALL {
+            let of = |p: &f64| Ok(correlation.at(&scene, &roughness, *p)?.conductance);
+            curves.push((correlation.id(), pressures.iter().map(of).collect::<Result<_>>()?));
+        }
+        let cmy = curves[0].1.clone();
+        for id in SOME {
+            let at = pressures.iter().copied().map(At::Pressure);
+            curves.push((id, solve(id, &scene, &[conductance], at)?.values(conductance)?));
+        }
+        for (id, column) in curves {
+            for ((p, h), cmy) in pressures.iter().zip(column).zip(&cmy) {
+                table.push(&[joint, id], [*p, h, h / cmy])?;
+            }
+        }
+    }
+    Ok(table)
+}
+
+/// The picture of [`metals`].
+pub fn metals_figure(_: &str) -> Result<Figure> {
+    let curves = [named(&CORRELATIONS), curves(&SOME)?].concat();
+    let conductance = Axis::new(H, "conductance h (W/(m² K))").log();
+    let ratio = Axis::new("over_cmy", "conductance over that of CMY").range(0.0, 1.4);
+    let row = |y: Axis| {
+        JOINTS.map(|(joint, _)| {
+            of("joint", joint, joint, panel(&pressure_axis(), y.clone(), &curves))
+        })
+    };
+    Ok(beside(3, [row(conductance), row(ratio)].concat()))
 }

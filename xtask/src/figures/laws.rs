@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::{Model, Quantity, Tolerance};
 use asperity_plot::{Axis, Figure, Mark, Panel};
 
-use super::models::{self, beside, curves, panel};
+use super::models::{self, beside, curves, geometric, panel};
 use crate::table::Table;
 
 /// All models, with one reading of AT.
@@ -21,8 +21,7 @@ const COLUMNS: [(&str, &str); 3] = [
 
 /// Points of x = w/w_c: a logarithmic grid with, at every jump, the values on both sides and a gap.
 fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
-    let mut points: Vec<f64> =
-        (0..=200).map(|k| 10f64.powf(-0.5 + 3.0 * f64::from(k) / 200.0)).collect();
+    let mut points = geometric(10f64.powf(-0.5), 10f64.powf(2.5), 201);
     points.retain(|x| !kinks.iter().any(|k| (x / k - 1.0).abs() < 1e-3));
     points.extend(kinks.iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
     points.sort_by(f64::total_cmp);
@@ -30,8 +29,13 @@ fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
     points.into_iter().flat_map(with_gap).collect()
 }
 
-/// Force and area of one asperity of the paper's scene; gaps mark jumps.
+/// Force and area of one asperity of the paper's scene in all models.
 pub fn table() -> Result<Table> {
+    table_of(&MODELS)
+}
+
+/// Force and area of one asperity of the paper's scene; gaps mark jumps.
+fn table_of(models: &[&str]) -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     let youngs_modulus = 2.0 * (1.0 - 0.31 * 0.31) * scene.interface.equivalent_modulus;
     scene.interface.tangent_modulus = Some(HARDENING * youngs_modulus);
@@ -39,7 +43,7 @@ pub fn table() -> Result<Table> {
     let (critical, force_unit) = (asperity.critical_interference()?, asperity.critical_force()?);
     let area_unit = std::f64::consts::PI * asperity.radius * critical;
     let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
-    for id in MODELS {
+    for id in models {
         let model: Model = id.parse()?;
         let law = |quantity| model.law(&asperity, quantity, Tolerance::default());
         let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
@@ -66,9 +70,10 @@ pub fn style(_: &str) -> Result<Figure> {
     Ok(beside(1, panels(&MODELS, "interference over critical interference")?))
 }
 
-/// The same for some models side by side, to be drawn from their rows.
-pub fn some(models: &[&str]) -> Result<Figure> {
-    Ok(beside(COLUMNS.len(), panels(models, "w/w_c")?))
+/// The same for some models side by side, and its csv.
+pub fn some(models: &[&str]) -> Result<(Figure, String)> {
+    let figure = beside(COLUMNS.len(), panels(models, "w/w_c")?);
+    Ok((figure, table_of(models)?.into_text()))
 }
 
 fn panels(models: &[&str], interference: &str) -> Result<Vec<Panel>> {

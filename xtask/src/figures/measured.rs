@@ -1,5 +1,6 @@
 //! The two pictures of the report, each from the text of its csv.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -62,9 +63,6 @@ fn size(error: &str) -> f64 {
     error.parse().unwrap_or(f64::INFINITY)
 }
 
-/// Panel, method and number of the setting, with the worst error and all times.
-type Group<'a> = ((&'a str, &'a str, usize), f64, Vec<f64>);
-
 /// Median of times against worst of errors, for each method and setting over all models and
 /// quantities of a panel: `panel,method,error,time`.
 fn summary(csv: &str) -> Result<String> {
@@ -72,21 +70,17 @@ fn summary(csv: &str) -> Result<String> {
     let together =
         |a: &Row, b: &Row| (&a.model, &a.quantity, &a.method) == (&b.model, &b.quantity, &b.method);
     let settings = rows.chunk_by(together).flat_map(|rows| rows.iter().enumerate());
-    let mut groups: Vec<Group> = vec![];
+    // The worst error and all times of a panel, a method and the number of its setting.
+    let mut groups = BTreeMap::<_, (f64, Vec<f64>)>::new();
     for (setting, row) in settings.filter(|(_, row)| !row.max_relative_error.is_empty()) {
-        let key = (panel_of(&row.model), row.method.as_str(), setting);
-        let (error, time) = (size(&row.max_relative_error), row.median_ns.parse()?);
-        match groups.iter_mut().find(|group| group.0 == key) {
-            Some((_, worst, times)) => {
-                *worst = worst.max(error);
-                times.push(time);
-            }
-            None => groups.push((key, error, vec![time])),
-        }
+        let key = (panel_of(&row.model), &row.method, setting);
+        let (worst, times) = groups.entry(key).or_default();
+        *worst = worst.max(size(&row.max_relative_error));
+        times.push(row.median_ns.parse()?);
     }
     let mut text = String::from("panel,method,error,time\n");
     // A failure has no place on the axis.
-    for ((panel, method, _), worst, times) in groups.into_iter().filter(|g| g.1.is_finite()) {
+    for ((panel, method, _), (worst, times)) in groups.into_iter().filter(|g| g.1.0.is_finite()) {
         let (worst, time) = (worst.clamp(ERRORS.0, ERRORS.1), median(times).unwrap_or(0.0));
         text += &format!("{panel},{method},{worst:e},{time:e}\n");
     }
@@ -133,19 +127,13 @@ fn hard_cases(csv: &str) -> Result<String> {
     let mut families: Vec<&[_]> = rows.chunk_by(|a, b| a[0] == b[0]).collect();
     families.sort_by_key(|rows| rows[0][0] != *ORDINARY);
     let row = |rows: &&[csv::StringRecord]| {
-        let errors = |k: usize| rows.iter().map(move |row| &row[BEFORE.len() + k]);
-        (0..methods.len()).map(|k| cell(errors(k).filter(|e| !e.is_empty()).collect())).collect()
+        let errors = |k: usize| rows.iter().map(move |row| &row[k]).filter(|e| !e.is_empty());
+        let all = BEFORE.len()..BEFORE.len() + methods.len();
+        (rows[0][0].to_owned(), all.map(|k| cell(errors(k).collect())).collect())
     };
-    let cells = families.iter().map(row).collect();
+    let rows = families.iter().map(row).collect();
     let (title, caption) = caption("hard-cases")?;
-    let matrix = Matrix {
-        title,
-        caption,
-        columns: methods,
-        rows: families.iter().map(|rows| rows[0][0].to_owned()).collect(),
-        cells,
-    };
-    Ok(draw_matrix(&matrix)?)
+    Ok(draw_matrix(&Matrix { title, caption, columns: methods, rows })?)
 }
 
 /// Errors above this count as off.

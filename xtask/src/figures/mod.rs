@@ -1,20 +1,17 @@
 //! The list of figures: for each a table of numbers and the description of its picture.
 
 mod angles;
+mod at;
 pub mod captions;
+mod cycles;
 mod joints;
 mod laws;
 pub mod measured;
-mod metals;
 pub(crate) mod models;
 pub(crate) mod paper;
-mod readings;
 pub mod report_csv;
-mod shares;
-mod slip;
 pub mod truth;
 pub mod truth_ranges;
-mod unloading;
 
 use anyhow::Result;
 use asperity::Evidence;
@@ -27,55 +24,34 @@ use crate::table::Table;
 use paper::{kucharski, kucharski_figure, models_figure, nine_models, roughness, roughness_figure};
 use truth::SHOWN as TRUTH;
 
-/// Describes a picture from the text of the csv, without physics.
-pub type Style = fn(&str) -> Result<Figure>;
-
-/// One figure.
-pub struct FigureSpec {
-    /// Name of its files.
-    pub name: &'static str,
-    /// Computes its numbers.
-    pub table: fn() -> Result<Table>,
-    /// Describes the picture.
-    style: Style,
-}
-
-impl FigureSpec {
-    /// The picture of a csv, with its title and caption.
-    ///
-    /// # Errors
-    /// Another csv.
-    pub fn picture(&self, csv: &str) -> Result<Figure> {
-        captions::with_caption(self.name, (self.style)(csv)?)
-    }
-}
-
-const fn of(name: &'static str, table: fn() -> Result<Table>, style: Style) -> FigureSpec {
-    FigureSpec { name, table, style }
-}
+/// One figure: the name of its files, what computes its numbers, and what describes its picture from
+/// the text of the csv, without physics.
+pub type FigureSpec = (&'static str, fn() -> Result<Table>, fn(&str) -> Result<Figure>);
 
 /// Models beside boundary elements.
-const CSV: &str = Evidence::CSV;
+fn truth_table(which: usize) -> Result<Table> {
+    truth::table(Evidence::committed()?, &TRUTH[which])
+}
 
 /// All figures: those of the paper first.
 pub const FIGURES: [FigureSpec; 19] = [
-    of("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
-    of("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
-    of("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
-    of("fig07-area-models", || nine_models(Area), |_| models_figure(Area)),
-    of("fig08-stiffness-roughness", || roughness(Stiffness), |_| roughness_figure(Stiffness)),
-    of("fig09-stiffness-models", || nine_models(Stiffness), |_| models_figure(Stiffness)),
-    of("fig10-area-kucharski", kucharski, kucharski_figure),
-    of("laws-single-asperity", laws::table, laws::style),
-    of("angle-density", angles::table, angles::style),
-    of("at-regime-shares", shares::table, shares::style),
-    of("at-readings", readings::table, readings::style),
-    of("unloading-models", unloading::table, unloading::style),
-    of("slip-loops", slip::table, slip::style),
-    of("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
-    of("conductance-models", joints::conductance, joints::conductance_figure),
-    of("conductance-metals", metals::table, metals::style),
-    of(TRUTH[0].name, || truth::table(CSV, &TRUTH[0]), |csv| truth::style(csv, &TRUTH[0])),
-    of(TRUTH[1].name, || truth::table(CSV, &TRUTH[1]), |csv| truth::style(csv, &TRUTH[1])),
-    of(TRUTH[2].name, || truth::table(CSV, &TRUTH[2]), |csv| truth::style(csv, &TRUTH[2])),
+    ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
+    ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
+    ("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
+    ("fig07-area-models", || nine_models(Area), |_| models_figure(Area)),
+    ("fig08-stiffness-roughness", || roughness(Stiffness), |_| roughness_figure(Stiffness)),
+    ("fig09-stiffness-models", || nine_models(Stiffness), |_| models_figure(Stiffness)),
+    ("fig10-area-kucharski", kucharski, kucharski_figure),
+    ("laws-single-asperity", laws::table, laws::style),
+    ("angle-density", angles::table, angles::style),
+    ("at-regime-shares", at::shares, at::shares_figure),
+    ("at-readings", at::readings, at::readings_figure),
+    ("unloading-models", cycles::unloading, cycles::unloading_figure),
+    ("slip-loops", cycles::slip, cycles::slip_figure),
+    ("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
+    ("conductance-models", joints::conductance, joints::conductance_figure),
+    ("conductance-metals", joints::metals, joints::metals_figure),
+    (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
+    (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),
+    (TRUTH[2].0, || truth_table(2), |csv| truth::style(csv, &TRUTH[2])),
 ];

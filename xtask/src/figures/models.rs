@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::{
-    At, Body, Interface, Model, Quantity, Request, Response, Scene, Surface, Tolerance,
+    At, Body, Interface, Model, Quantity, Request, Response, Scene, Surface, Tolerance, linspace,
 };
 use asperity_plot::{Axis, Curve, Figure, Panel};
 
@@ -20,6 +20,11 @@ pub fn solve(
 ) -> Result<Response> {
     let request = Request::new(quantities.iter().copied()).within(Tolerance::new(TOLERANCE)?);
     Ok(id.parse::<Model>()?.solve(scene, &request.at(at))?)
+}
+
+/// Numbers from one to another, each the same multiple of the one before.
+pub fn geometric(from: f64, to: f64, count: usize) -> Vec<f64> {
+    linspace(from.log10(), to.log10(), count).into_iter().map(|x| 10f64.powf(x)).collect()
 }
 
 /// The curve of each model.

@@ -14,31 +14,14 @@ pub const PIXELS_PER_WAVE: f64 = 8.0;
 /// cost little.
 pub const MOST_SEEDS: u64 = 64;
 
-/// What one of the figures compares.
-pub struct Shown {
-    /// Name of its files.
-    pub name: &'static str,
-    quantity: Compared,
-    label: &'static str,
-    /// Largest and smallest ratio of the axis.
-    range: (f64, f64),
-}
+/// A figure: the name of its files, what it compares, its axis, and the ends of that.
+pub type Shown = (&'static str, Compared, &'static str, [f64; 2]);
 
 /// The figures.
 pub const SHOWN: [Shown; 3] = [
-    Shown { name: "truth-area", quantity: Compared::Area, label: "area/BEM", range: (0.4, 1.6) },
-    Shown {
-        name: "truth-stiffness",
-        quantity: Compared::Stiffness,
-        label: "stiffness/BEM",
-        range: (0.0, 1.6),
-    },
-    Shown {
-        name: "truth-unloading",
-        quantity: Compared::UnloadingStiffness,
-        label: "unloading stiffness/BEM",
-        range: (0.0, 2.0),
-    },
+    ("truth-area", Compared::Area, "area/BEM", [0.4, 1.6]),
+    ("truth-stiffness", Compared::Stiffness, "stiffness/BEM", [0.0, 1.6]),
+    ("truth-unloading", Compared::UnloadingStiffness, "unloading stiffness/BEM", [0.0, 2.0]),
 ];
 
 /// Plasticity indices with panels.
@@ -60,13 +43,12 @@ const ELASTIC_ONLY: [&str; 3] = ["gw", "gw-random", "persson"];
 /// Edges of the band.
 const BAND: [&str; 2] = ["error-low", "error-high"];
 
-/// The numbers of a figure, from the text of the evidence.
+/// The numbers of a figure.
 ///
 /// # Errors
-/// A text that is not evidence.
-pub fn table(text: &str, shown: &Shown) -> Result<Table> {
+/// A number that is not finite.
+pub fn table(evidence: &Evidence, (_, quantity, ..): &Shown) -> Result<Table> {
     let mut table = Table::new(&["case", "curve", "p_over_Eg", "model_over_bem"]);
-    let evidence = Evidence::parse(text)?;
     let in_panel =
         |case: &&EvidenceCase| is_plain(case) && SHOWN_INDICES.contains(&case.plasticity_index);
     let mut cases: Vec<&EvidenceCase> = evidence.cases().iter().filter(in_panel).collect();
@@ -76,12 +58,12 @@ pub fn table(text: &str, shown: &Shown) -> Result<Table> {
     });
     for found in cases {
         let case = format!("α = {:.1}; {}", found.alpha, material(found.plasticity_index));
-        let Some(truth) = found.bem.value(shown.quantity) else { continue };
-        let error = found.bem.error(shown.quantity).unwrap_or(0.0) / truth;
+        let Some(truth) = found.bem.value(*quantity) else { continue };
+        let error = found.bem.error(*quantity).unwrap_or(0.0) / truth;
         table.push(&[&case, BAND[0]], [found.load, 1.0 - error])?;
         table.push(&[&case, BAND[1]], [found.load, 1.0 + error])?;
         for (id, row) in &found.models {
-            if let Some(value) = row.value(shown.quantity) {
+            if let Some(value) = row.value(*quantity) {
                 table.push(&[&case, id], [found.load, value / truth])?;
             }
         }
@@ -93,7 +75,7 @@ pub fn table(text: &str, shown: &Shown) -> Result<Table> {
 ///
 /// # Errors
 /// The csv of another figure.
-pub fn style(csv: &str, shown: &Shown) -> Result<Figure> {
+pub fn style(csv: &str, (_, _, label, [low, high]): &Shown) -> Result<Figure> {
     let fields = |line| -> Vec<&str> { str::split(line, ',').collect() };
     let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(fields).collect();
     let picture = |rows: &[Vec<&str>]| {
@@ -111,7 +93,7 @@ pub fn style(csv: &str, shown: &Shown) -> Result<Figure> {
         ids.retain(|id| !curves.iter().any(|curve| curve.key == *id));
         curves.extend(ids.into_iter().map(|id| Curve::faint(id, "other models")));
         let x = Axis::new("p_over_Eg", "p/(E g)").log().range(1e-5, 0.3);
-        let y = Axis::new("model_over_bem", shown.label).range(shown.range.0, shown.range.1);
+        let y = Axis::new("model_over_bem", label).range(*low, *high);
         let mut panel = of("case", case, case, panel(&x, y, &curves));
         let [lower, upper] = BAND.map(Into::into);
         panel.between = vec![Between { lower, upper, look: 9, label: String::new() }];

@@ -1,6 +1,5 @@
 //! `figures/truth.md`: the range of each model's deviations.
 
-use anyhow::Result;
 use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
 
 use crate::table::{markdown_head, markdown_row};
@@ -22,14 +21,8 @@ boundary elements, and the bandwidths that were solved.
 ";
 
 /// Skewnesses, and ratios of slopes.
-const SHAPES: [(&str, f64, f64); 6] = [
-    ("skewness -2", -2.0, 1.0),
-    ("skewness -1", -1.0, 1.0),
-    ("skewness +1", 1.0, 1.0),
-    ("lay 2", 0.0, 2.0),
-    ("lay 4", 0.0, 4.0),
-    ("lay 8", 0.0, 8.0),
-];
+const SHAPES: [(f64, f64); 6] =
+    [(-2.0, 1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, 2.0), (0.0, 4.0), (0.0, 8.0)];
 /// The cell of a column without deviations.
 pub const NOTHING: &str = "–";
 
@@ -66,6 +59,13 @@ pub fn material(index: f64) -> String {
     if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() }
 }
 
+/// The name of a skewness or of a ratio of slopes.
+#[must_use]
+pub fn shape_name(skewness: f64, slope_ratio: f64) -> String {
+    let is_lay = slope_ratio > 1.0;
+    if is_lay { format!("lay {slope_ratio}") } else { format!("skewness {skewness:+}") }
+}
+
 /// The lowest and the highest deviation as a cell.
 #[must_use]
 pub fn ends(off: impl IntoIterator<Item = f64>) -> String {
@@ -77,39 +77,33 @@ pub fn ends(off: impl IntoIterator<Item = f64>) -> String {
 /// A column: its head and its cases.
 type Column<'e> = (String, Vec<&'e EvidenceCase>);
 
-/// The tables, from the text of the evidence: for each model the range of the deviations over
-/// surfaces and loads. Isotropic Gaussian surfaces by material, under light and heavier loads; then
-/// skewed surfaces and those with a lay.
-///
-/// # Errors
-/// A text that is not evidence.
-pub fn table(text: &str) -> Result<String> {
-    let evidence = Evidence::parse(text)?;
-    let chosen = |holds: &dyn Fn(&EvidenceCase) -> bool| -> Vec<&EvidenceCase> {
-        evidence.cases().iter().filter(|case| case.load <= HEAVIEST && holds(case)).collect()
-    };
-    let mut indices: Vec<f64> =
-        chosen(&is_plain).iter().map(|case| case.plasticity_index).collect();
-    indices.sort_by(f64::total_cmp);
-    indices.dedup();
+/// Numbers in order, each once.
+fn distinct(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut numbers: Vec<f64> = numbers.collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    numbers
+}
+
+/// The tables of the evidence: for each model the range of the deviations over surfaces and loads.
+/// Isotropic Gaussian surfaces by material, under light and heavier loads; then skewed surfaces and
+/// those with a lay.
+#[must_use]
+pub fn table(evidence: &Evidence) -> String {
+    let cases = || evidence.cases().iter().filter(|case| case.load <= HEAVIEST);
+    let plain = || cases().filter(|case| is_plain(case));
     let by_material = |light: bool| -> Vec<Column> {
-        let column = |index: &f64| {
-            let holds = |case: &EvidenceCase| {
-                is_plain(case)
-                    && equal(case.plasticity_index, *index)
-                    && (case.load <= LIGHT) == light
-            };
-            (material(*index), chosen(&holds))
+        let column = |index: f64| {
+            let same = |case: &&EvidenceCase| equal(case.plasticity_index, index);
+            let own = plain().filter(same).filter(|case| (case.load <= LIGHT) == light);
+            (material(index), own.collect())
         };
-        indices.iter().map(column).collect()
+        distinct(plain().map(|case| case.plasticity_index)).into_iter().map(column).collect()
     };
-    let shape = |(name, skewness, ratio): (&str, f64, f64)| {
-        let holds = |case: &EvidenceCase| {
-            equal(case.skewness, skewness)
-                && equal(case.slope_ratio, ratio)
-                && case.plasticity_index > 0.0
-        };
-        (name.to_owned(), chosen(&holds))
+    let shape = |(skewness, ratio)| {
+        let same = |c: &&EvidenceCase| equal(c.skewness, skewness) && equal(c.slope_ratio, ratio);
+        let own = cases().filter(same).filter(|case| case.plasticity_index > 0.0);
+        (shape_name(skewness, ratio), own.collect())
     };
     let mut out = String::from(PREFACE);
     for (columns, heading) in [
@@ -127,16 +121,14 @@ pub fn table(text: &str) -> Result<String> {
             out += &of_quantity(quantity, what, &columns);
         }
     }
-    Ok(out)
+    out
 }
 
 fn of_quantity(quantity: Compared, what: &str, columns: &[Column]) -> String {
-    let heads: Vec<&str> =
-        [what].into_iter().chain(columns.iter().map(|(head, _)| head.as_str())).collect();
-    let mut out = markdown_head(&heads, columns.len());
-    let row = |name: String, cell: &dyn Fn(&[&EvidenceCase]) -> String| -> Vec<String> {
-        [name].into_iter().chain(columns.iter().map(|(_, cases)| cell(cases))).collect()
+    let row = |first: &str, cell: &dyn Fn(&Column) -> String| -> Vec<String> {
+        [first.to_owned()].into_iter().chain(columns.iter().map(cell)).collect()
     };
+    let mut out = markdown_head(&row(what, &|column| column.0.clone()), columns.len());
     let is_gap = quantity == Compared::MeanGap;
     for model in models() {
         let off = |case: &&EvidenceCase| {
@@ -145,7 +137,8 @@ fn of_quantity(quantity: Compared, what: &str, columns: &[Column]) -> String {
             let relative = Evidence::relative(quantity, found, bem);
             Some(0.1 * (relative - if is_gap { 0.0 } else { 1e3 }))
         };
-        let row = row(format!("`{}`", model.id()), &|cases| ends(cases.iter().filter_map(off)));
+        let row =
+            row(&format!("`{}`", model.id()), &|(_, cases)| ends(cases.iter().filter_map(off)));
         if row[1..].iter().any(|cell| cell != NOTHING) {
             out += &markdown_row(&row);
         }
@@ -154,14 +147,12 @@ fn of_quantity(quantity: Compared, what: &str, columns: &[Column]) -> String {
         let unit = if is_gap { 1.0 } else { case.bem.value(quantity)? };
         Some(100.0 * case.bem.error(quantity)? / unit)
     };
-    out += &markdown_row(&row("*largest standard error*".into(), &|cases| {
+    out += &markdown_row(&row("*largest standard error*", &|(_, cases)| {
         let largest = cases.iter().filter_map(error).reduce(f64::max);
         largest.map_or(NOTHING.into(), |most| format!("±{most:.0}"))
     }));
-    out += &markdown_row(&row("*bandwidths α*".into(), &|cases| {
-        let mut solved: Vec<f64> = cases.iter().map(|case| case.alpha).collect();
-        solved.sort_by(f64::total_cmp);
-        solved.dedup();
+    out += &markdown_row(&row("*bandwidths α*", &|(_, cases)| {
+        let solved = distinct(cases.iter().map(|case| case.alpha));
         solved.iter().map(|alpha| format!("{alpha:.1}")).collect::<Vec<_>>().join(", ")
     }));
     out + "\n"

@@ -10,6 +10,8 @@ use crate::folder::{read, root};
 /// One page of the guide.
 #[derive(Debug)]
 pub struct Chapter {
+    /// The heading of the contents above it.
+    pub group: &'static str,
     /// The name of its file, without `.html`.
     pub slug: &'static str,
     /// Its title.
@@ -19,31 +21,21 @@ pub struct Chapter {
     pub parts: Vec<&'static str>,
 }
 
-/// Chapters under one heading of the contents.
-pub type Group = (&'static str, Vec<Chapter>);
+/// All chapters, in order.
+pub static ALL: LazyLock<Vec<Chapter>> =
+    LazyLock::new(|| chapters(include_str!("../../../crates/asperity-web/guide/chapters.txt")));
 
-/// All chapters.
-pub static GROUPS: LazyLock<Vec<Group>> =
-    LazyLock::new(|| groups(include_str!("../../../crates/asperity-web/guide/chapters.txt")));
-
-fn groups(text: &'static str) -> Vec<Group> {
-    let mut groups: Vec<Group> = vec![];
+fn chapters(text: &'static str) -> Vec<Chapter> {
+    let (mut group, mut all) = ("", vec![]);
     for line in text.lines() {
-        if let Some(title) = line.strip_prefix("# ") {
-            groups.push((title, vec![]));
-        } else if let (Some((_, chapters)), Some((slug, rest))) =
-            (groups.last_mut(), line.split_once(" | "))
-        {
+        if let Some(heading) = line.strip_prefix("# ") {
+            group = heading;
+        } else if let Some((slug, rest)) = line.split_once(" | ") {
             let (title, parts) = rest.split_once(" | ").unwrap_or((rest, ""));
-            chapters.push(Chapter { slug, title, parts: parts.split(" | ").collect() });
+            all.push(Chapter { group, slug, title, parts: parts.split(" | ").collect() });
         }
     }
-    groups
-}
-
-/// All chapters, in order.
-pub fn all() -> impl Iterator<Item = &'static Chapter> {
-    GROUPS.iter().flat_map(|(_, chapters)| chapters)
+    all
 }
 
 impl Chapter {
@@ -117,7 +109,7 @@ fn head(text: &str) -> String {
 /// A list without that chapter.
 pub fn of_model(id: &str) -> Result<&'static Chapter> {
     let stem = id.split('-').next().unwrap_or_default();
-    let named = |slug: &str| all().find(|chapter| chapter.slug == slug);
+    let named = |slug: &str| ALL.iter().find(|chapter| chapter.slug == slug);
     named(stem).or_else(|| named("adhesion")).context("no chapter of adhesion")
 }
 
@@ -161,13 +153,14 @@ mod tests {
             .collect();
         assert!(readmes.len() > 10, "{readmes:?}");
         for readme in readmes {
-            let shown = all()
+            let shown = ALL
+                .iter()
                 .any(|chapter| chapter.parts[0] == readme && chapter.parts[1].starts_with("laws "));
             assert!(shown, "{readme} has no chapter with its laws");
         }
         for model in Model::all() {
             let stem = model.id().split('-').next().unwrap();
-            assert!(all().any(|chapter| chapter.slug == stem), "{model} has no chapter");
+            assert!(ALL.iter().any(|chapter| chapter.slug == stem), "{model} has no chapter");
         }
     }
 }

@@ -3,7 +3,6 @@
 //! The files themselves keep plain text, which GitHub, rustdoc and an editor show alike.
 
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 
 use crate::html::escape;
 
@@ -28,26 +27,24 @@ fn table(lines: &[&str]) -> String {
     let described = |pair: &[(usize, String)]| pair.len() == 2 && words(&pair[1].1) > 0;
     let is_list = rows.iter().all(|row| row.chunks(2).all(described));
     let symbols = if is_list { " symbols" } else { "" };
-    let mut html = format!("<table class=\"equations{symbols}\">\n");
-    // Writing to a string cannot fail.
-    for row in &rows {
-        html += "<tr>";
-        let first = row.first().map_or(0, |(start, _)| *start);
-        let indent = starts.range(..first).count();
-        if indent > 0 {
-            let _ = write!(html, "<td colspan=\"{indent}\"></td>");
-        }
-        for (k, (start, text)) in row.iter().enumerate() {
+    let row = |row: &Vec<(usize, String)>| {
+        let cell = |(k, (start, text)): (usize, &(usize, String))| {
             let end = row.get(k + 1).map_or(usize::MAX, |(next, _)| *next);
             let span = starts.range(start..&end).count();
             let span = if span > 1 { format!(" colspan=\"{span}\"") } else { String::new() };
             // Words about a symbol, which may take several lines.
             let class = if words(text) > 1 { " class=\"words\"" } else { "" };
-            let _ = write!(html, "<td{span}{class}>{}</td>", formula(text));
+            format!("<td{span}{class}>{}</td>", formula(text))
+        };
+        let cells: String = row.iter().enumerate().map(cell).collect();
+        let first = row.first().map_or(0, |(start, _)| *start);
+        match starts.range(..first).count() {
+            0 => format!("<tr>{cells}</tr>\n"),
+            indent => format!("<tr><td colspan=\"{indent}\"></td>{cells}</tr>\n"),
         }
-        html += "</tr>\n";
-    }
-    html + "</table>\n"
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!("<table class=\"equations{symbols}\">\n{rows}</table>\n")
 }
 
 /// The words of a part that are longer than the name of a function.
@@ -116,8 +113,7 @@ pub fn letters(text: &str) -> String {
         };
         match tag.and_then(|tag| Some((tag, moved(after, tag)?))) {
             Some((tag, (inner, used))) => {
-                let inner = letters(&minus(inner));
-                let _ = write!(html, "<{tag}>{inner}</{tag}>");
+                html += &format!("<{tag}>{}</{tag}>", letters(&minus(inner)));
                 rest = &after[used..];
                 before = [None, Some('\'')];
             }

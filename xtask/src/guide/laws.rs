@@ -6,9 +6,8 @@ use asperity::{
 };
 use asperity_plot::{Axis, Figure, Mark, draw as drawn};
 
-use crate::figures::models::{beside, named, panel, solve};
+use crate::figures::models::{beside, geometric, named, panel, solve};
 use crate::figures::{captions, some_laws};
-use crate::folder::{figures_folder, read};
 use crate::table::Table;
 
 /// The svg of laws, `laws ` and their name or the ids of models, and the text that stands for it.
@@ -33,100 +32,87 @@ fn picture(laws: &str) -> Result<Picture> {
         "laws hardening" => hardening(),
         "laws adhesion" => adhesion(),
         "laws elastic area" => elastic_area(),
-        models => of(models),
+        models => {
+            let others = models.split(' ').skip(1).filter(|id| *id != "gw");
+            some_laws(&["gw"].into_iter().chain(others).collect::<Vec<_>>())
+        }
     }
-}
-
-/// Beside those of GW, from the numbers of the figure of all laws.
-fn of(models: &str) -> Result<Picture> {
-    let all = read(&figures_folder().join("laws-single-asperity.csv"))?;
-    let others = models.split(' ').skip(1).filter(|id| *id != "gw");
-    let keys: Vec<&str> = ["gw"].into_iter().chain(others).collect();
-    let shown = |(number, line): &(usize, &str)| {
-        *number == 0 || keys.iter().any(|key| line.split(',').next() == Some(key))
-    };
-    let lines = all.split_inclusive('\n').enumerate().filter(shown);
-    let csv = lines.map(|(_, line)| line).collect();
-    Ok((some_laws(&keys)?, csv))
-}
-
-/// `count` numbers from `from` to `to`, each the same multiple of the one before.
-fn decades(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
-    let steps = f64::from(count - 1);
-    (0..count).map(move |k| from * (to / from).powf(f64::from(k) / steps))
 }
 
 const COLUMNS: [&str; 4] = ["curve", "interference_m", "force_N", "area_m2"];
 
-/// Adds force and area of an asperity at these interferences, where there is contact: some laws
-/// start with a jump.
-fn push_law(
-    table: &mut Table,
-    (key, id): (&str, &str),
-    asperity: &Asperity,
-    interferences: impl Iterator<Item = f64>,
-) -> Result<()> {
-    let model: Model = id.parse()?;
-    let law = |quantity| model.law(asperity, quantity, Tolerance::default());
-    let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
-    for w in interferences {
-        let numbers = [w, force.value(w)?, area.value(w)?];
-        if numbers[2] > 0.0 {
-            table.push(&[key], numbers)?;
+/// Force and area of an asperity against the interference, where there is contact: some laws start
+/// with a jump. `laws` returns the model, asperity and interferences of a curve.
+fn force_and_area(
+    curves: &[(&'static str, usize, &str)],
+    laws: impl Fn(&'static str) -> Result<(&'static str, Asperity, Vec<f64>)>,
+    axes: [Axis; 3],
+) -> Result<Picture> {
+    let mut table = Table::new(&COLUMNS);
+    for (key, ..) in curves {
+        let (id, asperity, interferences) = laws(key)?;
+        let model: Model = id.parse()?;
+        let law = |quantity| model.law(&asperity, quantity, Tolerance::default());
+        let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
+        for w in interferences {
+            let numbers = [w, force.value(w)?, area.value(w)?];
+            if numbers[2] > 0.0 {
+                table.push(&[key], numbers)?;
+            }
         }
     }
-    Ok(())
+    let [x, force, area] = axes;
+    let panels = [force, area].map(|y| panel(&x, y, &named(curves)));
+    Ok((beside(2, panels), table.into_text()))
 }
 
 fn hardening() -> Result<Picture> {
-    let mut table = Table::new(&COLUMNS);
     let (radius, modulus) = (1e-3, 200e9);
-    for (key, id, share) in [
-        ("gw", "gw", 0.0),
-        ("t0", "ghaednia", 0.0),
-        ("t1", "ghaednia", 0.01),
-        ("t2", "ghaednia", 0.1),
-    ] {
-        let mut steel = Body::yielding(modulus, 0.3, 400e6);
-        steel.tangent_modulus = Some(share * modulus);
-        let asperity = Asperity::new(&Interface::between(&steel, &steel)?, radius)?;
-        push_law(&mut table, (key, id), &asperity, decades(1e-9, 1e-5, 121))?;
-    }
-    let curves = named(&[
+    let curves = [
         ("gw", 0, "GW, elastic"),
         ("t0", 1, "E_t = 0"),
         ("t1", 2, "E_t = 0.01 E_b"),
         ("t2", 3, "E_t = 0.1 E_b"),
-    ]);
+    ];
+    let laws = |key| {
+        let (id, share) = match key {
+            "gw" => ("gw", 0.0),
+            "t1" => ("ghaednia", 0.01),
+            "t2" => ("ghaednia", 0.1),
+            _ => ("ghaednia", 0.0),
+        };
+        let mut steel = Body::yielding(modulus, 0.3, 400e6);
+        steel.tangent_modulus = Some(share * modulus);
+        let asperity = Asperity::new(&Interface::between(&steel, &steel)?, radius)?;
+        Ok((id, asperity, geometric(1e-9, 1e-5, 121)))
+    };
     let x = Axis::new(COLUMNS[1], "interference (µm)").times(1e6).log();
     let force = Axis::new(COLUMNS[2], "force (N)").log();
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12).log();
-    let panels = [force, area].map(|y| panel(&x, y, &curves));
-    Ok((beside(2, panels), table.into_text()))
+    force_and_area(&curves, laws, [x, force, area])
 }
 
 fn adhesion() -> Result<Picture> {
-    let mut table = Table::new(&COLUMNS);
     let mut rubber = Interface::elastic(1e6, 0.5);
     rubber.work_of_adhesion = Some(0.05);
     let asperity = Asperity::new(&rubber, 1e-4)?;
-    let names = [
+    let curves = [
         ("gw", 0, "GW, no adhesion"),
         ("dmt", 1, "DMT"),
         ("jkr", 2, "JKR on approach"),
         ("jkr-separation", 3, "JKR on separation"),
     ];
-    for (id, ..) in names {
+    let laws = |id| {
         let start = if id == "jkr-separation" { -1.1e-6 } else { 0.0 };
         let steps = (0..=400).map(|k| start + (3e-6 - start) * f64::from(k) / 400.0);
-        push_law(&mut table, (id, id), &asperity, steps)?;
-    }
+        Ok((id, asperity, steps.collect()))
+    };
     let x = Axis::new(COLUMNS[1], "interference (µm)").times(1e6);
     let force = Axis::new(COLUMNS[2], "force (µN)").times(1e6);
     let area = Axis::new(COLUMNS[3], "area (µm²)").times(1e12);
-    let mut panels = [force, area].map(|y| panel(&x, y, &named(&names)));
-    panels[0].horizontals = vec![Mark::new(0.0, "")];
-    Ok((beside(2, panels), table.into_text()))
+    let (mut figure, csv) = force_and_area(&curves, laws, [x, force, area])?;
+    figure.panels[0].horizontals = vec![Mark::new(0.0, "")];
+    Ok((figure, csv))
 }
 
 fn elastic_area() -> Result<Picture> {
@@ -138,7 +124,7 @@ fn elastic_area() -> Result<Picture> {
     let (mut table, mut curves) = (Table::new(&columns), vec![]);
     for (slot, id) in ["gw", "gw-random", "persson", "persson-fudge"].into_iter().enumerate() {
         let model: Model = id.parse()?;
-        let ratios: Vec<f64> = decades(1e-3, 1.0, 61).collect();
+        let ratios = geometric(1e-3, 1.0, 61);
         let pressures = ratios.iter().map(|ratio| At::Pressure(ratio * modulus * gradient));
         let area = solve(id, &scene, &[Quantity::AreaFraction], pressures)?;
         for (ratio, value) in ratios.iter().zip(area.values(Quantity::AreaFraction)?) {

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use asperity::{Described, Model};
 
-use super::chapters::{self, Chapter, GROUPS};
+use super::chapters::{self, ALL, Chapter};
 use super::site::Site;
 use crate::figures::FIGURES;
 use crate::folder::{read, root};
@@ -21,8 +21,9 @@ pub fn contents(current: &Chapter, api: &[(&str, &str)]) -> String {
         let here = if chapter.slug == current.slug { " aria-current=\"page\"" } else { "" };
         item(&chapter.address(), here, chapter.title)
     };
-    let groups = GROUPS.iter().map(|(title, all)| group(title, all.iter().map(chapter).collect()));
-    let mut html: String = groups.collect();
+    let groups = ALL.chunk_by(|a, b| a.group == b.group);
+    let mut html: String =
+        groups.map(|all| group(all[0].group, all.iter().map(chapter).collect())).collect();
     if !api.is_empty() {
         html += &group("Interfaces", api.iter().map(|(to, name)| item(to, "", name)).collect());
     }
@@ -32,10 +33,9 @@ pub fn contents(current: &Chapter, api: &[(&str, &str)]) -> String {
 /// Links to the chapters before and after.
 #[must_use]
 pub fn neighbours(current: &Chapter) -> String {
-    let all: Vec<&Chapter> = chapters::all().collect();
-    let here = all.iter().position(|chapter| chapter.slug == current.slug).unwrap_or_default();
+    let here = ALL.iter().position(|chapter| chapter.slug == current.slug).unwrap_or_default();
     let link = |(at, rel, word): (Option<usize>, &str, &str)| {
-        let chapter = all.get(at?)?;
+        let chapter = ALL.get(at?)?;
         let (address, title) = (chapter.address(), escape(chapter.title));
         Some(format!("<a rel=\"{rel}\" href=\"{address}\">{word}: {title}</a>\n"))
     };
@@ -79,8 +79,8 @@ pub fn models() -> Result<String> {
 /// A figure that cannot be read.
 pub fn figures(site: &mut Site) -> Result<String> {
     let mut html = String::from("<h2 id=\"pictures\">Pictures</h2>\n");
-    for spec in &FIGURES {
-        let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{}.{end}", spec.name));
+    for (name, ..) in &FIGURES {
+        let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{name}.{end}"));
         let picture = read(&root().join(&svg))?;
         let title = picture.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
         let (title, _) = title.with_context(|| format!("{svg} has no title"))?;

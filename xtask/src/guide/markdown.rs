@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use anyhow::Result;
 use pulldown_cmark::{
-    BrokenLink, CodeBlockKind, CowStr, Event, HeadingLevel, LinkType, Options, Parser, Tag, TagEnd,
-    html,
+    BrokenLink, CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html,
 };
 
 use super::equations;
@@ -58,38 +57,49 @@ fn parse(text: &str) -> impl Iterator<Item = Event<'_>> {
     Parser::new_with_broken_link_callback(text, options, Some(broken))
 }
 
-/// The words of a text before its first heading below the title, and its headings, in order, with
-/// ids that are new among `ids`.
-pub fn outline(text: &str, ids: &mut Ids) -> (String, Vec<Heading>) {
-    let (mut lead, mut found, mut own) = (String::new(), Vec::<Heading>::new(), Ids::default());
-    let (mut title, mut in_code) = (None::<String>, false);
-    for event in parse(text) {
-        let words = found.last_mut().map_or(&mut lead, |heading| &mut heading.words);
-        match event {
-            Event::Start(Tag::Heading { .. }) => title = Some(String::new()),
-            Event::End(TagEnd::Heading(level)) => {
-                let text = title.take().unwrap_or_default();
-                let anchor = own.of(&text);
-                if level != HeadingLevel::H1 {
-                    found.push(Heading { id: ids.of(&text), text, anchor, words: String::new() });
+/// A text by its headings.
+pub struct Outline {
+    /// The words before the first heading below the title.
+    pub lead: String,
+    /// The headings below the title, in order.
+    pub headings: Vec<Heading>,
+}
+
+impl Outline {
+    /// That of a text, with ids that are new among `ids`.
+    pub fn new(text: &str, ids: &mut Ids) -> Self {
+        let mut found = Self { lead: String::new(), headings: vec![] };
+        let (mut own, mut title, mut in_code) = (Ids::default(), None::<String>, false);
+        for event in parse(text) {
+            let Self { lead, headings } = &mut found;
+            let words = headings.last_mut().map_or(lead, |heading| &mut heading.words);
+            match event {
+                Event::Start(Tag::Heading { .. }) => title = Some(String::new()),
+                Event::End(TagEnd::Heading(level)) => {
+                    let text = title.take().unwrap_or_default();
+                    let anchor = own.of(&text);
+                    if level != HeadingLevel::H1 {
+                        let (id, words) = (ids.of(&text), String::new());
+                        headings.push(Heading { id, text, anchor, words });
+                    }
                 }
+                Event::Start(Tag::CodeBlock(_)) => in_code = true,
+                Event::End(TagEnd::CodeBlock) => in_code = false,
+                Event::Text(part) | Event::Code(part) if !in_code => {
+                    *title.as_mut().unwrap_or(words) += &part;
+                }
+                // Words of two blocks or cells are apart.
+                Event::End(TagEnd::Link | TagEnd::Emphasis | TagEnd::Strong | TagEnd::Image) => {}
+                Event::SoftBreak | Event::HardBreak | Event::End(_) => words.push(' '),
+                _ => {}
             }
-            Event::Start(Tag::CodeBlock(_)) => in_code = true,
-            Event::End(TagEnd::CodeBlock) => in_code = false,
-            Event::Text(part) | Event::Code(part) if !in_code => {
-                *title.as_mut().unwrap_or(words) += &part;
-            }
-            // Words of two blocks or cells are apart.
-            Event::End(TagEnd::Link | TagEnd::Emphasis | TagEnd::Strong | TagEnd::Image) => {}
-            Event::SoftBreak | Event::HardBreak | Event::End(_) => words.push(' '),
-            _ => {}
         }
+        found
     }
-    (lead, found)
 }
 
 /// Writes a text as html. Its title is left out, as the page has one; `headings` are those of
-/// [`outline`], blocks of plain text that hold equations become tables, and `resolve` returns where
+/// its [`Outline`], blocks of plain text that hold equations become tables, and `resolve` returns where
 /// a link (`false`) or a picture (`true`) leads.
 ///
 /// # Errors
@@ -114,13 +124,7 @@ pub fn render(
                 events.push(Event::Start(Tag::Heading { level, id: ids.next(), classes, attrs }));
             }
             Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
-                let nowhere = link_type == LinkType::Email || dest_url.contains("::");
-                let target = if nowhere {
-                    LinkTarget::Text(String::new())
-                } else {
-                    resolve(&dest_url, false)?
-                };
-                links.push(match target {
+                links.push(match resolve(&dest_url, false)? {
                     LinkTarget::Text(behind) => Some(behind),
                     LinkTarget::Address(address) => {
                         let dest_url = address.into();
@@ -151,14 +155,6 @@ pub fn render(
             Event::Text(text) if text.contains(['_', '^']) => {
                 events.push(Event::InlineHtml(equations::letters(&text).into()));
             }
-            Event::Start(Tag::Table(columns)) => {
-                events.push(Event::Html("<div class=\"wide\">".into()));
-                events.push(Event::Start(Tag::Table(columns)));
-            }
-            Event::End(TagEnd::Table) => {
-                events.push(Event::End(TagEnd::Table));
-                events.push(Event::Html("</div>\n".into()));
-            }
             // No text of the repository is written as html.
             Event::Html(html) | Event::InlineHtml(html) => events.push(Event::Text(html)),
             other => events.push(other),
@@ -166,6 +162,12 @@ pub fn render(
     }
     let mut written = String::new();
     html::push_html(&mut written, events.into_iter());
+    for (tag, wide) in [
+        ("<table><thead>", "<div class=\"wide\"><table><thead>"),
+        ("</tbody></table>\n", "</tbody></table>\n</div>\n"),
+    ] {
+        written = written.replace(tag, wide);
+    }
     // The only inline styles that are written; in text, quotes of attributes are not within a tag.
     for (side, cell) in ["left", "center", "right"].iter().flat_map(|s| [(s, "td"), (s, "th")]) {
         let styled = format!("<{cell} style=\"text-align: {side}\">");
@@ -203,15 +205,20 @@ mod tests {
     use super::*;
 
     fn html(text: &str) -> String {
-        let (_, found) = outline(text, &mut Ids::default());
-        let resolve = |address: &str, _| Ok(LinkTarget::Address(format!("to/{address}")));
+        let found = Outline::new(text, &mut Ids::default()).headings;
+        let resolve = |address: &str, _| {
+            Ok(match address.contains("::") {
+                true => LinkTarget::Text(String::new()),
+                false => LinkTarget::Address(format!("to/{address}")),
+            })
+        };
         render(text, &found, resolve).unwrap()
     }
 
     #[test]
     fn headings_have_ids_and_the_title_is_left_out() {
         let text = "# Title\n\n## F_n(h), and `K`\n\n## A\n\n### A\n";
-        let (_, found) = outline(text, &mut Ids::default());
+        let found = Outline::new(text, &mut Ids::default()).headings;
         let ids: Vec<&str> = found.iter().map(|heading| heading.id.as_str()).collect();
         assert_eq!(ids, ["f_nh-and-k", "a", "a-1"]);
         let html = html(text);
@@ -241,7 +248,7 @@ mod tests {
     #[test]
     fn sections_have_the_words_below_each_heading_without_code() {
         let text = "# T\n\nlead\nmore\n\n## A\n\n|a|b|\n|-|-|\n|`c`|d|\n\n```sh\nx\n```\n## B\n";
-        let (lead, found) = outline(text, &mut Ids::default());
+        let Outline { lead, headings: found } = Outline::new(text, &mut Ids::default());
         let all = [&lead].into_iter().chain(found.iter().map(|heading| &heading.words));
         let words: Vec<Vec<&str>> = all.map(|s| s.split_whitespace().collect()).collect();
         assert_eq!(words, [vec!["lead", "more"], vec!["a", "b", "c", "d"], vec![]]);

@@ -1,20 +1,21 @@
 //! Which page shows which file and heading, and where links lead.
 
 use std::collections::{BTreeMap, HashMap};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 
-use super::chapters::{self, Chapter};
-use super::links::{DOI, normal};
-use super::markdown::{self, Heading, Ids, LinkTarget};
+use super::chapters::{self, ALL, Chapter};
+use super::markdown::{Ids, LinkTarget, Outline};
 use crate::folder::root;
+
+/// The only address outside that a page may link.
+pub const DOI: &str = "https://doi.org/";
 
 /// What a chapter shows, one after the other.
 pub enum Piece {
-    /// A markdown text with the path of its file, from which its links start, the words before its
-    /// first heading, and its headings.
-    Text(PathBuf, String, String, Vec<Heading>),
+    /// A markdown text with the path of its file, from which its links start.
+    Text(PathBuf, String, Outline),
     /// A list or laws, by their name.
     Drawn(&'static str),
 }
@@ -25,10 +26,8 @@ pub type Shown = (&'static Chapter, Vec<Piece>);
 /// Pages of files and headings, and the files that pages link or show.
 #[derive(Default)]
 pub struct Site {
-    /// The page of a file.
-    pages: HashMap<PathBuf, String>,
-    /// The page and id of a heading of a file.
-    anchors: HashMap<(PathBuf, String), String>,
+    /// The page of a file, and the place on a page of a heading, `file#heading`.
+    places: HashMap<String, String>,
     /// The addresses of the copies of files.
     pub files: BTreeMap<PathBuf, String>,
 }
@@ -40,7 +39,7 @@ impl Site {
     /// A file or a section that does not exist.
     pub fn read() -> Result<(Self, Vec<Shown>)> {
         let (mut site, mut all) = (Self::default(), vec![]);
-        for chapter in chapters::all() {
+        for chapter in ALL.iter() {
             let page = chapter.address();
             let (mut ids, mut pieces) = (Ids::default(), vec![]);
             for part in &chapter.parts {
@@ -48,23 +47,22 @@ impl Site {
                     pieces.push(Piece::Drawn(part));
                     continue;
                 };
-                let path = PathBuf::from(path);
-                let (lead, headings) = markdown::outline(&text, &mut ids);
-                for heading in &headings {
+                let outline = Outline::new(&text, &mut ids);
+                for heading in &outline.headings {
                     let address = format!("{page}#{}", heading.id);
-                    site.anchors.entry((path.clone(), heading.anchor.clone())).or_insert(address);
+                    let key = format!("{path}#{}", heading.anchor);
+                    site.places.entry(key).or_insert(address);
                 }
                 // Of sections and code, none stands for the whole.
-                let is_whole = Path::new(part) == path;
-                if is_whole || !site.pages.contains_key(&path) {
-                    site.pages.insert(path.clone(), page.clone());
+                if *part == path || !site.places.contains_key(path) {
+                    site.places.insert(path.into(), page.clone());
                 }
-                pieces.push(Piece::Text(path, text, lead, headings));
+                pieces.push(Piece::Text(path.into(), text, outline));
             }
             all.push((chapter, pieces));
         }
-        site.pages.insert("README.md".into(), "index.html".into());
-        site.pages.insert("figures".into(), "figures.html".into());
+        site.places.insert("README.md".into(), "index.html".into());
+        site.places.insert("figures".into(), "figures.html".into());
         Ok((site, all))
     }
 
@@ -88,28 +86,42 @@ impl Site {
         if let Some((_, rest)) = link.split_once("://").filter(|_| !link.starts_with(DOI)) {
             return Ok(LinkTarget::Text(format!(" ({})", rest.trim_end_matches('/'))));
         }
+        // A link of rustdoc, a mail.
+        if link.contains("::") || link.contains('@') {
+            return Ok(LinkTarget::Text(String::new()));
+        }
         // To the pages themselves, from the chapters written for the guide.
         if link.starts_with(DOI) || link.starts_with("../") && link.ends_with("index.html") {
             return Ok(LinkTarget::Address(link.into()));
         }
-        let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+        let (path, anchor) = link.split_once('#').map_or((link, None), |(p, a)| (p, Some(a)));
         let path = match path {
             "" => from.to_owned(),
             path => normal(&from.with_file_name("").join(path)),
         };
-        let from = || format!("{}: {link}", from.display());
-        if !anchor.is_empty() {
-            let found = self.anchors.get(&(path, anchor.to_owned())).cloned();
-            let found =
-                found.with_context(|| format!("{}: no page of the guide has this heading", from()));
-            return found.map(LinkTarget::Address);
+        let key = path.display().to_string() + &anchor.map_or(String::new(), |a| format!("#{a}"));
+        if let Some(place) = self.places.get(&key).filter(|_| !is_picture) {
+            return Ok(LinkTarget::Address(place.clone()));
         }
-        if let Some(page) = self.pages.get(&path).filter(|_| !is_picture) {
-            return Ok(LinkTarget::Address(page.clone()));
-        }
-        ensure!(root().join(&path).is_file(), "{}: no such file", from());
+        let from = from.display();
+        ensure!(anchor.is_none(), "{from}: {link}: no page of the guide has this heading");
+        ensure!(root().join(&path).is_file(), "{from}: {link}: no such file");
         Ok(LinkTarget::Address(self.file(&path)))
     }
+}
+
+/// Without `.` and `..`.
+#[must_use]
+pub fn normal(path: &Path) -> PathBuf {
+    let mut normal = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => drop(normal.pop()),
+            part => normal.push(part),
+        }
+    }
+    normal
 }
 
 #[cfg(test)]

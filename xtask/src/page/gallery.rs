@@ -29,18 +29,17 @@ struct LinkedScene {
 /// Writes the pictures and fills the gallery's page.
 pub(super) fn write(folder: &Path) -> Result<()> {
     let mut sections = String::new();
-    for figure in FIGURES.iter().filter(|figure| figure.name.starts_with("fig")) {
-        let file = format!("{}.svg", figure.name);
+    for (name, ..) in FIGURES.iter().filter(|figure| figure.0.starts_with("fig")) {
+        let file = format!("{name}.svg");
         copy(&figures_folder().join(&file), &folder.join("gallery").join(&file))?;
-        let title = escape(&captions::of(figure.name)?.0);
-        let mut links = vec![];
-        for one in scenes(figure.name)? {
+        let title = escape(&captions::of(name)?.0);
+        let link = |one: &LinkedScene| -> Result<String> {
             let label = escape(&one.label).replace("_z", "<sub>z</sub>");
-            links.push(format!("<a href=\"index.html#s={}\">{label}</a>", link(&one)?));
-        }
-        let links = links.join(", ");
+            Ok(format!("<a href=\"index.html#s={}\">{label}</a>", link(one)?))
+        };
+        let links = scenes(name)?.iter().map(link).collect::<Result<Vec<_>>>()?.join(", ");
         let other = if title.contains("stiffness") { OTHER_STIFFNESS } else { "" };
-        let number = figure.name.trim_start_matches(['f', 'i', 'g', '0']).split('-').next();
+        let number = name.trim_start_matches(['f', 'i', 'g', '0']).split('-').next();
         let number = number.unwrap_or_default();
         sections += &format!(
             "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}{other}</p>\
@@ -91,7 +90,7 @@ mod tests {
     use crate::figures::FigureSpec;
 
     fn csv(figure: &FigureSpec) -> Result<String> {
-        read(&figures_folder().join(format!("{}.csv", figure.name)))
+        read(&figures_folder().join(format!("{}.csv", figure.0)))
     }
 
     fn call(desk: &mut Desk, message: Value) -> Value {
@@ -103,17 +102,15 @@ mod tests {
     #[test]
     fn the_scenes_of_the_links_give_the_curves_of_the_figures() {
         let mut compared = 0;
-        for figure in
-            FIGURES.iter().filter(|f| f.name.starts_with("fig") && f.name.contains("models"))
-        {
-            for opened in scenes(figure.name).unwrap() {
+        for figure in FIGURES.iter().filter(|f| f.0.starts_with("fig") && f.0.contains("models")) {
+            for opened in scenes(figure.0).unwrap() {
                 let mut desk = Desk::default();
                 let state =
                     call(&mut desk, json!({ "call": "unlink", "link": link(&opened).unwrap() }));
                 let shown = call(&mut desk, json!({ "call": "show", "text": state["scene"] }));
                 assert!(shown["error"].is_null(), "{shown}");
                 // The load of a point of figure 5 gives the point of each figure.
-                let force = FIGURES.iter().find(|figure| figure.name.starts_with("fig05")).unwrap();
+                let force = FIGURES.iter().find(|figure| figure.0.starts_with("fig05")).unwrap();
                 let at = |figure: &FigureSpec| -> Vec<f64> {
                     let text = csv(figure).unwrap();
                     let row = text.lines().filter(|line| line.starts_with("ke,")).nth(80).unwrap();
@@ -133,7 +130,7 @@ mod tests {
                     "area-fraction" => (of("area-fraction") * 3e-5, wanted[1]),
                     view => (of(view), wanted[1]),
                 };
-                assert!((found / wanted - 1.0).abs() < 1e-6, "{}: {found} {wanted}", figure.name);
+                assert!((found / wanted - 1.0).abs() < 1e-6, "{}: {found} {wanted}", figure.0);
                 compared += 1;
             }
         }

@@ -6,7 +6,6 @@ use anyhow::{Context, Result};
 use asperity::{HeightDistribution, Interface, Model, Quantity, Scene, Surface};
 use rayon::prelude::*;
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 
 use super::ours::Laws;
 use super::outcome::{Failure, NOT_FINITE, Outcome, ZERO};
@@ -66,7 +65,7 @@ impl Case {
 }
 
 /// The numbers of a scene.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct Numbers {
     #[serde(flatten)]
     interface: Interface,
@@ -81,33 +80,24 @@ impl Numbers {
     }
 }
 
-/// A row of `hard_cases.csv`, or of `models.csv`, which has fewer columns.
-#[derive(Deserialize)]
+/// A row of `hard_cases.csv`, or of `models.csv` or `models_scenes.csv`, which have fewer columns.
+#[derive(Clone, Default, Deserialize)]
+#[serde(default)]
 struct CaseRow {
-    #[serde(default)]
     family: String,
     case: String,
     #[serde(flatten)]
     numbers: Option<Numbers>,
-    #[serde(default)]
     heights: String,
     model: String,
     quantity: String,
     separation_over_sigma: f64,
     value: f64,
     /// Digits of ln |value|; empty where the value has full precision.
-    #[serde(default)]
     ln_value: String,
 }
 
-#[derive(Deserialize)]
-struct Named {
-    case: String,
-    #[serde(flatten)]
-    numbers: Numbers,
-}
-
-fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
+fn table(name: &str) -> Result<Vec<CaseRow>> {
     let path = root().join("tests/reference").join(name);
     let rows = csv::Reader::from_path(&path).and_then(|mut csv| csv.deserialize().collect());
     rows.with_context(|| path.display().to_string())
@@ -118,20 +108,20 @@ fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
 /// # Errors
 /// A table that is missing or malformed.
 pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
-    let scenes: Vec<Named> = table("models_scenes.csv")?;
-    let rows = [table("hard_cases.csv")?, table::<CaseRow>("models.csv")?].into_iter().flatten();
+    let scenes = table("models_scenes.csv")?;
+    let rows = [table("hard_cases.csv")?, table("models.csv")?].concat();
     let case = |row: CaseRow| {
         // Rows of the lateral models with other options have other names and are left out.
         let wanted = |(model, quantity): &&(Model, Quantity)| {
             model.id() == row.model && quantity.to_string() == row.quantity
         };
         let pair = pairs.iter().find(wanted)?;
-        let named = scenes.iter().find(|named| named.case == row.case).map(|named| &named.numbers);
-        let numbers = row.numbers.as_ref().or(named);
+        let named = || scenes.iter().find(|named| named.case == row.case)?.numbers.as_ref();
+        let numbers = row.numbers.as_ref().or_else(named);
         let numbers = numbers.with_context(|| format!("scene {:?} is in no table", row.case));
         Some(numbers.map(Numbers::scene).and_then(|scene| case(laws, &row, scene, pair)))
     };
-    rows.collect::<Vec<_>>().into_par_iter().filter_map(case).collect()
+    rows.into_par_iter().filter_map(case).collect()
 }
 
 fn case(

@@ -31,13 +31,8 @@ pub struct External {
 /// and the problem, whose law is a sum of powers.
 pub type Task = (f64, usize, Arc<Problem>);
 
-/// The result of a task.
-pub struct ExternalAnswer {
-    /// Value and evaluations, or failure.
-    pub found: Result<Outcome, Failure>,
-    /// Median time \[ns\].
-    pub ns: f64,
-}
+/// The result of a task, and its median time \[ns\].
+pub type Answer = (Result<Outcome, Failure>, f64);
 
 /// Whether a problem can be passed to another library.
 #[must_use]
@@ -66,11 +61,8 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
             command: vec!["python3".into(), script],
         });
     }
-    let either = |[config, pkg]: [&[&str]; 2]| {
-        output_of("pkg-config", pkg).or_else(|| output_of("gsl-config", config))
-    };
-    if let Some(flags) = either([&["--cflags", "--libs"], &["--cflags", "--libs", "gsl"]]) {
-        let version = either([&["--version"], &["--modversion", "gsl"]]).unwrap_or_default();
+    if let Some(flags) = output_of("gsl-config", &["--cflags", "--libs"]) {
+        let version = output_of("gsl-config", &["--version"]).unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
         save(&source, include_str!("external/qag.c"))?;
         let mut cc = Command::new("cc");
@@ -87,7 +79,7 @@ impl External {
     ///
     /// # Errors
     /// When the process fails or its output is malformed.
-    pub fn run(&self, tasks: &[Task]) -> Result<Vec<ExternalAnswer>> {
+    pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
         let [program, arguments @ ..] = &self.command[..] else { bail!("no program") };
         let path = arguments.last().unwrap_or(program).with_extension("tasks");
         save(&path, tasks.iter().map(line).collect::<Result<String>>()?)?;
@@ -120,11 +112,11 @@ fn line((tolerance, repeats, problem): &Task) -> Result<String> {
 }
 
 /// Reads a line: value, evaluations, 1 for converged, time.
-fn answer(problem: &Problem, line: &str) -> Result<ExternalAnswer> {
+fn answer(problem: &Problem, line: &str) -> Result<Answer> {
     let fields: Vec<&str> = line.split_whitespace().collect();
     let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
     let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
     let found = Outcome { value, scaled: true, evaluations };
     let found = if converged == "1" { Ok(found) } else { Err(NOT_CONVERGED) };
-    Ok(ExternalAnswer { found, ns: ns.parse()? })
+    Ok((found, ns.parse()?))
 }

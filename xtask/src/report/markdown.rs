@@ -1,8 +1,8 @@
-//! The tables of `speed-vs-error.md`, from the text of the csv.
+//! The tables of `speed-vs-error.md` and the numbers of speed in the README of the project, from the text of the csv.
 
 use std::fmt::Write as _;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 
 use super::external::External;
 use super::methods::{HARD_TOLERANCE, METHODS};
@@ -10,6 +10,8 @@ use super::tables::significant;
 use crate::figures::report_csv::{Row, read};
 use crate::table::{markdown_head, markdown_row};
 
+/// Around the numbers in the README.
+const MARKS: [&str; 2] = ["<!-- speed -->\n", "<!-- /speed -->"];
 const METHODS_END: &str = "| `build-law` | building the law of a quantity, with its tables |
 | `build-scene` | compiling a scene for eight separations from -1 to 6, law built before |
 
@@ -24,6 +26,29 @@ fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Ro
     let loose =
         |row: &&Row| row.requested().is_some_and(|tolerance| tolerance >= 0.99 * HARD_TOLERANCE);
     rows.iter().filter(own).rfind(loose).or(rows.iter().rfind(own))
+}
+
+/// The README of the project with the numbers of a csv between its marks.
+///
+/// # Errors
+/// A csv that is not `speed-vs-error.csv`, a method without its row, a README without marks.
+pub fn readme(readme: &str, csv: &str) -> Result<String> {
+    let rows = read(csv)?;
+    let of = |method: &str| {
+        let row = entry(&rows, ("ke", "force"), method);
+        row.with_context(|| format!("no row of {method} for KE's force"))
+    };
+    let time = |method| -> Result<f64> { Ok(of(method)?.median_ns.parse()?) };
+    let error: f64 = of("compiled")?.max_relative_error.parse()?;
+    let ns = time("compiled")?;
+    let text = format!(
+        "KE's force at a tolerance of {HARD_TOLERANCE:e}, medians of one run: a value of a compiled scene takes {ns:.0} ns with an error of {error:.0e}; adaptive Gauss-Kronrod 21, split at the kinks, takes {:.0} times as long, scipy's `quad` {:.0} times.\n",
+        time("gauss-kronrod")? / ns,
+        time("scipy")? / ns,
+    );
+    let (before, rest) = readme.split_once(MARKS[0]).context("README.md: no <!-- speed -->")?;
+    let (_, after) = rest.split_once(MARKS[1]).context("README.md: no <!-- /speed -->")?;
+    Ok([before, MARKS[0], &text, MARKS[1], after].concat())
 }
 
 /// The Markdown.
@@ -132,6 +157,7 @@ fn duration(row: &Row) -> Result<String> {
 mod tests {
     use super::*;
     use crate::figures::report_csv::machine;
+    use crate::folder::{read as text_of, root};
 
     const CSV: &str = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations
 ke,force,compiled,1e-9,40,1e-12,8
@@ -153,5 +179,13 @@ ke,force,simpson,,4000,1.0e0,201
         }
         assert_eq!(machine(&text), Some("a machine"));
         Ok(())
+    }
+
+    /// Written anew by `cargo xtask report`.
+    #[test]
+    fn the_readme_has_the_numbers_of_the_committed_report() {
+        let [readme, csv] = ["README.md", "figures/speed-vs-error.csv"]
+            .map(|name| text_of(&root().join(name)).unwrap());
+        assert_eq!(readme, super::readme(&readme, &csv).unwrap());
     }
 }

@@ -95,9 +95,10 @@ impl Method {
     /// be met where they cancel.
     fn classical(self, problem: &Arc<Problem>, setting: Setting) -> Job {
         let problem = problem.clone();
-        let signs = match problem.signs()[..] {
-            [a, b] if self == Self::GaussKronrod => vec![Some(a), Some(b)],
-            _ => vec![None],
+        let has = |sign: f64| problem.law.parts.iter().any(|part| part.sign * sign > 0.0);
+        let signs = match self == Self::GaussKronrod && has(1.0) && has(-1.0) {
+            true => vec![Some(1.0), Some(-1.0)],
+            false => vec![None],
         };
         Box::new(move || {
             let (breaks, scale) = (problem.breaks(), problem.scale());

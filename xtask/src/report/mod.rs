@@ -5,7 +5,6 @@
 //! Errors and counts are reproducible and guarded by tests; times are not.
 
 mod cases;
-mod effort;
 mod external;
 mod machine;
 mod markdown;
@@ -14,7 +13,6 @@ mod ours;
 mod outcome;
 mod points;
 mod problem;
-pub mod readme;
 mod scope;
 mod tables;
 pub mod throughput;
@@ -22,34 +20,28 @@ pub mod throughput;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use indicatif::ProgressBar;
 
 pub use scope::Scope;
 
 use crate::figures::measured::pictures;
 use crate::folder::{figures_folder, read, root, save as save_all, write as save};
-use external::External;
-use ours::Laws;
-use readme::with_numbers;
-use tables::Run;
 
-/// Measures and writes; returns the paths written. Progress is shown on a terminal only.
+/// Measures and writes; returns the paths written.
 ///
 /// # Errors
 /// A reference table or another library that does not work, a case that is refused, a file that
 /// cannot be written.
 pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
-    let bar = ProgressBar::new_spinner();
     let workshop = tempfile::tempdir()?;
     let libraries = external::find(workshop.path())?;
-    let (speed, hard) = tables(scope, true, &libraries, bar)?;
+    let (speed, hard) = tables::write(scope, true, &libraries)?;
     let throughput = throughput::measure(scope)?;
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first, because they take long and a picture can fail.
     let mut paths = vec![];
     if folder == figures_folder() {
         let path = root().join("README.md");
-        save(&path, with_numbers(&read(&path)?, &speed)?)?;
+        save(&path, markdown::readme(&read(&path)?, &speed)?)?;
         paths.push(path);
     }
     let tables =
@@ -57,19 +49,6 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     paths.extend(save_all(folder, tables.map(|(name, text)| (name.to_owned(), text)))?);
     paths.extend(save_all(folder, pictures(folder)?)?);
     Ok(paths)
-}
-
-/// `speed-vs-error.csv` and `hard-cases.csv`.
-fn tables(
-    scope: Scope,
-    timed: bool,
-    libraries: &[External],
-    bar: ProgressBar,
-) -> Result<(String, String)> {
-    let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.pairs()?)?;
-    let run = Run { scope, laws: &laws, cases: &cases, timed, libraries, bar };
-    Ok((run.speed()?, run.hard()?))
 }
 
 /// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
@@ -86,7 +65,7 @@ pub fn errors_agree(a: f64, b: f64) -> bool {
 /// # Errors
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
-    tables(scope, false, &[], ProgressBar::hidden())
+    tables::write(scope, false, &[])
 }
 
 #[cfg(test)]

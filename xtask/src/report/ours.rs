@@ -9,10 +9,10 @@ use anyhow::Result;
 use asperity::{Contact, HeightDistribution, Law, Model, Quantity, Request, Tolerance};
 use asperity_quadrature::{AnyScale, QuadratureError};
 
-use super::effort::Effort;
 use super::outcome::{Job, NOT_CONVERGED, Outcome};
 use super::points::{SEPARATIONS, scenes};
-use super::problem::{Problem, is_slope, law_behind};
+use super::problem::{INTEGRALS, Problem, integrated, law_behind};
+use super::scope::Scope;
 
 /// Compiled scenes and rules, by everything they depend on.
 #[derive(Debug, Default)]
@@ -47,12 +47,10 @@ impl Laws {
     /// Those of [`asperity::ContactModel::compile`], as below.
     pub fn scene(&self, problem: &Problem, tolerance: f64) -> Result<Arc<dyn Contact>> {
         let Problem { model, scene, .. } = problem;
-        let law_of = |quantity| if is_slope(model, quantity) { Quantity::Force } else { quantity };
-        let law = law_of(problem.quantity);
+        let law = integrated(model, problem.quantity);
         let key = format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?);
         let built = find_or(&self.scenes, key.clone(), || {
-            let all = [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
-            let quantities = all.into_iter().filter(|other| law_of(*other) == law);
+            let quantities = INTEGRALS.into_iter().filter(|q| integrated(model, *q) == law);
             let request = Request::new(quantities).within(Tolerance::new(tolerance)?);
             Ok(model.compile(scene, &request)?.into())
         })?;
@@ -90,8 +88,7 @@ pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     }
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
-    let factor = problem.scene.asperities() * problem.law.value_unit;
-    let factor = if slope { factor / problem.std() } else { factor };
+    let factor = problem.in_units(1.0);
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
         let found = found.map_err(|_| NOT_CONVERGED)?;
@@ -124,14 +121,14 @@ pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usiz
 
 /// Time \[ns\] to build the law behind a quantity and its tables. Tables are filled when first
 /// sampled, so the time of sampling an existing law is subtracted.
-pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64, effort: Effort) -> Result<f64> {
+pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64, scope: Scope) -> Result<f64> {
     let scenes = scenes()?;
     let asperity = scenes[0].asperity()?;
     let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
     let existing = build()?;
     sample(&existing)?;
-    let sampling = effort.median_ns(|| drop(black_box(sample(black_box(&existing)))));
-    let both = effort.median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
+    let sampling = scope.median_ns(|| drop(black_box(sample(black_box(&existing)))));
+    let both = scope.median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
     Ok((both - sampling).max(0.0))
 }
 
@@ -147,7 +144,7 @@ pub fn build_scene(
     model: &Model,
     quantity: Quantity,
     tolerance: f64,
-    effort: Effort,
+    scope: Scope,
 ) -> Result<(f64, f64)> {
     let scenes = scenes()?;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
@@ -158,7 +155,7 @@ pub fn build_scene(
         let plan = base.on(scene)?.plan(&request)?;
         samples += plan.steps.iter().map(|step| step.samples).sum::<usize>();
     }
-    let time = effort.median_ns(|| {
+    let time = scope.median_ns(|| {
         for scene in &scenes {
             let _ = black_box(base.on(black_box(scene)).and_then(|ready| {
                 SEPARATIONS.iter().try_for_each(|s| ready.evaluate(quantity, *s).map(|_| ()))

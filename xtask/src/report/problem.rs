@@ -3,15 +3,17 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity::{
-    Asperity, Formula, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance,
-};
-use asperity_quadrature::reach;
+use asperity::{Asperity, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance};
+use asperity_quadrature::{Sampler, reach};
 
 /// 1/√(2π).
 const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 /// Densities below exp(-CUT) of their largest value are left out, as in the engine.
 const CUT: f64 = 46.0;
+
+/// The quantities that are one integral of one law; the others follow from these.
+pub const INTEGRALS: [Quantity; 4] =
+    [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
 
 /// A model's quantity in a scene at one separation, with its law.
 #[derive(Debug, Clone)]
@@ -39,7 +41,13 @@ pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
     }
 }
 
-/// The law behind a quantity: that of the force for a tangent.
+/// The quantity whose law is integrated: that of the force for a slope.
+#[must_use]
+pub fn integrated(model: &Model, quantity: Quantity) -> Quantity {
+    if is_slope(model, quantity) { Quantity::Force } else { quantity }
+}
+
+/// The law behind a quantity.
 ///
 /// # Errors
 /// When the model refuses the asperity.
@@ -49,8 +57,7 @@ pub fn law_behind(
     asperity: &Asperity,
     tolerance: f64,
 ) -> Result<Law> {
-    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
-    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
+    Ok(model.law(asperity, integrated(model, quantity), Tolerance::new(tolerance)?)?)
 }
 
 /// The tightest tolerance of a model, to which its law is tabulated.
@@ -102,13 +109,6 @@ impl Problem {
         self.law.parts.iter().filter(wanted).map(|part| part.sign * part_at(part, x)).sum()
     }
 
-    /// The signs that occur among the parts of the law.
-    #[must_use]
-    pub fn signs(&self) -> Vec<f64> {
-        let occurs = |sign: &f64| self.law.parts.iter().any(|part| part.sign * sign > 0.0);
-        [1.0, -1.0].into_iter().filter(occurs).collect()
-    }
-
     /// The range of t = (z - d)/σ_z in which the scaled integrand matters, with the law's kinks
     /// and, below d = 0, the peak of the density between.
     #[must_use]
@@ -148,11 +148,11 @@ impl Problem {
         if interference <= 0.0 || self.exponential() && zeta < 0.0 {
             return 0.0;
         }
-        let density = match (self.exponential(), self.slope()) {
-            (true, _) => (-zeta).exp(),
-            (false, true) => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI * zeta,
-            (false, false) => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI,
+        let density = match self.exponential() {
+            true => (-zeta).exp(),
+            false => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI,
         };
+        let density = if self.slope() && !self.exponential() { density * zeta } else { density };
         self.law_at(interference / self.law.interference_unit, None) * density / std
     }
 
@@ -187,16 +187,9 @@ impl Problem {
     }
 }
 
+/// NaN, at which every method fails, where the part cannot be sampled.
 fn part_at(part: &Part, x: f64) -> f64 {
-    match &part.form {
-        Formula::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
-        Formula::Function { sampler, .. } => {
-            let mut value = [0.0];
-            match sampler.sample(&[x], &mut value) {
-                Ok(()) => value[0],
-                // NaN, at which every method fails.
-                Err(_) => f64::NAN,
-            }
-        }
-    }
+    let mut value = [0.0];
+    let sampled = part.form.sample(&[x], &mut value);
+    if sampled.is_ok() { value[0] } else { f64::NAN }
 }

@@ -6,16 +6,15 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use asperity::{Model, Quantity};
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 
-use super::cases::Case;
+use super::cases::{self, Case};
 use super::external::{self, External};
 use super::methods::{HARD_TOLERANCE, METHODS, Method, Setting};
 use super::ours::{self, Laws};
 use super::outcome::{Failure, Job, ZERO};
 use super::points::points;
-use super::problem::{Problem, is_slope};
+use super::problem::{Problem, integrated, is_slope};
 use super::scope::Scope;
 use crate::figures::report_csv::{BEFORE, Row};
 
@@ -56,43 +55,42 @@ impl Row {
     }
 }
 
-/// The inputs of a run.
-pub struct Run<'a> {
-    /// The extent.
-    pub scope: Scope,
-    /// Laws that were built.
-    pub laws: &'a Laws,
-    /// References.
-    pub cases: &'a [Case],
-    /// Whether times are taken and builds are measured.
-    pub timed: bool,
-    /// Other libraries.
-    pub libraries: &'a [External],
-    /// Counts the finished rows.
-    pub bar: ProgressBar,
+/// `speed-vs-error.csv` and `hard-cases.csv`; with times and the cost of building if they are
+/// taken, and of other libraries.
+///
+/// # Errors
+/// When the library refuses a case, or another library's process fails.
+pub fn write(scope: Scope, timed: bool, libraries: &[External]) -> Result<(String, String)> {
+    let (laws, pairs) = (Laws::default(), scope.pairs());
+    let cases = cases::read(&laws, &pairs)?;
+    let run = Run { scope, laws, cases, timed, libraries };
+    let mut csv = csv::Writer::from_writer(vec![]);
+    for pair in &pairs {
+        if timed {
+            eprintln!("{} {}", pair.0, pair.1);
+        }
+        run.rows(pair)?.iter().try_for_each(|row| csv.serialize(row))?;
+    }
+    Ok((String::from_utf8(csv.into_inner()?)?, run.hard()?))
+}
+
+struct Run<'a> {
+    scope: Scope,
+    laws: Laws,
+    cases: Vec<Case>,
+    timed: bool,
+    libraries: &'a [External],
 }
 
 impl Run<'_> {
-    /// `speed-vs-error.csv`.
-    ///
-    /// # Errors
-    /// When the library refuses a case, or another library's process fails.
-    pub fn speed(&self) -> Result<String> {
-        let mut csv = csv::Writer::from_writer(vec![]);
-        for pair in self.scope.pairs()? {
-            self.rows(&pair)?.iter().try_for_each(|row| csv.serialize(row))?;
-        }
-        Ok(String::from_utf8(csv.into_inner()?)?)
-    }
-
     /// The cases of the hard grid with the same integral. A stiffness that is the tangent has the
     /// cases of the tangent as well.
     fn grid(&self, (model, quantity): &(Model, Quantity)) -> Vec<&Case> {
-        let slope = |quantity: Quantity| is_slope(model, quantity);
-        let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
+        let integral = |quantity| (integrated(model, quantity), is_slope(model, quantity));
         let wanted = |case: &&Case| {
-            let problem = &case.problem;
-            case.on_hard_grid() && problem.model.id() == model.id() && same(problem.quantity)
+            let Problem { model: other, quantity: of_case, .. } = &*case.problem;
+            let same = integral(*of_case) == integral(*quantity);
+            case.on_hard_grid() && other.id() == model.id() && same
         };
         self.cases.iter().filter(wanted).collect()
     }
@@ -103,19 +101,17 @@ impl Run<'_> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
-        let mut add = |name, setting, found: Measured| {
-            self.bar.inc(1);
-            rows.push(Row::new(pair, name, setting, found));
-        };
+        let mut add =
+            |name, setting, found: Measured| rows.push(Row::new(pair, name, setting, found));
+        let tolerances = self.scope.tolerances(&pair.0);
         for (method, name, _) in METHODS {
-            for setting in self.scope.settings(method, &pair.0) {
-                add(name, setting, self.own(method, setting, &points, &grid)?);
+            for setting in method.settings(&tolerances, self.scope.points()) {
+                add(name, setting, self.own((method, setting), &points, &grid)?);
             }
         }
-        let (tolerances, effort) = (self.scope.tolerances(&pair.0), self.scope.effort());
         for &tolerance in tolerances.iter().filter(|_| self.timed) {
-            let law = ours::build_law(&pair.0, pair.1, tolerance, effort)?;
-            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
+            let law = ours::build_law(&pair.0, pair.1, tolerance, self.scope)?;
+            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, self.scope)?;
             add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
             add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
         }
@@ -131,12 +127,11 @@ impl Run<'_> {
 
     fn own(
         &self,
-        method: Method,
-        setting: Setting,
+        (method, setting): (Method, Setting),
         points: &[Arc<Problem>],
         grid: &[&Case],
     ) -> Result<Measured> {
-        let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
+        let job = |problem: &Arc<Problem>| method.prepare(&self.laws, problem, setting);
         let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
         // The time of a failure counts as well.
         let all = || {
@@ -144,28 +139,22 @@ impl Run<'_> {
                 let _ = black_box(black_box(job)());
             });
         };
-        let time = self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
+        let time = self.timed.then(|| self.scope.median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
-        let count = |point| method.evaluations(self.laws, point, setting);
+        let count = |point| method.evaluations(&self.laws, point, setting);
         let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
-        Ok((
-            time,
-            Some(errors.into_iter().fold(Ok(0.0), worse)),
-            mean(counts.into_iter().flatten()),
-        ))
+        let worst = errors.into_iter().fold(Ok(0.0), worse);
+        Ok((time, Some(worst), mean(counts.into_iter().flatten())))
     }
 
     /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
     /// the sum of sizes, failures, or empty cells for cases that a method cannot integrate.
-    ///
-    /// # Errors
-    /// When the library refuses a case, or another library's process fails.
-    pub fn hard(&self) -> Result<String> {
+    fn hard(&self) -> Result<String> {
         let mut columns: Vec<(&str, Vec<String>)> = vec![];
         for (method, name, _) in METHODS {
             let error = |case: &Case| {
-                let job = method.prepare(self.laws, &case.problem, method.on_hard_cases())?;
+                let job = method.prepare(&self.laws, &case.problem, method.on_hard_cases())?;
                 Ok(error_text(case.error(job())))
             };
             columns.push((name, self.cases.par_iter().map(error).collect::<Result<_>>()?));
@@ -176,7 +165,7 @@ impl Run<'_> {
             let tasks = tasks.map(|case| (HARD_TOLERANCE, 0, case.problem.clone()));
             let mut answers = library.run(&tasks.collect::<Vec<_>>())?.into_iter();
             let error = |case: &Case| match given(&case).then(|| answers.next()).flatten() {
-                Some(answer) => error_text(case.error(answer.found)),
+                Some((found, _)) => error_text(case.error(found)),
                 None => String::new(),
             };
             columns.push((library.name, self.cases.iter().map(error).collect()));
@@ -204,9 +193,9 @@ fn external(
     let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
     let answers = library.run(&timed.chain(errors).collect::<Vec<_>>())?;
     let (timed, solved) = answers.split_at(points.len());
-    let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / points.len() as f64;
-    let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
-    let errors = grid.iter().zip(solved).map(|(case, answer)| case.error(answer.found));
+    let time = timed.iter().map(|(_, ns)| ns).sum::<f64>() / points.len() as f64;
+    let counts = timed.iter().filter_map(|(found, _)| (*found).ok()?.evaluations);
+    let errors = grid.iter().zip(solved).map(|(case, (found, _))| case.error(*found));
     Ok((Some(time), Some(errors.fold(Ok(0.0), worse)), mean(counts)))
 }
 

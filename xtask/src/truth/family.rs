@@ -17,8 +17,6 @@ const POISSON: f64 = 0.3;
 pub const LIGHT: f64 = 3e-4;
 /// Steps of the bisection of the waves of a bandwidth.
 const STEPS: usize = 24;
-/// Loads above this share of the hardness are left out.
-const MOST_OF_HARDNESS: f64 = 0.7;
 
 /// Pressures over E g.
 pub const LOADS: [f64; 10] = [1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3];
@@ -154,10 +152,4 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
         scene.interface.hardness = Some(1e9 * scene.plasticity_index()? / index);
     }
     Ok(scene)
-}
-
-/// Whether a load is well below the hardness.
-#[must_use]
-pub fn is_carried(hardness: Option<f64>, load: f64) -> bool {
-    hardness.is_none_or(|hardness| load * MODULUS * GRADIENT < MOST_OF_HARDNESS * hardness)
 }

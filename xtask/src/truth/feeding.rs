@@ -1,7 +1,6 @@
 //! Three ways of giving skewed surfaces and those with a lay to models of isotropic surfaces.
 
-use anyhow::Result;
-use asperity::bem::HeightMap;
+use anyhow::{Context, Result};
 use asperity::{
     Compared, Evidence, EvidenceCase, HeightDistribution, Model, ProfileMoments, Quantity, Scene,
     Surface, TabulatedHeights, Tolerance,
@@ -10,7 +9,7 @@ use asperity_topography::Topography;
 
 use super::family::{FAMILIES, Family, pressure, scene};
 use super::rows::compiled;
-use crate::figures::truth_ranges::{NOTHING, ends, equal};
+use crate::figures::truth_ranges::{NOTHING, ends, equal, shape_name};
 use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared: one law without and two with yielding, and the whole surface.
@@ -18,65 +17,35 @@ const SHOWN: [&str; 5] = ["gw", "ke", "jg", "jg-random", "persson-fudge"];
 /// Maps whose differences are moments have 16 pixels per shortest wave, which leaves 2 % in m4.
 const FINER: usize = 2;
 
-/// What a user takes from the scan.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Way {
-    /// Moments averaged over all directions, Gaussian heights.
-    Mean,
-    /// Moments of profiles across the lay.
-    Across,
-    /// Moments averaged over all directions, the heights of the summits.
-    Measured,
-}
+/// What a user takes from the scan: moments averaged over all directions with Gaussian heights,
+/// those of profiles across the lay, or the average with the heights of the summits.
+const WAYS: [&str; 3] = ["mean of all directions", "across the lay", "mean, measured heights"];
 
-const WAYS: [(Way, &str); 3] = [
-    (Way::Mean, "mean of all directions"),
-    (Way::Across, "across the lay"),
-    (Way::Measured, "mean, measured heights"),
-];
-
-impl Way {
-    /// The scene that a user makes; its hardness is that of the family.
-    fn scene(self, family: &Family, index: f64) -> Result<Scene> {
-        let surface = family.surface(family.pixels)?;
-        let mut scene = scene(&surface, index)?;
-        match self {
-            Self::Mean => {}
-            Self::Across => {
-                let map = surface.seed(1).heights(FINER * family.pixels)?;
-                scene.surface = Surface::from_moments(&across(&map))?;
-            }
-            Self::Measured => {
-                let map = surface.seed(1).heights(family.pixels)?;
-                let [_, columns] = map.shape();
-                let scan = Topography::new(map.heights().to_vec(), columns, map.pixel())?;
-                let summits = scan.with_periodic(true).summits()?;
-                let offset = summits.mean();
-                let density = summits.height_density()?;
-                let heights = density.heights_m.into_iter().map(|z| z + offset);
-                let points: Vec<(f64, f64)> = heights.zip(density.density_per_m).collect();
-                let heights = TabulatedHeights::new("measured", &points)?;
-                scene.heights = HeightDistribution::other(heights);
-            }
-        }
-        Ok(scene)
-    }
-}
-
-/// Moments of the columns of a periodic map; the lay is along the rows.
-fn across(map: &HeightMap) -> ProfileMoments {
-    let ([rows, columns], [dy, _]) = (map.shape(), map.pixel());
-    let height = |i: usize, j: usize| map.heights()[(i % rows) * columns + j];
-    let mean = |of: &dyn Fn(usize, usize) -> f64| {
-        let all = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        all.map(|(i, j)| of(i, j).powi(2)).sum::<f64>() / (rows * columns) as f64
+/// The scenes that a user makes, in the order of [`WAYS`]; their hardness is that of the family.
+/// Without a lay all directions are alike.
+fn scenes(family: &Family, index: f64) -> Result<[Option<Scene>; 3]> {
+    let surface = family.surface(family.pixels)?;
+    let mean = scene(&surface, index)?;
+    let scan = |pixels: usize| -> Result<Topography> {
+        let map = surface.seed(1).heights(pixels)?;
+        let scan = Topography::new(map.heights().to_vec(), map.shape()[1], map.pixel())?;
+        Ok(scan.with_periodic(true))
     };
-    let second = |i, j| (height(i, j) - 2.0 * height(i + 1, j) + height(i + 2, j)) / (dy * dy);
-    ProfileMoments {
-        m0: map.rms_height().powi(2),
-        m2: mean(&|i, j| (height(i + 1, j) - height(i, j)) / dy),
-        m4: mean(&second),
+    let mut across_lay = (family.slope_ratio > 1.0).then(|| mean.clone());
+    if let Some(scene) = &mut across_lay {
+        // The lay is along the rows.
+        let found = scan(FINER * family.pixels)?.moments()?;
+        let [m2, m4] = found.along_columns.context("a map of several rows")?;
+        let m0 = found.profile.m0;
+        scene.surface = Surface::from_moments(&ProfileMoments { m0, m2, m4 })?;
     }
+    let summits = scan(family.pixels)?.summits()?;
+    let (offset, density) = (summits.mean(), summits.height_density()?);
+    let heights = density.heights_m.into_iter().map(|z| z + offset);
+    let points: Vec<(f64, f64)> = heights.zip(density.density_per_m).collect();
+    let mut measured = mean.clone();
+    measured.heights = HeightDistribution::other(TabulatedHeights::new("measured", &points)?);
+    Ok([Some(mean), across_lay, Some(measured)])
 }
 
 /// Deviations of the area of a model on a scene from those of the cases.
@@ -94,43 +63,31 @@ fn deviations(model: &Model, scene: &Scene, cases: &[&EvidenceCase]) -> String {
 /// A table of the ways for each material: rows are models and ways, columns families.
 ///
 /// # Errors
-/// A text that is not evidence, a family whose scene cannot be made.
-pub fn table(text: &str) -> Result<String> {
-    let evidence = Evidence::parse(text)?;
+/// A family whose scene cannot be made.
+pub fn table(evidence: &Evidence) -> Result<String> {
     let mut out = String::new();
     for (index, material) in [(0.0, "elastic"), (2.0, "psi 2")] {
         let (mut heads, mut columns) = (vec!["area, % off".to_owned()], vec![]);
         for family in FAMILIES.iter().filter(|f| !equal(f.skewness, 0.0) || f.slope_ratio > 1.0) {
-            let mut cases = family.cases(&evidence)?;
+            let mut cases = family.cases(evidence)?;
             cases.retain(|case| equal(case.plasticity_index, index));
-            if cases.is_empty() {
-                continue;
+            if !cases.is_empty() {
+                heads.push(shape_name(family.skewness, family.slope_ratio));
+                columns.push((cases, scenes(family, index)?));
             }
-            let lay = family.slope_ratio > 1.0;
-            heads.push(match lay {
-                true => format!("lay {}", family.slope_ratio),
-                false => format!("skewness {:+}", family.skewness),
-            });
-            // Without a lay all directions are alike.
-            let scene = |(way, _): (Way, &str)| {
-                (lay || way != Way::Across).then(|| way.scene(family, index))
-            };
-            let [a, b, c] = WAYS.map(|way| scene(way).transpose());
-            columns.push((cases, [a?, b?, c?]));
         }
-        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-        let head = markdown_head(&heads, columns.len());
-        out += &format!("{material}, by what models are given:\n\n{head}");
+        out += &format!("{material}, by what models are given:\n\n");
+        out += &markdown_head(&heads, columns.len());
         for id in SHOWN {
             let model: Model = id.parse()?;
-            for (w, (_, way)) in WAYS.iter().enumerate() {
-                let mut row = vec![format!("`{id}`, {way}")];
-                row.extend(columns.iter().map(|(cases, scenes)| match &scenes[w] {
-                    Some(scene) => deviations(&model, scene, cases),
-                    None => NOTHING.into(),
-                }));
-                if row[1..].iter().any(|cell| cell != NOTHING) {
-                    out += &markdown_row(&row);
+            for (w, way) in WAYS.iter().enumerate() {
+                let cell = |(cases, scenes): &(Vec<_>, [Option<Scene>; 3])| {
+                    let off = scenes[w].as_ref().map(|scene| deviations(&model, scene, cases));
+                    off.unwrap_or_else(|| NOTHING.into())
+                };
+                let cells: Vec<String> = columns.iter().map(cell).collect();
+                if cells.iter().any(|cell| cell != NOTHING) {
+                    out += &markdown_row(&[vec![format!("`{id}`, {way}")], cells].concat());
                 }
             }
         }
@@ -147,13 +104,14 @@ mod tests {
     fn slopes_across_the_lay_are_steeper_than_their_mean() -> Result<()> {
         let lay = Family { slope_ratio: 2.0, pixels: 256, ..FAMILIES[1] };
         let mean = lay.surface(256)?.moments();
-        let [all, across] = [Way::Mean, Way::Across].map(|way| way.scene(&lay, 0.0));
-        let (all, across) = (all?.surface.moments(), across?.surface.moments());
+        let [Some(all), Some(across), Some(measured)] = scenes(&lay, 0.0)? else {
+            anyhow::bail!("three scenes")
+        };
+        let (all, across) = (all.surface.moments(), across.surface.moments());
         assert!((all.m2 / mean.m2 - 1.0).abs() < 1e-9);
         // Of slopes 2:1 the mean square is 5/8 of that across.
         assert!((across.m2 / mean.m2 / 1.6 - 1.0).abs() < 0.03, "{}", across.m2 / mean.m2);
         assert!((across.m0 / mean.m0 - 1.0).abs() < 0.03 && across.m4 > mean.m4);
-        let measured = Way::Measured.scene(&lay, 0.0)?;
         assert!(matches!(measured.heights, HeightDistribution::Other(_)));
         Ok(())
     }

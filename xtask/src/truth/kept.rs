@@ -10,7 +10,7 @@ use anyhow::{Context, Result};
 use asperity::{Evidence, EvidenceCase};
 use serde::{Deserialize, Serialize};
 
-use super::family::{FAMILIES, Family};
+use super::family::FAMILIES;
 use super::plan::Case;
 use crate::figures::truth_ranges::equal;
 
@@ -81,16 +81,16 @@ impl Kept {
         self.rows.iter().find(same).map(|(_, row)| row)
     }
 
-    fn path(&self, family: &Family, pixels: usize, index: f64, seed: u64) -> PathBuf {
-        self.folder.join(format!("{}-{pixels}-psi{index}-seed{seed}.csv", family.name))
+    fn path(&self, Case { family, index, load, .. }: &Case, seed: u64) -> PathBuf {
+        let (name, pixels) = (family.name, family.pixels_for(*load));
+        self.folder.join(format!("{name}-{pixels}-psi{index}-seed{seed}.csv"))
     }
 
     /// The contacts of seeds 1, 2, ... under a load, as far as they are kept.
     #[must_use]
     pub fn seeds(&self, case: &Case) -> Vec<Contact> {
-        let pixels = case.family.pixels_for(case.load);
         let of = |seed| {
-            let all = contacts(&self.path(&case.family, pixels, case.index, seed));
+            let all = contacts(&self.path(case, seed));
             all.into_iter().find(|contact| (contact.load / case.load - 1.0).abs() < 1e-9)
         };
         (1..=case.seeds[1]).map_while(of).collect()
@@ -109,19 +109,12 @@ impl Kept {
         count >= case.seeds[1] || count >= case.seeds[0] && (merged || patches >= ENOUGH_PATCHES)
     }
 
-    /// Adds contacts of a surface and a material.
+    /// Adds contacts of the surface and the material of a case.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn add(
-        &self,
-        family: &Family,
-        pixels: usize,
-        index: f64,
-        seed: u64,
-        new: &[Contact],
-    ) -> Result<()> {
-        let path = self.path(family, pixels, index, seed);
+    pub fn add(&self, case: &Case, seed: u64, new: &[Contact]) -> Result<()> {
+        let path = self.path(case, seed);
         let known = contacts(&path);
         let mut csv = csv::Writer::from_path(&path)?;
         known.iter().chain(new).try_for_each(|contact| csv.serialize(contact))?;

@@ -5,29 +5,28 @@
 //! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; the figures and the table of
 //! the README follow from that text alone.
 
-pub mod family;
-pub mod feeding;
-pub mod kept;
-pub mod ordinary;
-pub mod plan;
+mod family;
+mod feeding;
+mod kept;
+mod ordinary;
+mod plan;
 mod rows;
 mod solve;
 mod unseen;
-pub mod yielded;
+mod yielded;
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use asperity::Evidence;
 
-pub use plan::{FULL, QUICK, SMALL, Scope};
-pub use rows::evidence;
-
 use crate::figures::captions::with_caption;
 use crate::figures::truth::{SHOWN, style, table};
-use crate::figures::truth_ranges::table as markdown;
-use crate::folder::{figures_folder, read, root, save, target_folder};
+use crate::figures::truth_ranges::table as ranges;
+use crate::folder::{figures_folder, root, save, target_folder};
 use kept::Kept;
+use plan::{FULL, QUICK, SMALL, Scope};
+use rows::evidence;
 use solve::solve;
 
 /// The folder of the committed evidence, in the crate that includes it.
@@ -41,7 +40,7 @@ const DATA: &str = "crates/asperity/data";
 pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
     let mut kept = Kept::in_folder(&target_folder().join("truth"))?;
     if !anew {
-        kept = kept.with_rows(&Evidence::parse(&committed()?)?)?;
+        kept = kept.with_rows(Evidence::committed()?)?;
     }
     if solve_missing {
         solve(FULL, &kept)?;
@@ -56,7 +55,7 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
 pub fn write_quick() -> Result<Vec<PathBuf>> {
     let folder = target_folder().join("truth-quick");
     let text = solved(QUICK, &folder.join("kept"))?;
-    let table = markdown(&text)?;
+    let table = ranges(&Evidence::parse(&text)?);
     save(&folder, [("truth.csv".to_owned(), text), ("truth.md".to_owned(), table)])
 }
 
@@ -85,40 +84,36 @@ fn solved(scope: Scope, folder: &Path) -> Result<String> {
 /// Evaluates the models of the committed evidence anew, keeps its boundary elements, and draws it.
 ///
 /// # Errors
-/// Evidence that is missing or cannot be read.
+/// A model that fails, a file that cannot be written.
 pub fn update_models() -> Result<Vec<PathBuf>> {
-    draw(with_new_models(&committed()?)?, false)
+    draw(with_new_models(Evidence::committed()?)?, false)
 }
 
 /// The rows of a full table with the models evaluated anew and its boundary elements unchanged.
 ///
 /// # Errors
-/// A text that is not evidence, a model that fails.
-pub fn with_new_models(text: &str) -> Result<String> {
-    evidence(FULL, &Kept::default().with_rows(&Evidence::parse(text)?)?)
-}
-
-fn committed() -> Result<String> {
-    read(&root().join(DATA).join("truth.csv"))
+/// A model that fails.
+pub fn with_new_models(table: &Evidence) -> Result<String> {
+    evidence(FULL, &Kept::default().with_rows(table)?)
 }
 
 /// Writes evidence and draws it. The tables of ordinary scenes and unseen surfaces stay as they are
 /// if their solutions are not kept and none may be solved.
 fn draw(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
-    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text.clone())])?;
+    let evidence = Evidence::parse(&text)?;
+    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
     let kept = |name: &str| target_folder().join("truth").join(name);
-    let mut drawn = vec![("truth.md".to_owned(), markdown(&text)?)];
+    let mut drawn = vec![("truth.md".to_owned(), ranges(&evidence))];
     for shown in &SHOWN {
-        let csv = table(&text, shown)?.into_text();
-        let svg = asperity_plot::draw(&with_caption(shown.name, style(&csv, shown)?)?, &csv)?;
-        drawn.push((format!("{}.csv", shown.name), csv));
-        drawn.push((format!("{}.svg", shown.name), svg));
+        let (name, csv) = (shown.0, table(&evidence, shown)?.into_text());
+        let svg = asperity_plot::draw(&with_caption(name, style(&csv, shown)?)?, &csv)?;
+        drawn.extend([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)]);
     }
     for (name, table) in [
-        ("ordinary", ordinary::table(&text, &kept("ordinary"), solve_missing)?),
-        ("shapes", Some(feeding::table(&text)?)),
-        ("yielded", Some(yielded::table(&text)?)),
-        ("unseen", unseen::table(&text, &kept("unseen"), solve_missing)?),
+        ("ordinary", ordinary::table(&evidence, &kept("ordinary"), solve_missing)?),
+        ("shapes", Some(feeding::table(&evidence)?)),
+        ("yielded", Some(yielded::table(&evidence)?)),
+        ("unseen", unseen::table(&evidence, &kept("unseen"), solve_missing)?),
     ] {
         drawn.extend(table.map(|table| (format!("truth-{name}.md"), table)));
     }

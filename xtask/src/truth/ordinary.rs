@@ -6,15 +6,14 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity::{
-    At, Body, Compared, ContactModel, Evidence, Interface, Model, Quantity, Request, Scene, Surface,
-};
+use asperity::{At, Body, Compared, Evidence, Interface, Quantity, Scene, Surface};
 
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
 use super::kept::Kept;
 use super::plan::{Case, LEAST_SEEDS};
 use super::rows::Bem;
 use super::solve::are_kept;
+use crate::figures::models::solve;
 use crate::figures::truth_ranges::NOTHING;
 use crate::table::{markdown_head, markdown_row};
 
@@ -76,16 +75,16 @@ fn kept(folder: &Path, name: &str) -> Result<Kept> {
     Kept::in_folder(&folder.join(name.replace(' ', "-")))
 }
 
-/// The table of the scenes beside the evidence of a text. Cases that this folder does not hold are
+/// The table of the scenes beside the evidence. Cases that this folder does not hold are
 /// solved; if none may be solved and one is not kept, there is no table.
 ///
 /// # Errors
-/// A text that is not evidence, a case that cannot be solved, a model that fails.
-pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
-    let evidence = Evidence::parse(text)?;
-    let ids = SHOWN.map(|id| format!("`{id}`"));
-    let mut heads = vec!["scene", "α", "ψ", "MPa", "p/(E g)", "area, %", "yielded, %"];
-    heads.extend(ids.iter().map(String::as_str).chain(["area by the table, %"]));
+/// A case that cannot be solved, a model that fails.
+pub fn table(evidence: &Evidence, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
+    let mut heads =
+        ["scene", "α", "ψ", "MPa", "p/(E g)", "area, %", "yielded, %"].map(str::to_owned).to_vec();
+    heads.extend(SHOWN.map(|id| format!("`{id}`")));
+    heads.push("area by the table, %".into());
     let mut out = markdown_head(&heads, heads.len() - 1);
     for (name, actual, pressures) in scenes()? {
         let (cases, kept) = (cases(&actual, &pressures)?, kept(folder, name)?);
@@ -105,9 +104,9 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
                 format!("{:.0}", 100.0 * bem.plastic_share),
             ];
             for id in SHOWN {
-                let request = Request::new([Quantity::AreaFraction]).at([At::Pressure(*pressure)]);
-                let found = id.parse::<Model>()?.compile(&actual, &request)?;
-                let found = found.evaluate(Quantity::AreaFraction, request.at[0])?.value();
+                let at = [At::Pressure(*pressure)];
+                let found = solve(id, &actual, &[Quantity::AreaFraction], at)?;
+                let found = found.values(Quantity::AreaFraction)?[0];
                 row.push(format!("{:+.0}", 100.0 * (found / area - 1.0)));
             }
             let expected = evidence.expected(&actual, None, *pressure, None).ok();
@@ -143,19 +142,18 @@ mod tests {
 
     #[test]
     fn kept_cases_are_shown_beside_the_given_evidence_and_others_are_not_solved() -> Result<()> {
-        let folder = tempfile::tempdir()?;
-        assert!(table(Evidence::CSV, folder.path(), false)?.is_none());
+        let (folder, evidence) = (tempfile::tempdir()?, Evidence::parse(Evidence::CSV)?);
+        assert!(table(&evidence, folder.path(), false)?.is_none());
         for (name, actual, pressures) in scenes()? {
             let kept = kept(folder.path(), name)?;
             for case in cases(&actual, &pressures)? {
-                let Case { family, index, load, .. } = case;
-                let contact = Contact { load, area: 1e-3, ..Contact::default() };
+                let contact = Contact { load: case.load, area: 1e-3, ..Contact::default() };
                 for seed in 1..=SEEDS {
-                    kept.add(&family, family.pixels_for(load), index, seed, &[contact])?;
+                    kept.add(&case, seed, &[contact])?;
                 }
             }
         }
-        let found = table(Evidence::CSV, folder.path(), false)?.context("a table")?;
+        let found = table(&evidence, folder.path(), false)?.context("a table")?;
         assert_eq!(found.matches("| 0.1 ± 0.0 % |").count(), 10, "{found}");
         // The bolted joint and the rail have plasticity indices above those of the evidence.
         assert_eq!(found.matches(" to ").count(), 6, "{found}");
@@ -164,7 +162,8 @@ mod tests {
         let head = lines.next();
         let elastic = lines.filter(|line| line.split(',').nth(3) == Some("0"));
         let text: Vec<&str> = head.into_iter().chain(elastic).collect();
-        let other = table(&text.join("\n"), folder.path(), false)?.context("a table")?;
+        let elastic = Evidence::parse(&text.join("\n"))?;
+        let other = table(&elastic, folder.path(), false)?.context("a table")?;
         assert!(!other.contains(" to "), "{other}");
         Ok(())
     }

@@ -2,26 +2,19 @@
 
 use anyhow::Result;
 
-use super::family::{FAMILIES, Family, LOADS, is_carried, scene};
+use super::family::{FAMILIES, Family, GRADIENT, LOADS, MODULUS, scene};
 use crate::figures::truth;
 
 /// Number of seeds behind every row.
 pub const LEAST_SEEDS: u64 = 4;
+/// Loads above this share of the hardness are left out.
+const MOST_OF_HARDNESS: f64 = 0.7;
 /// Most surfaces of a case.
 pub const MOST_SEEDS: u64 = 16;
 
-/// Families with the same materials and loads.
-#[derive(Debug, Clone, Copy)]
-pub struct Part {
-    /// Surfaces.
-    pub families: &'static [Family],
-    /// Plasticity indices; 0 for no hardness.
-    indices: &'static [f64],
-    /// Pressures over E g.
-    loads: &'static [f64],
-    /// Most surfaces of a case.
-    most_seeds: u64,
-}
+/// Families with the same materials and loads: surfaces, plasticity indices (0 for no hardness),
+/// pressures over E g, and the most surfaces of a case.
+pub type Part = (&'static [Family], &'static [f64], &'static [f64], u64);
 
 /// Parts in the order in which they are solved: what matters most comes first.
 pub type Scope = &'static [Part];
@@ -39,7 +32,7 @@ pub struct Case {
     pub seeds: [u64; 2],
 }
 
-/// The cases of a family whose load is carried.
+/// The cases of a family whose load is well below the hardness.
 ///
 /// # Errors
 /// A surface that cannot be made.
@@ -52,22 +45,24 @@ pub fn carried(
     let surface = family.surface(family.pixels)?;
     let mut all = vec![];
     for &index in indices {
-        let hardness = scene(&surface, index)?.interface.hardness;
-        let carried = loads.iter().filter(|load| is_carried(hardness, **load));
+        let hardness = scene(&surface, index)?.interface.hardness.unwrap_or(f64::INFINITY);
+        let most = MOST_OF_HARDNESS * hardness / (MODULUS * GRADIENT);
+        let carried = loads.iter().filter(|load| **load < most);
         all.extend(carried.map(|&load| Case { family, index, load, seeds }));
     }
     Ok(all)
 }
 
-impl Part {
-    /// The cases of a family whose load is carried.
-    ///
-    /// # Errors
-    /// A surface that cannot be made.
-    pub fn cases_of(&self, family: Family) -> Result<Vec<Case>> {
-        let seeds = [LEAST_SEEDS.min(self.most_seeds), self.most_seeds];
-        carried(family, self.indices, self.loads, seeds)
-    }
+/// The cases of each family of each part, in the order in which they are solved.
+///
+/// # Errors
+/// A surface that cannot be made.
+pub fn by_family(scope: Scope) -> Result<Vec<Vec<Case>>> {
+    let families = scope.iter().flat_map(|part| part.0.iter().map(move |family| (part, *family)));
+    let cases = |(&(_, indices, loads, most), family): (&Part, Family)| {
+        carried(family, indices, loads, [LEAST_SEEDS.min(most), most])
+    };
+    families.map(cases).collect()
 }
 
 /// All cases in the order of the table.
@@ -75,24 +70,13 @@ impl Part {
 /// # Errors
 /// A surface that cannot be made.
 pub fn cases(scope: Scope) -> Result<Vec<Case>> {
-    let families = scope.iter().flat_map(|part| part.families.iter().map(move |one| (part, one)));
-    let cases = families.map(|(part, family)| part.cases_of(*family));
-    let mut all = cases.collect::<Result<Vec<_>>>()?.concat();
+    let mut all = by_family(scope)?.concat();
     let place = |case: &Case| FAMILIES.iter().position(|family| *family == case.family);
     all.sort_by(|a, b| {
         let index = a.index.total_cmp(&b.index);
         place(a).cmp(&place(b)).then(index).then(a.load.total_cmp(&b.load))
     });
     Ok(all)
-}
-
-const fn part(
-    families: &'static [Family],
-    indices: &'static [f64],
-    loads: &'static [f64],
-    most_seeds: u64,
-) -> Part {
-    Part { families, indices, loads, most_seeds }
 }
 
 const ISOTROPIC: &[Family] = FAMILIES.split_at(4).0;
@@ -113,20 +97,20 @@ const USUAL: &[f64] = &[0.0, 2.0, 4.0];
 
 /// The committed evidence.
 pub const FULL: Scope = &[
-    part(BROAD, USUAL, LIGHT_LOADS, truth::MOST_SEEDS),
-    part(NARROW, USUAL, &LOADS, MOST_SEEDS),
-    part(&[FAMILIES[2]], USUAL, HEAVY_LOADS, MOST_SEEDS),
-    part(BROADEST, USUAL, DECADES.split_at(2).1, MOST_SEEDS),
-    part(OTHERS, &[0.0, 2.0], DECADES.split_at(1).1, MOST_SEEDS),
-    part(ISOTROPIC, &[1.0, 8.0], DECADES, MOST_SEEDS),
-    part(NARROW, &[0.7], DECADES, MOST_SEEDS),
-    part(BROADEST, &[4.0], &[0.03], MOST_SEEDS),
-    part(ISOTROPIC, &[8.0], PLASTIC, MOST_SEEDS),
+    (BROAD, USUAL, LIGHT_LOADS, truth::MOST_SEEDS),
+    (NARROW, USUAL, &LOADS, MOST_SEEDS),
+    (&[FAMILIES[2]], USUAL, HEAVY_LOADS, MOST_SEEDS),
+    (BROADEST, USUAL, DECADES.split_at(2).1, MOST_SEEDS),
+    (OTHERS, &[0.0, 2.0], DECADES.split_at(1).1, MOST_SEEDS),
+    (ISOTROPIC, &[1.0, 8.0], DECADES, MOST_SEEDS),
+    (NARROW, &[0.7], DECADES, MOST_SEEDS),
+    (BROADEST, &[4.0], &[0.03], MOST_SEEDS),
+    (ISOTROPIC, &[8.0], PLASTIC, MOST_SEEDS),
 ];
 /// A sketch of the evidence in two minutes.
-pub const QUICK: Scope = &[part(FAMILIES.split_at(3).0, &[0.0, 2.0], &[3e-4, 1e-2, 0.1], 2)];
+pub const QUICK: Scope = &[(FAMILIES.split_at(3).0, &[0.0, 2.0], &[3e-4, 1e-2, 0.1], 2)];
 
 const SMALL_FAMILY: Family =
     Family { name: "small", waves: [12.0, 16.0], pixels: 128, most_pixels: 256, ..FAMILIES[0] };
 /// The small case, which tests solve again.
-pub const SMALL: Scope = &[part(&[SMALL_FAMILY], &[0.0, 2.0], &[1e-4, 0.02, 0.1], 2)];
+pub const SMALL: Scope = &[(&[SMALL_FAMILY], &[0.0, 2.0], &[1e-4, 0.02, 0.1], 2)];

@@ -2,11 +2,11 @@
 
 use anyhow::{Result, bail};
 use asperity::{
-    At, Compared, Contact, ContactError, ContactModel, Evidence, EvidenceCase, Model,
-    ProfileMoments, Quantity, Request, Scene, Tolerance,
+    At, Compared, Contact, ContactError, ContactModel, Evidence, EvidenceCase, Model, Quantity,
+    Request, Scene, Tolerance,
 };
 
-use super::family::{Family, GRADIENT, MODULUS, scene, unit};
+use super::family::{GRADIENT, MODULUS, scene, unit};
 use super::kept::{self, Kept};
 use super::plan::{Case, Scope, cases};
 use crate::figures::truth_ranges::{equal, models};
@@ -65,72 +65,56 @@ impl Bem {
     }
 }
 
-/// The models on a scene.
-struct ModelContacts {
-    models: Vec<Option<Box<dyn Contact>>>,
-    moments: ProfileMoments,
-}
-
-impl ModelContacts {
-    /// All models; `None` for those that the scene does not allow. Larger surfaces of a family have
-    /// the same moments within some per cent, and models the same ratios within one.
-    fn new(family: &Family, index: f64) -> Result<Self> {
-        let surface = family.surface(family.pixels)?;
-        let scene = scene(&surface, index)?;
-        let known = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
-        // Some have no contact radii.
-        let models = models()
-            .iter()
-            .map(|model| compiled(model, &scene, &known, 2, Tolerance::default()))
-            .collect();
-        Ok(Self { models, moments: surface.moments() })
-    }
-
-    /// Area, stiffness, unloading stiffness and mean gap of a model.
-    fn numbers(&self, contact: &dyn Contact, load: f64) -> Result<[Option<f64>; 4]> {
-        let (pressure, sq) = (load * MODULUS * GRADIENT, self.moments.m0.sqrt());
-        let mut numbers = [None; 4];
-        for (number, quantity) in numbers.iter_mut().zip(Compared::ALL) {
-            *number = match quantity.of_contact(contact, pressure) {
-                Ok(found) => Some(found / unit(quantity, contact.scene(), sq)),
-                // Gao and AT miss their tolerance at some loads, and have no contact radii.
-                Err(
-                    ContactError::Integral { .. }
-                    | ContactError::NotRequested { .. }
-                    | ContactError::Unsupported { .. },
-                ) => None,
-                Err(_) if quantity == Compared::MeanGap => None,
-                Err(error) => bail!("{} at p/(E g) = {load}: {error}", contact.model()),
-            };
-        }
-        Ok(numbers)
-    }
-
-    /// The line of a case. Models are relative to the numbers in it, so that it can be written
-    /// again from itself.
-    fn line(&self, case: &Case, bem: &Bem) -> Result<String> {
-        let Case { family, index, load, .. } = *case;
-        let four = |number| short(number, 3);
-        let alpha = self.moments.bandwidth();
+/// The lines of cases of one family and material, with all models; those that the scene does not
+/// allow are blank. Larger surfaces of a family have the same moments within some per cent, and
+/// models the same ratios within one.
+fn lines(rows: &[(Case, Bem)]) -> Result<String> {
+    let Some((Case { family, index, .. }, _)) = rows.first() else { return Ok(String::new()) };
+    let surface = family.surface(family.pixels)?;
+    let (scene, moments) = (scene(&surface, *index)?, surface.moments());
+    let known = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+    // Some have no contact radii.
+    let compiled = |model| compiled(model, &scene, &known, 2, Tolerance::default());
+    let contacts: Vec<_> = models().iter().map(compiled).collect();
+    let four = |number| short(number, 3);
+    let mut text = String::new();
+    for (case, bem) in rows {
+        let shape = [moments.bandwidth(), family.skewness, family.slope_ratio];
         let mut row: Vec<String> =
-            [alpha, family.skewness, family.slope_ratio, index, load].map(four).to_vec();
+            shape.into_iter().chain([case.index, case.load]).map(four).collect();
         row.extend([bem.surfaces.to_string(), bem.patches.round().to_string()]);
         row.push(four((1e3 * bem.plastic_share).round() / 1e3));
         for [mean, error] in bem.numbers {
             row.extend([four(mean), short(error, 1)]);
         }
+        // Models are relative to the numbers in the line, which can be written again from itself.
         let in_row = bem.numbers.map(|[mean, _]| four(mean).parse().unwrap_or(mean));
-        for contact in &self.models {
-            let found = match contact {
-                Some(contact) => self.numbers(contact.as_ref(), load)?,
-                None => [None; 4],
-            };
-            for ((quantity, found), bem) in Compared::ALL.iter().zip(found).zip(in_row) {
-                let relative = found.map(|found| Evidence::relative(*quantity, found, bem));
-                row.push(relative.map_or_else(String::new, |x| x.round().to_string()));
+        for contact in &contacts {
+            for (quantity, bem) in Compared::ALL.into_iter().zip(in_row) {
+                let found = match contact {
+                    Some(contact) => {
+                        value(quantity, contact.as_ref(), case.load, moments.m0.sqrt())?
+                    }
+                    None => None,
+                };
+                let relative = found.map(|found| Evidence::relative(quantity, found, bem).round());
+                row.push(relative.map_or_else(String::new, |x| x.to_string()));
             }
         }
-        Ok(row.join(",") + "\n")
+        text += &(row.join(",") + "\n");
+    }
+    Ok(text)
+}
+
+/// A quantity of a model, over its unit on a surface of this Sq; `None` where it has none.
+fn value(quantity: Compared, contact: &dyn Contact, load: f64, sq: f64) -> Result<Option<f64>> {
+    use ContactError::{Integral, NotRequested, Unsupported};
+    match quantity.of_contact(contact, load * MODULUS * GRADIENT) {
+        Ok(found) => Ok(Some(found / unit(quantity, contact.scene(), sq))),
+        // Gao and AT miss their tolerance at some loads, and have no contact radii.
+        Err(Integral { .. } | NotRequested { .. } | Unsupported { .. }) => Ok(None),
+        Err(_) if quantity == Compared::MeanGap => Ok(None),
+        Err(error) => bail!("{} at p/(E g) = {load}: {error}", contact.model()),
     }
 }
 
@@ -176,13 +160,8 @@ fn head() -> String {
 pub fn evidence(scope: Scope, kept: &Kept) -> Result<String> {
     let (mut text, all) = (head(), cases(scope)?);
     for group in all.chunk_by(|a, b| a.family == b.family && equal(a.index, b.index)) {
-        let rows = group.iter().filter_map(|case| Some((case, Bem::of(case, kept)?)));
-        let rows: Vec<(&Case, Bem)> = rows.collect();
-        if let Some((Case { family, index, .. }, _)) = rows.first() {
-            let contacts = ModelContacts::new(family, *index)?;
-            let lines = rows.iter().map(|(case, bem)| contacts.line(case, bem));
-            text += &lines.collect::<Result<String>>()?;
-        }
+        let rows = group.iter().filter_map(|case| Some((*case, Bem::of(case, kept)?)));
+        text += &lines(&rows.collect::<Vec<_>>())?;
     }
     Ok(text)
 }
@@ -205,16 +184,15 @@ mod tests {
             ..kept::Contact::default()
         };
         let case = Case { family: FAMILIES[0], index: 2.0, load: 0.03, seeds: [2, 2] };
-        let contacts = ModelContacts::new(&case.family, case.index)?;
         let head = head();
         // Of some of these pairs the mean is far from its four digits.
         for third in 0..8 {
             let area = 0.100_04 + 1e-5 * f64::from(third);
             let bem = Bem::of_seeds(&[contact(area), contact(area + 1e-5)]);
-            let row = contacts.line(&case, &bem)?;
+            let row = lines(&[(case, bem)])?;
             let read = Evidence::parse(&format!("{head}{row}"))?;
             let again = Bem::of_row(&read.cases()[0]).context("a row")?;
-            assert_eq!(contacts.line(&case, &again)?, row);
+            assert_eq!(lines(&[(case, again)])?, row);
         }
         Ok(())
     }

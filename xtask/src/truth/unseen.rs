@@ -4,16 +4,15 @@
 use std::path::Path;
 
 use anyhow::Result;
-use asperity::{
-    At, Compared, ContactModel, Evidence, Model, Quantity, Request, Scene, SurfaceShape,
-    usual_reference,
-};
+use asperity::{Compared, Evidence, Quantity, SurfaceShape, usual_reference};
 
-use super::family::{Family, GRADIENT, MODULUS, scene, unit};
+use super::family::{Family, GRADIENT, MODULUS, pressure, scene, unit};
 use super::kept::{Contact, Kept};
 use super::plan::{Case, carried};
 use super::rows::Bem;
 use super::solve::are_kept;
+use crate::figures::models::solve;
+use crate::figures::report_csv::median;
 use crate::figures::truth_ranges::NOTHING;
 use crate::table::{markdown_head, markdown_row};
 
@@ -46,35 +45,21 @@ const FAMILIES: [(&str, f64, f64, f64, f64, usize); 11] = [
 /// A group of families with a row of its own in the table.
 const GROUPS: [&str; 3] = ["isotropic, Gaussian", "skewed", "lay"];
 
-/// Counts of values inside their interval.
-#[derive(Debug, Clone, Default)]
-struct Count {
-    asked: usize,
-    answered: usize,
-    inside: usize,
-    halves: Vec<f64>,
-}
+/// A solved value beside its expected value, low and high ends, if there are such.
+type Pair = (Option<[f64; 3]>, f64);
 
-impl Count {
-    fn add(&mut self, found: Option<[f64; 3]>, solved: f64) {
-        self.asked += 1;
-        let Some([value, low, high]) = found else { return };
-        self.answered += 1;
-        self.inside += usize::from((low..=high).contains(&solved));
-        self.halves.push(0.5 * (high - low) / value);
-    }
-
-    fn cell(&mut self) -> String {
-        let Self { asked, answered, inside, halves } = self;
-        halves.sort_by(f64::total_cmp);
-        match halves.get(halves.len() / 2) {
-            Some(half) => format!(
-                "{:.0} % of {answered} ({asked} asked), ±{:.0} %",
-                100.0 * *inside as f64 / *answered as f64,
-                100.0 * half
-            ),
-            None => NOTHING.into(),
+/// The share of solved values inside their interval, and half of its median width.
+fn cell(pairs: &[Pair]) -> String {
+    let answered: Vec<([f64; 3], f64)> =
+        pairs.iter().filter_map(|(found, solved)| Some(((*found)?, *solved))).collect();
+    let inside = |([_, low, high], solved): &&([f64; 3], f64)| (low..=high).contains(&solved);
+    let share = 100.0 * answered.iter().filter(inside).count() as f64 / answered.len() as f64;
+    let half = |([value, low, high], _): &([f64; 3], f64)| 50.0 * (high - low) / value;
+    match median(answered.iter().map(half).collect()) {
+        Some(half) => {
+            format!("{share:.0} % of {} ({} asked), ±{half:.0} %", answered.len(), pairs.len())
         }
+        None => NOTHING.into(),
     }
 }
 
@@ -90,14 +75,6 @@ fn cases() -> Result<Vec<(usize, Family, Vec<Case>)>> {
     FAMILIES.into_iter().map(of).collect()
 }
 
-/// The number of contacts that the usual reference counts, as in advice.
-fn contacts(scene: &Scene, pressure: f64) -> Result<f64> {
-    let model: Model = usual_reference(scene).parse()?;
-    let at = At::Pressure(pressure);
-    let contact = model.compile(scene, &Request::new([Quantity::Contacts]).at([at]))?;
-    Ok(contact.evaluate(Quantity::Contacts, at)?.value())
-}
-
 /// The results in the order of [`Compared::ALL`], averaged.
 fn mean(contacts: &[Contact]) -> [f64; 4] {
     Bem::of_seeds(contacts).numbers.map(|[mean, _]| mean)
@@ -108,10 +85,10 @@ fn mean(contacts: &[Contact]) -> [f64; 4] {
 /// there is no table.
 ///
 /// # Errors
-/// A text that is not evidence, a case that cannot be solved.
-pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
-    let (evidence, kept) = (Evidence::parse(text)?, Kept::in_folder(folder)?);
-    let mut counts: [[[Count; 2]; 4]; GROUPS.len()] = Default::default();
+/// A case that cannot be solved.
+pub fn table(evidence: &Evidence, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
+    let kept = Kept::in_folder(folder)?;
+    let mut pairs: [[[Vec<Pair>; 2]; 4]; GROUPS.len()] = Default::default();
     for (group, family, cases) in cases()? {
         if !are_kept(&cases, &kept, solve_missing)? {
             return Ok(None);
@@ -123,28 +100,31 @@ pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<St
             }
             let surface = family.surface(family.pixels_for(case.load))?;
             let (scene, sq) = (scene(&surface, case.index)?, surface.moments().m0.sqrt());
-            let pressure = case.load * MODULUS * GRADIENT;
             let shape = SurfaceShape::new(family.skewness, [family.slope_ratio, 1.0]);
-            let number = contacts(&scene, pressure)?;
+            // The number of contacts that the usual reference counts, as in advice.
+            let (reference, at) = (usual_reference(&scene), [pressure(case.load)]);
+            let number = solve(reference, &scene, &[Quantity::Contacts], at)?;
+            let number = number.values(Quantity::Contacts)?[0];
             let singles: Vec<[f64; 4]> = seeds.iter().map(|one| mean(&[*one])).collect();
             // The mean of n surfaces is that of a surface with n times the contacts.
             let means = (number * seeds.len() as f64, vec![mean(&seeds)]);
             for (which, (number, solved)) in [means, (number, singles)].into_iter().enumerate() {
+                let pressure = case.load * MODULUS * GRADIENT;
                 let expected = evidence.expected(&scene, Some(shape), pressure, Some(number)).ok();
                 for (k, quantity) in Compared::ALL.into_iter().enumerate() {
                     let unit = unit(quantity, &scene, sq);
                     let found = expected.as_ref().and_then(|all| all.estimate(quantity));
                     let found = found.map(|e| [e.value, e.low, e.high].map(|x| x / unit));
-                    solved.iter().for_each(|solved| counts[group][k][which].add(found, solved[k]));
+                    pairs[group][k][which].extend(solved.iter().map(|solved| (found, solved[k])));
                 }
             }
         }
     }
-    let heads = ["surfaces", "quantity", "means of 6 surfaces", "single surfaces"];
-    let mut out = markdown_head(&heads, 2);
-    for (group, mut counts) in GROUPS.into_iter().zip(counts) {
-        for (quantity, [mean, single]) in Compared::ALL.into_iter().zip(&mut counts) {
-            out += &markdown_row(&[group, quantity.name(), &mean.cell(), &single.cell()]);
+    let mut out =
+        markdown_head(&["surfaces", "quantity", "means of 6 surfaces", "single surfaces"], 2);
+    for (group, pairs) in GROUPS.into_iter().zip(&pairs) {
+        for (quantity, [means, singles]) in Compared::ALL.into_iter().zip(pairs) {
+            out += &markdown_row(&[group, quantity.name(), &cell(means), &cell(singles)]);
         }
     }
     Ok(Some(out))
@@ -157,17 +137,14 @@ mod tests {
 
     #[test]
     fn values_are_counted_where_they_have_an_interval() {
-        let mut count = Count::default();
-        for (found, solved) in [
+        let pairs = [
             (Some([1.0, 0.9, 1.1]), 0.95),
             (Some([1.0, 0.8, 1.2]), 1.3),
             (Some([2.0, 1.0, 3.0]), 2.9),
             (None, 1.0),
-        ] {
-            count.add(found, solved);
-        }
-        assert_eq!(count.cell(), "67 % of 3 (4 asked), ±20 %");
-        assert_eq!(Count::default().cell(), "–");
+        ];
+        assert_eq!(cell(&pairs), "67 % of 3 (4 asked), ±20 %");
+        assert_eq!(cell(&[]), "–");
     }
 
     #[test]
@@ -187,7 +164,7 @@ mod tests {
             assert!(cases.len() >= 8, "{}", family.name);
         }
         let folder = tempfile::tempdir()?;
-        assert!(table(Evidence::CSV, folder.path(), false)?.is_none());
+        assert!(table(&evidence, folder.path(), false)?.is_none());
         Ok(())
     }
 }

@@ -97,15 +97,14 @@ fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec
 /// Ranges of the deviations of areas of isotropic surfaces, at equal ψ and at equal shares.
 ///
 /// # Errors
-/// A text that is not evidence, a scene that cannot be made.
-pub fn table(text: &str) -> Result<String> {
-    let evidence = Evidence::parse(text)?;
+/// A scene that cannot be made.
+pub fn table(evidence: &Evidence) -> Result<String> {
     let heads = ["area, % off", "at equal ψ", "at an equal yielded share of the force", "cases"];
     let mut out = markdown_head(&heads, 3);
     for id in SHOWN {
         let (model, mut found): (Model, Vec<[f64; 2]>) = (id.parse()?, vec![]);
         for family in &FAMILIES {
-            let mut cases = family.cases(&evidence)?;
+            let mut cases = family.cases(evidence)?;
             cases.retain(|case| is_plain(case) && case.plasticity_index > 0.0);
             found.extend(ratios(family, &cases, &model)?);
         }

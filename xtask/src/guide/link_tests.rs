@@ -1,21 +1,19 @@
 //! Checks the links of html files: none dangles, none leads outside but to a DOI.
 
 use std::collections::HashMap;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
+use super::site::{DOI, normal};
 use crate::folder::read;
-
-/// The only address outside that a page may link.
-pub const DOI: &str = "https://doi.org/";
 
 /// The violations among the links of these files, each with its page. `elsewhere` are files that
 /// are not checked to exist, such as the explorer where the guide alone was written.
 ///
 /// # Errors
 /// A page that cannot be read.
-pub fn violations(pages: &[PathBuf], elsewhere: &[PathBuf]) -> Result<Vec<String>> {
+pub(crate) fn violations(pages: &[PathBuf], elsewhere: &[PathBuf]) -> Result<Vec<String>> {
     let (mut ids, mut found) = (HashMap::new(), vec![]);
     for page in pages {
         let html = read(page)?;
@@ -61,20 +59,6 @@ fn violation(
     Ok((!ids[&target].iter().any(|id| id == anchor)).then_some("no such heading"))
 }
 
-/// Without `.` and `..`.
-#[must_use]
-pub fn normal(path: &Path) -> PathBuf {
-    let mut normal = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir => drop(normal.pop()),
-            part => normal.push(part),
-        }
-    }
-    normal
-}
-
 /// The values of attributes of these names within tags.
 fn attributes(html: &str, names: &[&str]) -> Vec<String> {
     let mut found = vec![];
@@ -89,34 +73,28 @@ fn attributes(html: &str, names: &[&str]) -> Vec<String> {
     found
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-
-    #[test]
-    fn each_kind_of_broken_link_is_found_and_no_other() {
-        let folder = tempfile::tempdir().unwrap();
-        let page = folder.path().join("a.html");
-        let other = "<a href=\"b.html#here\">b</a> <a href=\"https://doi.org/10.1/x\">d</a>\
-            <a href=\"#top\" id=\"top\">t</a> <a href=\"../index.html\">e</a> href=\"text\"";
-        let wrong = "<a href=\"b.html#there\">b</a> <img src=\"c.svg\"> <a href=\"//x.org\">x</a>\
-            <a href=\"https://x.org\">y</a> <a href=\"#nowhere\">z</a>";
-        fs::write(&page, format!("{other}{wrong}")).unwrap();
-        fs::write(folder.path().join("b.html"), "<p id=\"here\">").unwrap();
-        let explorer = normal(&folder.path().join("../index.html"));
-        let found = violations(&[page], &[explorer]).unwrap();
-        let reasons: Vec<&str> =
-            found.iter().map(|text| text.split_once(".html: ").unwrap().1).collect();
-        assert_eq!(
-            reasons,
-            [
-                "b.html#there: no such heading",
-                "c.svg: no such file",
-                "//x.org: leads outside",
-                "https://x.org: leads outside",
-                "#nowhere: no such heading",
-            ]
-        );
-    }
+#[test]
+fn each_kind_of_broken_link_is_found_and_no_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("a.html");
+    let other = "<a href=\"b.html#here\">b</a> <a href=\"https://doi.org/10.1/x\">d</a>\
+        <a href=\"#top\" id=\"top\">t</a> <a href=\"../index.html\">e</a> href=\"text\"";
+    let wrong = "<a href=\"b.html#there\">b</a> <img src=\"c.svg\"> <a href=\"//x.org\">x</a>\
+        <a href=\"https://x.org\">y</a> <a href=\"#nowhere\">z</a>";
+    std::fs::write(&page, format!("{other}{wrong}")).unwrap();
+    std::fs::write(folder.path().join("b.html"), "<p id=\"here\">").unwrap();
+    let explorer = normal(&folder.path().join("../index.html"));
+    let found = violations(&[page], &[explorer]).unwrap();
+    let reasons: Vec<&str> =
+        found.iter().map(|text| text.split_once(".html: ").unwrap().1).collect();
+    assert_eq!(
+        reasons,
+        [
+            "b.html#there: no such heading",
+            "c.svg: no such file",
+            "//x.org: leads outside",
+            "https://x.org: leads outside",
+            "#nowhere: no such heading",
+        ]
+    );
 }
