@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Findings, Severity};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::with_decimal_point;
 use asperity_plot::draw_surface;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Reported, Statistics,
@@ -112,8 +111,7 @@ pub struct Surface {
 fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
     have_units(text, length)?;
     let sizes = text.split(',').map(str::parse).collect::<Result<Vec<Distance>, _>>();
-    let point = || with_decimal_point(text).map(|one| format!("; write {one} for one value"));
-    match sizes.map_err(|error| format!("{error}{}", point().unwrap_or_default()))?[..] {
+    match sizes.map_err(|error| error.to_string())?[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),

@@ -3,9 +3,7 @@
 use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
-use asperity_inputs::with_decimal_point;
 
-use crate::input::ambiguous::refuse_one_number;
 use crate::input::numbers::{count_up_to, number, of_unit, positive};
 
 /// The largest number of values in one range.
@@ -37,11 +35,7 @@ impl Numbers {
     pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         if !text.contains(':') {
-            let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
-            return values.map_err(|error: String| match with_decimal_point(text) {
-                Some(one) => format!("{error}; write {one} for one value"),
-                None => error,
-            });
+            return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
         let Span { first, last, count, log } = Span::read(text, number)?;
         let count = count.ok_or("the number of values is missing; write A:B:N")?;
@@ -101,9 +95,6 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
     };
-    if !text.contains(':') {
-        refuse_one_number(text)?;
-    }
     let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
     let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
     let units = parts.iter().any(has_unit);

@@ -1,6 +1,5 @@
 //! Parsing of the command line: arguments, numbers, separations.
 
-pub mod ambiguous;
 pub mod args;
 pub mod blanks;
 pub mod distances;

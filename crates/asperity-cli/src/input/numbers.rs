@@ -2,9 +2,7 @@
 
 use asperity::joints::coefficient_of_friction;
 use asperity::shortest_digits;
-use asperity_inputs::NO_LOAD;
-
-use crate::input::ambiguous::one_value_only;
+use asperity_inputs::{NO_LOAD, notation_hint};
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
@@ -40,7 +38,7 @@ pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
         _ => None,
     };
     let value = asperity_inputs::quantity(text, si);
-    match value.map_err(|error| other_option().or_else(|| one_value_only(text)).unwrap_or(error))? {
+    match value.map_err(|error| other_option().unwrap_or(error))? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
     }
@@ -80,9 +78,11 @@ pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
-        Err(_) => Err(one_value_only(text)
-            .or_else(|| asperity_inputs::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
-            .unwrap_or_else(|| format!("{text:?} is not a number such as 2, -0.5 or 1e-6"))),
+        Err(_) => {
+            let hint = notation_hint(text);
+            let hint = hint.unwrap_or_else(|| "is not a number such as 2, -0.5 or 1e-6".into());
+            Err(format!("{text:?} {hint}"))
+        }
     }
 }
 
@@ -112,11 +112,9 @@ pub fn share_or_0(text: &str) -> Result<f64, String> {
 
 /// A relative error, "1%" or "0.01".
 pub fn relative_error(text: &str) -> Result<f64, String> {
-    match (text.trim().strip_suffix('%'), one_value_only(text)) {
-        // With its sign of per cent, which changes the value.
-        (_, Some(comma)) => Err(comma),
-        (Some(percent), _) => positive_number(percent.trim()).map(|percent| percent / 100.0),
-        (None, _) => positive_number(text),
+    match text.trim().strip_suffix('%') {
+        Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
+        None => positive_number(text),
     }
 }
 
@@ -130,7 +128,7 @@ pub fn error_below_1(text: &str) -> Result<f64, String> {
 
 /// A slope above 0: a number, or in per cent or degrees.
 pub fn slope(text: &str) -> Result<f64, String> {
-    match asperity_inputs::gradient(text).filter(|_| one_value_only(text).is_none()) {
+    match asperity_inputs::gradient(text).filter(|_| !text.contains(',')) {
         Some(slope) => positive(slope),
         None => positive_number(text),
     }
@@ -177,9 +175,7 @@ mod tests {
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);
-        assert!(
-            share("0,5%").unwrap_err().starts_with("\"0,5%\" has a decimal comma; write 0.5%,")
-        );
+        assert_eq!(share("0,5%").unwrap_err(), "\"0,5\" has a decimal comma; write 0.5");
         assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([error_below_1("1%"), error_below_1("0.01")], [Ok(0.01), Ok(0.01)]);
         assert!(error_below_1("1").is_err() && error_below_1("0").is_err());

@@ -218,7 +218,7 @@ fn the_conductivities_of_two_bodies_may_be_given_and_the_missing_one_is_named() 
     let one = bench.data(&format!("{asked} --conductivity {mean}"));
     let value = |data: &str| column(data, "thermal_conductance_per_area_W_per_m2_per_K")[0];
     assert!((value(&two.out) / value(&one) - 1.0).abs() < 1e-12);
-    for wrong in ["50,4,3", "50,-1", "0,5", "1,5e2", "50:60:3"] {
+    for wrong in ["50,4,3", "50,-1", "0,5", "50:60:3"] {
         let run = bench.run(&format!("{asked} --conductivity {wrong}"));
         assert_eq!(run.code, Some(2), "{wrong}: {}", run.messages);
     }
