@@ -107,12 +107,8 @@ fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem):
         let off = truth.deviation(state);
         let mut row: Vec<Cell> =
             vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
-        let numbers = [
-            [state.area_fraction, off.area_fraction],
-            [state.mean_gap, off.mean_gap],
-            [state.stiffness, off.stiffness],
-        ];
-        row.extend(numbers.into_iter().flatten().map(Cell::from));
+        let gap = [state.mean_gap, off.mean_gap, state.stiffness, off.stiffness];
+        row.extend([state.area_fraction, off.area_fraction].into_iter().chain(gap).map(Cell::from));
         row.push(bem.continuation().name().into());
         sheet.rows.push(row);
     }
