@@ -1,53 +1,32 @@
-//! The reasons for blanks, each kind once; refusals are alike up to their numbers.
+//! The reasons for blanks, each kind once; reasons are alike up to their numbers.
 
-use std::mem::discriminant;
-
-use asperity::ContactError;
-
-/// Names the model of opening where jkr pulls off.
-const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
-
-/// The reasons for blanks of one model: what is blank, the first reason of each kind and the number
-/// of its rows.
+/// The reasons for blanks in rows of one model: what is blank, the first reason of each kind and
+/// the number of its rows.
 #[derive(Default)]
-pub(crate) struct Blanks(Vec<(String, ContactError, usize)>);
+pub(crate) struct Blanks(Vec<(String, String, usize)>);
 
 impl Blanks {
-    /// Counts a row that lacks a value, or this quantity alone.
-    pub(crate) fn count(&mut self, what: String, reason: &ContactError) {
-        let is_same = |(known, first, _): &&mut (String, ContactError, usize)| {
-            *known == what && is_alike(first, reason)
+    /// Counts a row without this, such as a value at all or one quantity.
+    pub(crate) fn count(&mut self, what: &str, reason: String) {
+        // 1e30 leaves what 12 leaves.
+        let words = |text: &str| {
+            let is_word = |c: &char| c.is_alphabetic() && *c != 'e';
+            text.chars().filter(is_word).collect::<String>()
         };
-        match self.0.iter_mut().find(is_same) {
+        let known = self.0.iter_mut().find(|(known, first, _)| {
+            *known == what && (*first == reason || words(first) == words(&reason))
+        });
+        match known {
             Some((.., count)) => *count += 1,
-            None => self.0.push((what, reason.clone(), 1)),
+            None => self.0.push((what.into(), reason, 1)),
         }
     }
 
-    /// The reasons as texts, of a model with so many rows.
-    pub(crate) fn texts(self, id: &str, rows: usize) -> impl Iterator<Item = String> {
-        self.0.into_iter().map(move |(what, reason, count)| {
-            let advice = match reason {
-                ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => OPENING,
-                _ => "",
-            };
-            let reason = reason.marked();
-            // The id stands in front of every message.
-            let reason = reason.split_once("-corrected`: ").map_or(&*reason, |(_, rest)| rest);
-            match rows {
-                1 => format!("{reason}{advice}"),
-                _ => format!("no {what} in {count} of {rows} rows, first: {reason}{advice}"),
-            }
+    /// The reasons in sentences, of a model with so many rows.
+    pub(crate) fn texts(self, rows: usize) -> impl Iterator<Item = String> {
+        self.0.into_iter().map(move |(what, reason, count)| match rows {
+            1 => reason,
+            _ => format!("no {what} in {count} of {rows} rows, first: {reason}"),
         })
     }
-}
-
-fn is_alike(one: &ContactError, other: &ContactError) -> bool {
-    let words = |reason: &ContactError| match reason {
-        ContactError::Refused { reason, .. } => {
-            reason.split(|c: char| c.is_ascii_digit()).next().map(String::from)
-        }
-        _ => None,
-    };
-    discriminant(one) == discriminant(other) && words(one) == words(other)
 }

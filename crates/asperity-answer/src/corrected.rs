@@ -1,7 +1,7 @@
 //! Models divided by their expected ratio to boundary elements, with the interval, beside the
 //! models as they are.
 
-use asperity::{Compared, Quantity, Separation, SeparationUnit};
+use asperity::{Compared, ContactError, Quantity, Separation, SeparationUnit};
 
 use crate::asked::Asked;
 use crate::blanks::Blanks;
@@ -26,6 +26,11 @@ impl Inquiry<'_> {
         let length = |separation: Option<Separation>, unit| {
             Cell::from(separation.and_then(|s| measured(self.file, s, unit).ok()))
         };
+        // The id stands in front of every message.
+        let words = |reason: &ContactError| {
+            let text = reason.marked();
+            text.split_once("-corrected`: ").map_or(text.clone(), |(_, rest)| rest.into())
+        };
         for (k, &at) in self.request.at.iter().enumerate() {
             let row = corrected.as_ref().map_err(Clone::clone);
             let row = row.and_then(|corrected| corrected.at(at));
@@ -34,10 +39,10 @@ impl Inquiry<'_> {
                     lighter.extend(row.is_extrapolated().then(|| row.basis()));
                     least += usize::from(row.is_least_area());
                     let separation = row.separation();
-                    separation.map_err(|reason| blanks.count("separation".into(), &reason)).ok()
+                    separation.map_err(|reason| blanks.count("separation", words(&reason))).ok()
                 }
                 Err(reason) => {
-                    blanks.count("value".into(), reason);
+                    blanks.count("value", words(reason));
                     None
                 }
             };
@@ -53,7 +58,7 @@ impl Inquiry<'_> {
                     Ok(Err(reason)) => {
                         // What the model itself lacks has its reason there.
                         if sheet.rows[first + k][places + 3 * q].number().is_some() {
-                            blanks.count(format!("`{quantity}`"), &reason);
+                            blanks.count(&format!("`{quantity}`"), words(&reason));
                         }
                         [Cell::Blank(Some(reason.marked().into())), Cell::BLANK, Cell::BLANK]
                     }
@@ -78,6 +83,6 @@ impl Inquiry<'_> {
             let text = "the area is F/H, the least that carries the load, and its interval extends above only";
             sheet.note("least-area", format!("{id}: {}{text}", loads(least)));
         }
-        found.lacking.extend(blanks.texts(&id, rows).map(|text| (text, id.clone())));
+        found.lacking.extend(blanks.texts(rows).map(|text| (text, id.clone())));
     }
 }

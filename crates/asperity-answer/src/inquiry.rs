@@ -187,7 +187,13 @@ impl<'s> Inquiry<'s> {
                 });
                 if let Some((quantity, reason)) = failed {
                     let what = if answered { format!("`{quantity}`") } else { "value".into() };
-                    blanks.count(what, reason);
+                    let opening = match reason {
+                        ContactError::OutOfReach { load, .. } if *load < 0.0 && id == "jkr" => {
+                            OPENING
+                        }
+                        _ => "",
+                    };
+                    blanks.count(&what, reason.marked() + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
             }
@@ -197,7 +203,7 @@ impl<'s> Inquiry<'s> {
         if self.request.at.iter().any(tension) && !adhesive {
             found.without_tension.push(id.clone());
         }
-        found.lacking.extend(blanks.texts(id, rows).map(|text| (text, id.clone())));
+        found.lacking.extend(blanks.texts(rows).map(|text| (text, id.clone())));
         Ok(asked)
     }
 
@@ -262,5 +268,7 @@ impl Found {
     }
 }
 
+/// Names the model of opening where jkr pulls off.
+const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 /// The models that carry tension.
 const ADHESIVE: &str = "dmt, jkr or jkr-separation";

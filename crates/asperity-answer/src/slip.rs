@@ -3,6 +3,7 @@
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
 
+use crate::blanks::Blanks;
 use crate::number::{rounded, within};
 use crate::subject::{Outcome, Subject};
 use crate::{AnswerError, Cell, Sheet};
@@ -11,8 +12,6 @@ use crate::{AnswerError, Cell, Sheet};
 const SLIDING: f64 = 0.99;
 /// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
 const FAR: f64 = 1000.0;
-/// The end of the reason against a tangential force that is too large.
-const SLIDES: &str = "the joint slides";
 
 /// A joint that slips.
 #[derive(Debug, Clone, Copy)]
@@ -83,12 +82,15 @@ impl Slip<'_> {
         for shift in linspace(-amplitude, amplitude, points) {
             let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
             let (back, forth) = (path(false)?, path(true)?);
-            let [force, loss, factor] = match shift < 0.0 {
-                true => [None; 3],
-                false => {
-                    let factor = if shift > 0.0 { slip.loss_factor(shift)? } else { 0.0 };
-                    [slip.force(shift)?.value(), slip.loss(shift)?.value(), factor].map(Some)
-                }
+            let [force, loss, factor] = match shift {
+                shift if shift < 0.0 => [None; 3],
+                0.0 => [Some(0.0); 3],
+                shift => [
+                    slip.force(shift)?.value(),
+                    slip.loss(shift)?.value(),
+                    slip.loss_factor(shift)?,
+                ]
+                .map(Some),
             };
             let numbers = [Some(shift), force, back, forth, loss, factor];
             let mut row = vec![Cell::from(id)];
@@ -116,48 +118,36 @@ impl Slip<'_> {
             _ => None,
         };
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
-        let given = if shift.is_some() { FORCES } else { SHIFTS };
-        sheet.under(&[&heads, &given]);
-        let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
+        sheet.under(&[&heads, if shift.is_some() { &FORCES } else { &SHIFTS }]);
+        let (id, mut blanks, mut farthest) = (self.subject.id, Blanks::default(), None);
         for &at in preloads {
             let known = self.at(at);
-            let mut refused: Vec<String> = vec![];
+            let place = known.as_ref().map_or_else(|_| self.given(at), |found| found.1.map(Some));
             for &amplitude in amplitudes {
-                let found = match &known {
-                    Ok((slip, _)) => self.under(slip, amplitude),
-                    Err(error) => Err(error.clone().into()),
-                };
-                answered |= found.is_ok();
-                let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
-                    refused.push(error.to_string());
-                    match amplitude {
-                        Amplitude::Shift(_) => [None; 5],
-                        Amplitude::Force(force) => [Some(force), None, None, None, None],
+                let cycle = known.as_ref().map_err(|error| error.clone().into());
+                let cycle = match cycle.and_then(|(slip, _)| self.under(slip, amplitude)) {
+                    Ok(cycle) => {
+                        farthest = farthest.into_iter().chain([cycle[4]]).reduce(f64::max);
+                        cycle.map(Some)
                     }
-                });
-                farthest = farthest.max(cycle[4].unwrap_or(0.0));
-                let place = match &known {
-                    Ok((_, preload)) => preload.map(Some),
-                    Err(_) => self.given(at),
+                    Err(error) => {
+                        blanks.count("cycle", error.to_string());
+                        let force = match amplitude {
+                            Amplitude::Shift(_) => None,
+                            Amplitude::Force(force) => Some(force),
+                        };
+                        [force, None, None, None, None]
+                    }
                 };
-                let mut row = vec![Cell::from(self.subject.id)];
-                row.extend(place.into_iter().chain(cycle).map(Cell::from));
-                sheet.rows.push(row);
-            }
-            match shift {
-                Some(_) => reasons.extend(refused),
-                None => reasons.extend(by_size(refused, amplitudes.len())),
+                let numbers = place.into_iter().chain(cycle);
+                sheet.rows.push([id.into()].into_iter().chain(numbers.map(Cell::from)).collect());
             }
         }
-        if !answered && !reasons.is_empty() {
-            reasons.truncate(if shift.is_some() { 1 } else { reasons.len() });
-            return Err(reasons.join("; ").into());
-        }
-        let id = self.subject.id;
-        let blank = if shift.is_some() { "the row of a preload is blank: " } else { "" };
-        for reason in reasons {
-            self.subject.warn_blank(sheet, format!("{id}: {blank}{reason}"));
-        }
+        let reasons = blanks.texts(sheet.rows.len());
+        let Some(farthest) = farthest else {
+            return Err(reasons.collect::<Vec<_>>().join("; ").into());
+        };
+        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
         if let Some(shift) = shift {
             self.check_amplitude(sheet, shift, farthest);
         }
@@ -171,9 +161,8 @@ impl Slip<'_> {
             Amplitude::Shift(_) => slip.force(shift)?.value(),
             Amplitude::Force(force) => force,
         };
-        let (loss, factor) = (slip.loss(shift)?.value(), slip.loss_factor(shift)?);
-        let numbers = [force / shift, loss, factor].map(|x| self.digits(x));
-        let [stiffness, loss, factor] = numbers;
+        let numbers = [force / shift, slip.loss(shift)?.value(), slip.loss_factor(shift)?];
+        let [stiffness, loss, factor] = numbers.map(|x| self.digits(x));
         Ok(match amplitude {
             Amplitude::Shift(_) => {
                 let [force, sliding] = [force, slip.shift_at(SLIDING)?].map(|x| self.digits(x));
@@ -241,21 +230,6 @@ fn shift_of(slip: &PartialSlip, amplitude: Amplitude) -> Outcome<f64> {
         let ten = |x: f64| shortest_digits(format!("{x:.9e}").parse().unwrap_or(x));
         let [shown, of] = if equal { [force, limit].map(ten) } else { digits };
         let is = if force < limit { "is within the tolerance of" } else { "is not below" };
-        Err(format!("a tangential force of {shown} N {is} mu F = {of} N: {SLIDES}").into())
-    })
-}
-
-/// The reasons of forces without a cycle: those that are too large are no reason for those that
-/// are too small.
-fn by_size(refused: Vec<String>, all: usize) -> impl Iterator<Item = String> {
-    let (large, small): (Vec<_>, Vec<_>) =
-        refused.into_iter().partition(|reason| reason.ends_with(SLIDES));
-    [large, small].into_iter().filter_map(move |refused| {
-        let first = refused.first()?;
-        Some(match refused.len() {
-            1 if all == 1 => first.clone(),
-            1 => format!("1 of {all} forces has no cycle: {first}"),
-            count => format!("{count} of {all} forces have no cycle, first: {first}"),
-        })
+        Err(format!("a tangential force of {shown} N {is} mu F = {of} N: the joint slides").into())
     })
 }
