@@ -1,10 +1,12 @@
 //! Thermal contact conductance: models, and published correlations beside them.
 
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
+use asperity::{
+    At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit, usual_reference,
+};
 use asperity_inputs::SceneFile;
 
-use crate::models::{once, one_model, one_or_usual};
+use crate::models::{once, one_or_usual};
 use crate::number::rounded;
 use crate::subject::Outcome;
 use crate::{AnswerError, Cell, Sheet};
@@ -42,20 +44,26 @@ impl Conductance<'_> {
     /// # Errors
     /// The reason of a single model or correlation, and where none has a conductance.
     pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
-        let mut heads =
-            ["model", "load_N", "pressure_Pa", "relative_pressure"].map(String::from).to_vec();
-        heads.extend([CONDUCTANCE.column(), "holds".into()]);
+        let of_contacts = CONDUCTANCE.column();
+        let heads = ["model", "load_N", "pressure_Pa", "relative_pressure", &of_contacts, "holds"];
+        sheet.under(&[&heads]);
         if self.gas.is_some() {
-            heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
+            sheet.heads.extend(["gas", "total"].map(|part| format!("{part}_{of_contacts}")));
         }
-        sheet.heads = heads;
         let is_asked =
             |known: &Correlation| self.ids.is_empty() || self.ids.iter().any(|id| id == known.id());
         let correlations: Vec<Correlation> =
             Correlation::ALL.into_iter().filter(is_asked).collect();
-        let models = self.models(sheet)?;
-        let alone = models.len() + correlations.len() == 1;
-        let leave_out = |sheet: &mut Sheet, id: &str, reason: String| -> Outcome {
+        let is_model = |id: &String| Correlation::ALL.iter().all(|known| *id != known.id());
+        let ids: Vec<String> = once(self.ids).into_iter().filter(is_model).collect();
+        let ids: Vec<Option<&str>> = match self.ids {
+            [] => vec![None],
+            _ => ids.iter().map(|id| Some(&**id)).collect(),
+        };
+        let alone = ids.len() + correlations.len() == 1;
+        let leave_out = |sheet: &mut Sheet, id: &str, error: AnswerError| -> Outcome {
+            let reason = error.to_string();
+            let reason = reason.trim_start_matches(&format!("{}: ", self.name));
             if alone {
                 return Err(format!("{id}: {reason}").into());
             }
@@ -63,14 +71,15 @@ impl Conductance<'_> {
             Ok(())
         };
         let mut answered = vec![];
-        for (id, model) in models {
-            let rows = model.and_then(|model| {
-                let rows = self.add_model(sheet, places, &id, &model);
-                rows.map(|()| model).map_err(|error| error.to_string())
+        for id in ids {
+            let found = one_or_usual(self.file, self.name, id, sheet).and_then(|(id, model)| {
+                self.add_model(sheet, places, &id, &model)?;
+                Ok(model)
             });
-            match rows {
+            let id = id.unwrap_or(usual_reference(&self.file.scene));
+            match found {
                 Ok(model) => answered.push(model),
-                Err(reason) => leave_out(sheet, &id, reason)?,
+                Err(error) => leave_out(sheet, id, error)?,
             }
         }
         let found = answered.iter().flat_map(|model| self.file.findings_at(model, places));
@@ -79,7 +88,7 @@ impl Conductance<'_> {
         for correlation in correlations {
             match self.add_correlation(sheet, places, correlation) {
                 Ok(()) => used.push(correlation.id()),
-                Err(reason) => leave_out(sheet, correlation.id(), reason.to_string())?,
+                Err(error) => leave_out(sheet, correlation.id(), error)?,
             }
         }
         if sheet.rows.is_empty() {
@@ -89,21 +98,6 @@ impl Conductance<'_> {
             self.note_roughness(sheet, &used.join(", "));
         }
         Ok(())
-    }
-
-    /// The models, each by the name of its rows, or why there is none.
-    fn models(&self, sheet: &mut Sheet) -> Outcome<Vec<(String, Result<Model, String>)>> {
-        if self.ids.is_empty() {
-            let (id, model) = one_or_usual(self.file, self.name, None, sheet)?;
-            return Ok(vec![(id, Ok(model))]);
-        }
-        let is_model = |id: &&String| Correlation::ALL.iter().all(|known| *id != known.id());
-        let name = format!("{}: ", self.name);
-        let model = |id: &String| {
-            let reason = |error: AnswerError| error.to_string().trim_start_matches(&name).into();
-            (id.clone(), one_model(self.file, id, sheet).map(|named| named.1).map_err(reason))
-        };
-        Ok(once(self.ids).iter().filter(is_model).map(model).collect())
     }
 
     fn add_model(&self, sheet: &mut Sheet, places: &[At], id: &str, model: &Model) -> Outcome {

@@ -2,7 +2,10 @@
 
 use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
-use asperity::{ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity};
+use asperity::{
+    ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
+    usual_reference,
+};
 use asperity_inputs::{LeftOut, SceneFile};
 
 use crate::{AnswerError, Sheet};
@@ -30,30 +33,23 @@ pub fn named_model(
     Ok((id.to_string(), model))
 }
 
-/// The one model of an answer; an error if the scene has not what it needs.
+/// The one model of an answer, the usual one unless another is named; an error if the scene has
+/// not what it needs.
 ///
 /// # Errors
 /// Those of [`named_model`], and the reason why the scene refuses the model.
-pub fn one_model(file: &SceneFile, id: &str, sheet: &mut Sheet) -> Result<NamedModel, AnswerError> {
-    let named = named_model(file, id, sheet)?;
+pub fn one_model(
+    file: &SceneFile,
+    id: Option<&str>,
+    sheet: &mut Sheet,
+) -> Result<NamedModel, AnswerError> {
+    let named = named_model(file, id.unwrap_or(usual_reference(&file.scene)), sheet)?;
     // Other models report what they lack with their answers.
     let averaged = named.1.asperity_model().is_some();
     match averaged.then(|| file.refusal(&named.1)).flatten() {
         Some(reason) => Err(reason.into()),
         None => Ok(named),
     }
-}
-
-/// The reference model: the usual one unless another is named.
-///
-/// # Errors
-/// Those of [`one_model`].
-pub fn reference(
-    file: &SceneFile,
-    id: Option<&str>,
-    sheet: &mut Sheet,
-) -> Result<NamedModel, AnswerError> {
-    one_model(file, id.unwrap_or(asperity::usual_reference(&file.scene)), sheet)
 }
 
 /// The usual model where none is named; a note tells of a hardness that may be forgotten.
@@ -66,7 +62,7 @@ pub fn one_or_usual(
     id: Option<&str>,
     sheet: &mut Sheet,
 ) -> Result<NamedModel, AnswerError> {
-    let named = reference(file, id, sheet)?;
+    let named = one_model(file, id, sheet)?;
     let elastic = file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
     if id.is_none() && elastic {
         let text = format!(
@@ -90,20 +86,24 @@ pub fn models(
     quantities: &[Quantity],
     sheet: &mut Sheet,
 ) -> Result<Vec<NamedModel>, AnswerError> {
-    if let Some(requested) = by_name(requested) {
-        let requested = once(requested);
-        let models = requested.iter().map(|id| named_model(file, id, sheet));
-        let models = models.collect::<Result<Vec<_>, _>>()?;
-        if !models.iter().all(|(_, model)| model.validity().adhesive) {
-            note_adhesion(file, sheet);
+    let models = match by_name(requested) {
+        true => {
+            let requested = once(requested);
+            let models = requested.iter().map(|id| named_model(file, id, sheet));
+            models.collect::<Result<Vec<_>, _>>()?
         }
-        return Ok(models);
+        false => {
+            let models = available(file, quantities, sheet).into_iter();
+            models.map(|model| (model.id().to_string(), model)).collect()
+        }
+    };
+    if !models.iter().all(|(_, model)| model.validity().adhesive) {
+        note_adhesion(file, sheet);
     }
-    let models = available(file, quantities, sheet);
-    if models.is_empty() {
-        return Err("no model is available for this scene".into());
+    match models.is_empty() {
+        true => Err("no model is available for this scene".into()),
+        false => Ok(models),
     }
-    Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
 }
 
 /// The models given, or all that can be compared with boundary elements; a note names the others.
@@ -116,11 +116,12 @@ pub fn models_beside_bem(
     quantities: &[Quantity],
     sheet: &mut Sheet,
 ) -> Result<Vec<Model>, AnswerError> {
-    if by_name(requested).is_some() {
+    if by_name(requested) {
         let models = models(file, requested, quantities, sheet)?;
         return Ok(models.into_iter().map(|(_, model)| model).collect());
     }
     let mut models = available(file, quantities, sheet);
+    note_adhesion(file, sheet);
     let (all, mut left_out) = file.models_beside_bem();
     let (allowed, noted) = file.models();
     left_out.retain(|model| !noted.contains(model));
@@ -143,14 +144,12 @@ fn available(file: &SceneFile, quantities: &[Quantity], sheet: &mut Sheet) -> Ve
         _ => true,
     });
     note_left_out(&left_out, sheet);
-    note_adhesion(file, sheet);
     models
 }
 
-/// The models requested by name; none if all are requested.
-fn by_name(requested: &[String]) -> Option<&[String]> {
-    let all = requested.is_empty() || requested.iter().any(|id| id == ALL_MODELS);
-    (!all).then_some(requested)
+/// Whether models are requested by name, not all.
+fn by_name(requested: &[String]) -> bool {
+    !requested.is_empty() && requested.iter().all(|id| id != ALL_MODELS)
 }
 
 /// Notes which models include the scene's adhesion, where it has any.
@@ -160,21 +159,22 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
 
 /// Notes the models that are left out, those of one reason together.
 fn note_left_out(left_out: &[LeftOut], sheet: &mut Sheet) {
-    let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
-    for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
+    for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
         sheet.note("left-out", format!("left out: {text}"));
     }
 }
 
 /// The models without a result, one text for each reason.
-pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
+pub fn by_reason<'e>(
+    lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
+) -> Vec<String> {
     // The reason contains the name of the model, which would separate equal reasons.
     let reason = |reason: &ContactError| match reason {
         ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
         ContactError::Refused { reason, .. } => format!(": {reason}"),
         reason => format!(": {}", reason.marked()),
     };
-    let grouped = grouped(lacking.iter().map(|(id, error)| (reason(error), id.clone())));
+    let grouped = grouped(lacking.into_iter().map(|(id, error)| (reason(error), id)));
     grouped.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
 }
 

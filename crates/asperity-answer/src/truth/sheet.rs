@@ -7,7 +7,7 @@ use asperity::{ContactError, Described, Finding, Model};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
-use crate::models::{by_reason, models_beside_bem, once};
+use crate::models::{by_reason, grouped, models_beside_bem, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 const COLUMNS: [&str; 10] = [
@@ -68,7 +68,7 @@ pub fn truth(
         truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
     };
     sheet.report(file, found.iter().flat_map(of_truth).collect());
-    for text in by_reason(&missing(&found)) {
+    for text in by_reason(missing(&found)) {
         sheet.warn("no-value", text);
     }
     sheet.note("nearest", summary(&found));
@@ -87,17 +87,10 @@ pub fn truth(
 }
 
 /// One reason per model and kind: others differ only in the load.
-fn missing(found: &[Truth]) -> Vec<(String, ContactError)> {
-    let mut missing: Vec<(String, ContactError)> = vec![];
-    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
-        let same = |(id, known): &(String, ContactError)| {
-            id == model.id() && discriminant(known) == discriminant(why)
-        };
-        if !missing.iter().any(same) {
-            missing.push((model.id().into(), why.clone()));
-        }
-    }
-    missing
+fn missing(found: &[Truth]) -> Vec<(&str, &ContactError)> {
+    let missing = found.iter().flat_map(|truth| &truth.missing);
+    let kinds = grouped(missing.map(|(model, why)| ((model.id(), discriminant(why)), why)));
+    kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
 }
 
 fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem): (f64, &Bem)) {

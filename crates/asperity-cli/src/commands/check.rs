@@ -65,7 +65,7 @@ impl Check {
         let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
-            let (_, model) = scene.reference(self.model.as_deref())?;
+            let (_, model) = scene.model(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)
         });
         let (mut checked, refused) = match answered {

@@ -3,7 +3,7 @@
 
 use anyhow::{Context, Result, bail};
 use asperity::{At, ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, reference};
+use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -125,7 +125,7 @@ impl Curve {
     ) -> Result<()> {
         let reference = match (self.reference.as_deref(), compares) {
             (None, false) => None,
-            (id, _) => Some(reference(file, id, sheet)?),
+            (id, _) => Some(one_model(file, id, sheet)?),
         };
         let models = models(file, &self.asked.models, &request.quantities, sheet)?;
         if self.corrected && request.at.iter().any(|at| matches!(at, At::Separation(_))) {

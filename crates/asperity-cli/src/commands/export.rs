@@ -123,7 +123,7 @@ impl ExportCommand {
         }
         self.format.check(self.conductance, self.friction).map_err(Error::msg)?;
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
-        let named = scene.model(&self.model)?;
+        let named = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;
             let ends = [span.first, span.last];

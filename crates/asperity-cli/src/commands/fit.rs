@@ -112,9 +112,9 @@ impl FitCommand {
             );
         }
         let models: Vec<NamedModel> = match &self.models[..] {
-            [] => vec![scene.default_model()?],
+            [] => vec![scene.one_or_usual(None)?],
             ids => {
-                output::once(ids).iter().map(|id| scene.model(id)).collect::<Result<Vec<_>>>()?
+                output::once(ids).iter().map(|id| scene.model(Some(id))).collect::<Result<_>>()?
             }
         };
         let (fitted, interrupted) = self.fit(&scene, &data, &models)?;

@@ -161,8 +161,7 @@ impl Joint {
     pub fn run(self, command: &str) -> Result<()> {
         self.output.check(command);
         let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
-        let model = self.model.as_deref();
-        let named = model.map_or_else(|| scene.default_model(), |id| scene.model(id))?;
+        let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";

@@ -68,7 +68,7 @@ impl Scales {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
         let scene = self.with.as_deref().map(|path| LoadedScene::load(path, &[])).transpose()?;
         let asked = match &scene {
-            Some(scene) => Some((scene, scene.reference(self.model.as_deref())?)),
+            Some(scene) => Some((scene, scene.model(self.model.as_deref())?)),
             None => None,
         };
         let at = self.load.map(At::Load).or(self.pressure.map(At::Pressure));

@@ -64,7 +64,11 @@ fn a_preload_without_a_cycle_leaves_the_others() {
     let arguments = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
     let run = bench.run(&format!("{arguments} --load 1e2,1e30"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("ke: no cycle in 1 of 2 rows, first: load is 1e30 N"), "{}", run.messages);
+    assert!(
+        run.messages.contains("ke: no cycle in 1 of 2 rows, first: load is 1e30 N"),
+        "{}",
+        run.messages
+    );
     let alone = bench.data(&format!("{arguments} --load 100,100"));
     assert_eq!(run.out.lines().nth(1), alone.lines().nth(1));
     let loads: Vec<f64> = column_of(&run.out, "load_N").into_iter().flatten().collect();
