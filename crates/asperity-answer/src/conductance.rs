@@ -61,7 +61,8 @@ impl Conductance<'_> {
             _ => ids.iter().map(|id| Some(&**id)).collect(),
         };
         let alone = ids.len() + correlations.len() == 1;
-        let leave_out = |sheet: &mut Sheet, id: &str, error: AnswerError| -> Outcome {
+        let leave_out = |sheet: &mut Sheet, rows, id: &str, error: AnswerError| -> Outcome {
+            sheet.rows.truncate(rows);
             let reason = error.to_string();
             let reason = reason.trim_start_matches(&format!("{}: ", self.name));
             if alone {
@@ -72,6 +73,7 @@ impl Conductance<'_> {
         };
         let mut answered = vec![];
         for id in ids {
+            let rows = sheet.rows.len();
             let found = one_or_usual(self.file, self.name, id, sheet).and_then(|(id, model)| {
                 self.add_model(sheet, places, &id, &model)?;
                 Ok(model)
@@ -79,16 +81,17 @@ impl Conductance<'_> {
             let id = id.unwrap_or(usual_reference(&self.file.scene));
             match found {
                 Ok(model) => answered.push(model),
-                Err(error) => leave_out(sheet, id, error)?,
+                Err(error) => leave_out(sheet, rows, id, error)?,
             }
         }
         let found = answered.iter().flat_map(|model| self.file.findings_at(model, places));
         sheet.report(self.file, found.collect());
         let mut used = vec![];
         for correlation in correlations {
+            let rows = sheet.rows.len();
             match self.add_correlation(sheet, places, correlation) {
                 Ok(()) => used.push(correlation.id()),
-                Err(error) => leave_out(sheet, correlation.id(), error)?,
+                Err(error) => leave_out(sheet, rows, correlation.id(), error)?,
             }
         }
         if sheet.rows.is_empty() {
@@ -104,19 +107,18 @@ impl Conductance<'_> {
         let contact = &self.file.scene;
         let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
         let compiled = model.compile(contact, &request)?;
-        let row = |at: &At| {
+        for at in places {
             let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
-            let mut row = self.cells(id, *at, [None, Some(contacts)], "");
+            let mut beside = vec!["".into()];
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
                 let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
                 let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
-                row.extend([gas, contacts + gas].map(Cell::from));
+                beside.extend([gas, contacts + gas].map(Cell::from));
             }
-            Ok(row)
-        };
-        let rows = places.iter().map(row).collect::<Result<Vec<_>, asperity::ContactError>>()?;
-        sheet.rows.extend(rows);
+            let numbers = [at.load(contact), at.pressure(contact), None, Some(contacts)];
+            sheet.add(&[id], numbers.map(Cell::from).into_iter().chain(beside));
+        }
         Ok(())
     }
 
@@ -128,11 +130,11 @@ impl Conductance<'_> {
         places: &[At],
         correlation: Correlation,
     ) -> Outcome {
-        let ([from, to], id) = (correlation.range(), correlation.id());
-        let (mut rows, mut outside) = (vec![], None);
+        let ([from, to], id, scene) = (correlation.range(), correlation.id(), &self.file.scene);
+        let mut outside = None;
         for at in places {
-            let Some(pressure) = at.pressure(&self.file.scene) else { continue };
-            let found = correlation.at(&self.file.scene, &self.roughness(), pressure)?;
+            let Some(pressure) = at.pressure(scene) else { continue };
+            let found = correlation.at(scene, &self.roughness(), pressure)?;
             let relative = found.relative_pressure;
             if outside.is_none() && !(from..=to).contains(&relative) {
                 outside = Some(format!(
@@ -143,12 +145,10 @@ impl Conductance<'_> {
                 ));
             }
             let holds = if found.holds { "yes" } else { "no" };
-            let mut row = self.cells(id, *at, [relative, found.conductance].map(Some), holds);
-            row.resize(sheet.heads.len(), Cell::BLANK);
-            rows.push(row);
+            let numbers = [at.load(scene), Some(pressure), Some(relative), Some(found.conductance)];
+            sheet.add(&[id], numbers.map(Cell::from).into_iter().chain([holds.into()]));
         }
-        sheet.rows.extend(rows);
-        for reason in outside.into_iter().chain(correlation.reason_against(&self.file.scene)) {
+        for reason in outside.into_iter().chain(correlation.reason_against(scene)) {
             sheet.warn("correlation", format!("{id}: {reason}"));
         }
         Ok(())
@@ -173,14 +173,5 @@ impl Conductance<'_> {
         };
         let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
         sheet.note("gap-roughness", text);
-    }
-
-    fn cells(&self, id: &str, at: At, found: [Option<f64>; 2], holds: &str) -> Vec<Cell> {
-        let scene = &self.file.scene;
-        let numbers = [at.load(scene), at.pressure(scene)].into_iter().chain(found);
-        let mut row = vec![Cell::from(id)];
-        row.extend(numbers.map(Cell::from));
-        row.push(holds.into());
-        row
     }
 }

@@ -86,24 +86,20 @@ pub fn models(
     quantities: &[Quantity],
     sheet: &mut Sheet,
 ) -> Result<Vec<NamedModel>, AnswerError> {
-    let models = match by_name(requested) {
-        true => {
-            let requested = once(requested);
-            let models = requested.iter().map(|id| named_model(file, id, sheet));
-            models.collect::<Result<Vec<_>, _>>()?
-        }
-        false => {
-            let models = available(file, quantities, sheet).into_iter();
-            models.map(|model| (model.id().to_string(), model)).collect()
-        }
+    let models: Vec<NamedModel> = if by_name(requested) {
+        let models = once(requested).into_iter();
+        models.map(|id| named_model(file, &id, sheet)).collect::<Result<_, _>>()?
+    } else {
+        let models = available(file, quantities, sheet).into_iter();
+        models.map(|model| (model.id().to_string(), model)).collect()
     };
+    if models.is_empty() {
+        return Err("no model is available for this scene".into());
+    }
     if !models.iter().all(|(_, model)| model.validity().adhesive) {
         note_adhesion(file, sheet);
     }
-    match models.is_empty() {
-        true => Err("no model is available for this scene".into()),
-        false => Ok(models),
-    }
+    Ok(models)
 }
 
 /// The models given, or all that can be compared with boundary elements; a note names the others.

@@ -81,6 +81,14 @@ impl Sheet {
         self.heads.iter().position(|head| head == name)
     }
 
+    /// Adds a row with names, then numbers, and blanks up to the last column.
+    pub fn add<N: Into<Cell>>(&mut self, names: &[&str], numbers: impl IntoIterator<Item = N>) {
+        let mut row: Vec<Cell> = names.iter().map(|name| Cell::from(*name)).collect();
+        row.extend(numbers.into_iter().map(Into::into));
+        row.resize(self.heads.len(), Cell::BLANK);
+        self.rows.push(row);
+    }
+
     /// Adds a note that is a sentence of its own.
     pub fn note(&mut self, code: &'static str, text: impl Into<String>) {
         self.findings.push(Finding::note(code, "", f64::NAN).fact(text.into()));

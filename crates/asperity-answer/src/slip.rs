@@ -6,7 +6,7 @@ use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
 use crate::blanks::Blanks;
 use crate::number::{rounded, within};
 use crate::subject::{Outcome, Subject};
-use crate::{AnswerError, Cell, Sheet};
+use crate::{AnswerError, Sheet};
 
 /// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
@@ -93,9 +93,7 @@ impl Slip<'_> {
                 .map(Some),
             };
             let numbers = [Some(shift), force, back, forth, loss, factor];
-            let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(|x| Cell::from(x.map(|x| self.digits(x)))));
-            sheet.rows.push(row);
+            sheet.add(&[id], numbers.map(|x| x.map(|x| self.digits(x))));
         }
         let text =
             format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
@@ -139,8 +137,7 @@ impl Slip<'_> {
                         [force, None, None, None, None]
                     }
                 };
-                let numbers = place.into_iter().chain(cycle);
-                sheet.rows.push([id.into()].into_iter().chain(numbers.map(Cell::from)).collect());
+                sheet.add(&[id], place.into_iter().chain(cycle));
             }
         }
         let reasons = blanks.texts(sheet.rows.len());
