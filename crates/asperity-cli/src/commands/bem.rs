@@ -11,7 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{OutputArgs, file_ending, listed_model_id, refuse_same_place};
+use crate::input::args::{OutputArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
@@ -226,12 +226,6 @@ impl BemCommand {
             let text = format!("--picture draws one load, not {}", given.len());
             usage_error("bem", ErrorKind::ArgumentConflict, &text);
         }
-        let others = [self.picture.as_deref(), self.map.as_deref()];
-        let texts = [
-            "--output, --picture and --map name the same file; choose different names",
-            "--map - and --picture - use standard output; name a file for the data with --output",
-        ];
-        refuse_same_place("bem", self.output.output.as_deref(), &others, texts);
     }
 }
 

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, nearest_hint, nearest_name, shortest_digits};
-use asperity_answer::{Conductance as Question, Gas, rounded};
+use asperity::{At, nearest_hint, nearest_name};
+use asperity_answer::{Conductance as Question, Gas};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
 
@@ -80,9 +80,13 @@ pub struct Conductance {
 
 impl Conductance {
     pub fn run(self) -> Result<()> {
-        self.output.check("conductance");
-        self.check_gas();
-        self.check_roughness()?;
+        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
+            bail!("{found}")
+        }
+        if self.gas.is_some() && self.gas_parameter.is_none() {
+            let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
+            print_message("note", text);
+        }
         let scene = self.open()?;
         let question = Question {
             file: &scene.file,
@@ -124,52 +128,6 @@ impl Conductance {
     fn roughness(&self) -> Option<GapRoughness> {
         let given = self.sigma.zip(self.mean_slope);
         given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope })
-    }
-}
-
-/// A larger conductivity \[W/(m K)\] of a gas or a paste in the gap is unlikely.
-const MOST_GAS: f64 = 10.0;
-/// A larger standard deviation of the heights \[m\] is unlikely.
-const ROUGHEST: f64 = 1e-3;
-
-/// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.
-const LONGEST_JUMP: f64 = 1e-2;
-
-impl Conductance {
-    /// Refuses numbers of the correlations that are in another unit.
-    fn check_roughness(&self) -> Result<()> {
-        if let Some(sigma) = self.sigma.filter(|sigma| *sigma > ROUGHEST) {
-            let given = shortest_digits(sigma);
-            bail!("--sigma is {given} m; {given} looks like um, written {given}um")
-        }
-        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
-            bail!("{found}")
-        }
-        Ok(())
-    }
-
-    /// Warns of an unlikely conductivity, and of a missing or unlikely temperature-jump distance.
-    fn check_gas(&self) {
-        if let Some(gas) = self.gas.filter(|gas| *gas > MOST_GAS) {
-            let [given, meant] = [gas, 1e-3 * gas].map(rounded);
-            let text = format!(
-                "--gas is {given} W/(m K); {given} looks like mW/(m K); {given} mW/(m K) is {meant} W/(m K)"
-            );
-            print_message("warning", &text);
-        }
-        match (self.gas, self.gas_parameter) {
-            (Some(_), None) => {
-                let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
-                print_message("note", text);
-            }
-            (_, Some(given)) if given > LONGEST_JUMP => {
-                let text = format!(
-                    "--gas-parameter is {given} m; {given} looks like um, about 0.37um for air at 1 bar"
-                );
-                print_message("warning", &text);
-            }
-            _ => {}
-        }
     }
 }
 

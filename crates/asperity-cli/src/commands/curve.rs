@@ -100,7 +100,6 @@ impl Curve {
             let text = "--work-of-adhesion is for --pull-off; add it";
             usage_error(command, ErrorKind::MissingRequiredArgument, text);
         }
-        self.output.check(command);
         // The former command of comparisons always has a reference, at one separation.
         let compares = command == "compare";
         let ids = if compares { &[][..] } else { &self.asked.models };

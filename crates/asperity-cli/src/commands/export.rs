@@ -12,7 +12,7 @@ use clap::error::ErrorKind;
 use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{Length, warn_unit};
 use crate::input::lists::{Span, range};
-use crate::input::numbers::{error_below_1, friction, load, pressure};
+use crate::input::numbers::{friction, load, pressure, share};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -58,7 +58,7 @@ pub struct ExportCommand {
     unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
-    #[arg(long, value_name = "X", value_parser = error_below_1)]
+    #[arg(long, value_name = "X", value_parser = share)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance

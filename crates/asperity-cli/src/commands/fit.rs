@@ -5,15 +5,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Role, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, rank};
 use asperity_inputs::{Free, SceneError, read_measurements};
-use clap::error::ErrorKind;
 use clap::{ArgGroup, Args};
 
 use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
-use crate::input::usage_error;
 use crate::interrupt;
 use crate::output::fit_report::Report;
 use crate::output::table::Format;
@@ -64,7 +62,7 @@ pub struct FitCommand {
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
     /// Free parameters, at least one, each with bounds if these are given
-    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
+    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',', required = true)]
     free: Vec<Free>,
     /// Models by id, as listed by `asperity list models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
@@ -88,22 +86,9 @@ pub struct FitCommand {
 
 impl FitCommand {
     pub fn run(self) -> Result<()> {
-        self.output.check("fit");
         let scene = LoadedScene::load(&self.scene, &[])?;
         if output::has_error() {
             bail!("{}: fits need a scene without errors; correct it first", scene.name);
-        }
-        if self.free.is_empty() {
-            let keys = scene.file.all_inputs().into_iter();
-            let keys = keys.filter(|(_, input)| scene.file.value_of(*input).is_some());
-            let keys: Vec<String> = keys.map(|(name, _)| name).collect();
-            let text = format!(
-                "--free is missing; name the numbers to fit, for example --free asperity_height_std (of {}: {}; of the rig: {})",
-                scene.name,
-                keys.join(", "),
-                Role::RIG.join(", ")
-            );
-            usage_error("fit", ErrorKind::MissingRequiredArgument, &text);
         }
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {

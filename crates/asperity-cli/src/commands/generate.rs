@@ -11,7 +11,6 @@ use crate::input::args::file_ending;
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
 use crate::output::{self, contact_map, print_message};
-use asperity_answer::rounded;
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
@@ -72,14 +71,6 @@ pub struct Generate {
 impl Generate {
     pub fn run(self) -> Result<()> {
         let surface = self.surface()?;
-        let gradient = (2.0 * surface.moments().m2).sqrt();
-        if gradient > 1.0 {
-            let text = format!(
-                "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
-                rounded(gradient)
-            );
-            print_message("warning", &text);
-        }
         let [columns, rows] = self.size;
         let map = surface.map([rows, columns])?;
         let shape = map.shape();

@@ -6,22 +6,20 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, rounded, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use super::joint_plots;
 use crate::input::args::{DrawnArgs, loads, one_model_id, separation_unit, tolerance};
-use crate::input::distances::{Distances, turning_separations, warn_unit};
-use crate::input::lists::{Numbers, all, turning_loads};
+use crate::input::distances::{Distances, warn_unit};
+use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
 use crate::output::{once, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Larger coefficients of friction are unlikely.
-const LARGEST_FRICTION: f64 = 2.0;
 /// Shifts of a loop by default.
 const POINTS: usize = 101;
 
@@ -111,11 +109,10 @@ struct Closed {
     pressure: Option<Numbers>,
     /// Turning points as separations, in sigma, or with a unit, for example 2um
     #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = turning_separations)]
     history: Option<Distances>,
     /// Turning points as loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = turning_loads)]
+    #[arg(value_parser = all(load))]
     history_load: Option<Numbers>,
 }
 
@@ -159,7 +156,6 @@ impl Closed {
 impl Joint {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
-        self.output.check(command);
         let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
         let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
@@ -174,7 +170,6 @@ impl Joint {
         if self.friction.is_some() && laws.len() > 1 {
             usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        self.check_friction();
         let places = self.place.all(&scene, &named, self.unit);
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
@@ -225,16 +220,5 @@ impl Joint {
         let shift = self.cycle.amplitude.map(Amplitude::Shift);
         let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
         shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
-    }
-
-    /// Warns of a coefficient of friction that is probably in per cent.
-    fn check_friction(&self) {
-        if let Some(given) = self.friction.filter(|friction| *friction > LARGEST_FRICTION) {
-            let given = rounded(given);
-            let text = format!(
-                "--friction is {given}, and dry contacts have at most about 1.5; {given} % is written {given}%"
-            );
-            print_message("warning", &text);
-        }
     }
 }

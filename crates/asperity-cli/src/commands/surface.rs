@@ -19,7 +19,7 @@ use toml::Value;
 use crate::commands::scales::{self, Scales};
 use crate::input::args::DrawnArgs;
 use crate::input::lists::have_units;
-use crate::input::numbers::{length, share_or_0};
+use crate::input::numbers::{length, share};
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 
@@ -79,7 +79,7 @@ pub struct Surface {
     #[arg(long)]
     periodic: bool,
     /// Largest accepted share of missing points, for example 0.2 or 20%
-    #[arg(long, value_name = "SHARE", value_parser = share_or_0, default_value = "0.1")]
+    #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0.1")]
     max_missing: f64,
     /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the
     /// mean of its neighbours)
@@ -205,10 +205,8 @@ impl Surface {
 
     /// Refuses options that exclude each other.
     fn check(&self) {
-        self.output.check("surface");
         let two = self.files.len() > 1;
         let separate = two && self.aligned.is_none();
-        let one_file = self.scene.is_some() && self.scene == self.heights;
         let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
         let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
             let advice = "choose --smooth below --filter";
@@ -216,7 +214,6 @@ impl Surface {
         });
         let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
-            (one_file, "--scene and --heights name the same file; choose two names"),
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
             (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),

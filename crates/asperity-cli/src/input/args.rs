@@ -1,6 +1,6 @@
 //! Arguments that several commands share: parsing and defaults only.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::Bem;
@@ -8,7 +8,6 @@ use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Toleranc
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
@@ -137,15 +136,6 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
-    /// Ends the `command` where plot and data have the same destination.
-    pub fn check(&self, command: &str) {
-        let texts = [
-            "--plot and --output name the same file; choose two names",
-            "--plot - uses standard output; name a file for the data with --output",
-        ];
-        refuse_same_place(command, self.output.output.as_deref(), &[self.plot.as_deref()], texts);
-    }
-
     /// Writes the sheet, and its plot where one is requested.
     pub fn write(&self, sheet: &Sheet, picture: impl FnOnce() -> Result<String>) -> Result<()> {
         self.draw(picture)?;
@@ -159,28 +149,6 @@ impl DrawnArgs {
             None => Ok(()),
         }
     }
-}
-
-/// Ends the `command` with one of two texts where data and drawings go to the same file, or several
-/// of them to standard output.
-pub fn refuse_same_place(
-    command: &str,
-    data: Option<&Path>,
-    drawings: &[Option<&Path>],
-    [same, standard]: [&str; 2],
-) {
-    let drawn = drawings.iter().copied().flatten().map(Some);
-    let places: Vec<Option<&Path>> = std::iter::once(data).chain(drawn).collect();
-    let (streams, files): (Vec<_>, Vec<_>) =
-        places.into_iter().partition(|place| output::is_standard(*place));
-    let files: Vec<&Path> = files.into_iter().flatten().collect();
-    let twice = |k: usize| files[..k].iter().any(|file| output::is_same(file, files[k]));
-    let text = match (0..files.len()).any(twice) {
-        true => same,
-        false if streams.len() > 1 => standard,
-        false => return,
-    };
-    crate::input::usage_error(command, ErrorKind::ArgumentConflict, text)
 }
 
 fn quantities_help() -> String {

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_answer::unit_warning;
 
-use crate::input::lists::{Numbers, ReadNumber, Span, have_units, refuse_repeated};
+use crate::input::lists::{Numbers, ReadNumber, Span, have_units};
 use crate::input::numbers::{number, of_unit};
 use crate::output::show;
 
@@ -58,13 +58,6 @@ impl FromStr for Length<Span> {
     }
 }
 
-/// Separations at which a joint turns.
-pub fn turning_separations(text: &str) -> Result<Distances, String> {
-    let found: Distances = text.parse()?;
-    refuse_repeated(text, &found.value, "separations")?;
-    Ok(found)
-}
-
 /// A length in m, or with its unit.
 fn metre(text: &str) -> Result<f64, String> {
     of_unit(text, "m")
@@ -101,13 +94,6 @@ mod tests {
         ] {
             assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));
         }
-        for (same, wanted) in [
-            ("2,1,1", "1 follows 1; a joint turns at separations that differ"),
-            ("2um,2um", "2um follows 2um; a joint turns at separations that differ"),
-        ] {
-            assert_eq!(turning_separations(same).unwrap_err(), wanted);
-        }
-        assert_eq!(turning_separations("2,1,2").unwrap().value, [2.0, 1.0, 2.0]);
         let one: Length<f64> = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
         let two = "2um,3um".parse::<Length<f64>>().unwrap_err();

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
 
-use crate::input::numbers::{count_up_to, number, of_unit, positive};
+use crate::input::numbers::{count_up_to, number};
 
 /// The largest number of values in one range.
 const MOST: usize = 1_000_000;
@@ -120,33 +120,6 @@ pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
     move |text| Span::even(text, one)
 }
 
-/// Forces above 0 at which a joint turns, in N or with their unit.
-pub fn turning_loads(text: &str) -> Result<Numbers, String> {
-    let found = Numbers::read(text, |text| {
-        match of_unit(text, "N")? {
-        0.0 => Err("0 is not a turning load: any separation without contact carries it; give loads above 0, or an open separation such as 10 with --history".into()),
-        load => positive(load),
-    }
-    })?;
-    refuse_repeated(text, &found.0, "loads")?;
-    Ok(found)
-}
-
-/// Refuses a value that follows itself, at which a joint would not turn; `text` has the values.
-pub fn refuse_repeated(text: &str, values: &[f64], what: &str) -> Result<(), String> {
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    // The values of a range differ.
-    // 0 and -0 are one place.
-    let is_same = |pair: &[f64]| matches!(pair, [a, b] if b - a == 0.0);
-    let repeated = values.windows(2).position(is_same);
-    match repeated.and_then(|k| parts.get(k).zip(parts.get(k + 1))) {
-        Some((one, other)) => {
-            Err(format!("{other} follows {one}; a joint turns at {what} that differ"))
-        }
-        None => Ok(()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,11 +188,6 @@ mod tests {
         }
         assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
-        assert!(turning_loads("1 kN,0").is_err() && turning_loads("1kN,2kN,1kN").is_ok());
-        assert_eq!(
-            turning_loads("1kN,1kN").unwrap_err(),
-            "1kN follows 1kN; a joint turns at loads that differ"
-        );
         assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

@@ -91,38 +91,22 @@ pub fn friction(text: &str) -> Result<f64, String> {
     coefficient_of_friction(slope(text)?).map_err(|error| error.to_string())
 }
 
-/// A share, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
+/// A share up to 1, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
 pub fn share(text: &str) -> Result<f64, String> {
-    relative_error(text).and_then(|share| match share {
+    match relative_error(text)? {
         share if share <= 1.0 => Ok(share),
         _ if text.contains('%') => Err("a share is at most 100%".into()),
         share => {
             Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
         }
-    })
-}
-
-/// A share, or 0.
-pub fn share_or_0(text: &str) -> Result<f64, String> {
-    match number(text.trim().trim_end_matches('%').trim_end())? {
-        0.0 => Ok(0.0),
-        _ => share(text),
     }
 }
 
 /// A relative error, "1%" or "0.01".
 pub fn relative_error(text: &str) -> Result<f64, String> {
     match text.trim().strip_suffix('%') {
-        Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
-        None => positive_number(text),
-    }
-}
-
-/// A relative error below 100 %; a plain number above 1 is ambiguous and refused.
-pub fn error_below_1(text: &str) -> Result<f64, String> {
-    match share(text)? {
-        error if error < 1.0 => Ok(error),
-        _ => Err("the error must be below 100%".into()),
+        Some(percent) => number(percent).map(|percent| percent / 100.0),
+        None => number(text),
     }
 }
 
@@ -174,14 +158,11 @@ mod tests {
         assert_eq!(count_up_to(9)("10").unwrap_err(), "10 is not a whole number from 2 to 9");
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
-        assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);
+        assert_eq!([share("0"), share("95%")], [Ok(0.0), Ok(0.95)]);
         assert_eq!(share("0,5%").unwrap_err(), "\"0,5\" has a decimal comma; write 0.5");
-        assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
-        assert_eq!([error_below_1("1%"), error_below_1("0.01")], [Ok(0.01), Ok(0.01)]);
-        assert!(error_below_1("1").is_err() && error_below_1("0").is_err());
         assert_eq!([slope("8%"), slope("0.08")], [Ok(0.08), Ok(0.08)]);
         assert!(slope("0,08").is_err() && slope("-8%").is_err() && slope("steep").is_err());
-        assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
+        assert!(share("500%").is_err() && share("five").is_err());
         assert!(positive_number("0").is_err() && positive_number("-1").is_err());
     }
 }
