@@ -37,6 +37,12 @@ impl Cell {
     pub fn number(&self) -> Option<f64> {
         if let Self::Number(number) = self { Some(*number) } else { None }
     }
+
+    /// The name or word, empty for numbers and blanks.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        if let Self::Text(text) = self { text } else { "" }
+    }
 }
 
 impl From<&str> for Cell {

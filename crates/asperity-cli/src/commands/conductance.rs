@@ -4,18 +4,15 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, nearest_hint, nearest_name};
+use asperity::{At, Interface, nearest_hint, nearest_name};
 use asperity_answer::{Conductance as Question, Gas};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;
-use super::conductivity::{
-    Conductivity, conductivity, interface_conductivity, missing_conductivity,
-};
 use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure, slope};
+use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
 use crate::output::print_message;
 use crate::scene::LoadedScene;
 
@@ -60,7 +57,7 @@ pub struct Conductance {
     /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2), or those of its two bodies, in
     /// W/(m K), instead of the scene's
     #[arg(long, value_name = "K|K1,K2", value_parser = interface_conductivity)]
-    conductivity: Option<Conductivity>,
+    conductivity: Option<f64>,
     /// Thermal conductivity of a gas in the gap, in W/(m K)
     #[arg(long, value_name = "K", value_parser = conductivity)]
     gas: Option<f64>,
@@ -106,14 +103,14 @@ impl Conductance {
         let ids: Vec<String> = self.models.iter().filter(is_model).cloned().collect();
         let mut scene = LoadedScene::load(&self.scene, &ids)?;
         let interface = &mut scene.file.scene.interface;
-        let Some(given) = &self.conductivity else {
+        let Some(given) = self.conductivity else {
             if interface.thermal_conductivity.is_none() {
-                bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
+                let how = "set it in the scene, or use --conductivity";
+                bail!("{}: thermal_conductivity is missing: {how}", scene.name)
             }
             return Ok(scene);
         };
-        interface.thermal_conductivity = Some(given.value());
-        given.note();
+        interface.thermal_conductivity = Some(given);
         let found = interface.findings().into_iter();
         scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
         Ok(scene)
@@ -128,6 +125,20 @@ impl Conductance {
     fn roughness(&self) -> Option<GapRoughness> {
         let given = self.sigma.zip(self.mean_slope);
         given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope })
+    }
+}
+
+/// A conductivity \[W/(m K)\].
+fn conductivity(text: &str) -> Result<f64, String> {
+    of_unit(text, "W/(m K)").and_then(positive)
+}
+
+/// The conductivity of an interface \[W/(m K)\], or of its two bodies.
+fn interface_conductivity(text: &str) -> Result<f64, String> {
+    match Numbers::read(text, conductivity)?.0[..] {
+        [one] => Ok(one),
+        [first, second] => Ok(Interface::mean_conductivity(first, second)),
+        ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
     }
 }
 

@@ -5,7 +5,6 @@ mod bem;
 mod check;
 mod conductance;
 mod conductance_picture;
-mod conductivity;
 mod curve;
 mod export;
 mod fit;
