@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::joints::conductance::Correlation;
 use asperity::{Quantity, Scene};
 use asperity_answer::Sheet;
-use asperity_plot::{Axis, Curve};
+use asperity_plot::{Axis, Curve, Figure, Scale};
 
 use crate::output::plot;
 
@@ -33,7 +33,12 @@ pub fn picture(sheet: &Sheet, scene: &Scene) -> Result<String> {
         (&*total, "conductance of contacts and gas (W/(m² K))"),
     ];
     let x = plot::fitted(&mut long, Axis::new("pressure_Pa", "pressure (Pa)"));
-    plot::against(&long, &x, &columns, &curves)
+    let mut panels = plot::panels(&long, &x, &columns, &curves)?;
+    // Of one quantity: if one spans decades, both have a logarithmic axis.
+    if panels.iter().any(|panel| panel.y.scale == Scale::Log) {
+        panels.iter_mut().for_each(|panel| panel.y.scale = Scale::Log);
+    }
+    plot::drawn(&long, &Figure::new("", &[], panels))
 }
 
 /// The name of a correlation where it does not hold, with the reason.
