@@ -22,25 +22,7 @@ use crate::scene::LoadedScene;
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The scene names a scan: [surface] file = \"scan.txt\". The scan represents the
-whole nominal area, levelled and filtered by the scene's keys. The material is that of
-the scene and yields where the pressure reaches the hardness.
-Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
-pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
-planes), patches, iterations, residual; then those of --quantity, with the names that
-models have; with --refine the same on half the grid;
-boundary (periodic, periodic-part or free).
---compare solves the same contacts by models, with the asperities of the same scan. Deviations
-are relative to bem; of the mean gap, over the rms height of the scan.
-After Ctrl-C the loads solved so far are written; the exit code is 130.
-
-Examples:
-  asperity bem scan.toml --pressure 1e7,1e8
-  asperity bem scan.toml --load 1000 --elastic --boundary free --format json
-  asperity bem scan.toml --pressure 1e7:1e9:5:log --refine --output bem.csv --format csv
-  asperity bem scan.toml --pressure 1e7,1e8 --quantity unloading-stiffness
-  asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg
-  asperity bem scan.toml --pressure 1e7,1e8 --compare --model gw,ke"
+    after_help = include_str!("help/bem.txt")
 )]
 pub struct BemCommand {
     /// Scene file that names a scan

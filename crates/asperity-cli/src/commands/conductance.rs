@@ -20,25 +20,7 @@ use crate::scene::LoadedScene;
 #[derive(Debug, Args)]
 #[command(
     group(ArgGroup::new("given").required(true)),
-    after_help = "Columns: model, load_N, pressure_Pa, relative_pressure,
-thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the conductance of
-the gas in the gap, at the model's separation from the mean plane, and their sum, the
-total_thermal_conductance_per_area_W_per_m2_per_K.
-cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for plastic contacts
-(plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
-for elastic contacts. sigma and m, the standard deviation of the heights and the mean absolute
-slope, are those of --sigma and --mean-slope, of the scan or, without both, of a Gaussian surface
-with the scene's asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
-power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
-sqrt(2) p/(E m) of 1e-5 to 0.012).
-Values are for contacts in vacuum; the models neglect their thermal interaction.
-
-Examples:
-  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
-  asperity conductance scene.toml --conductivity 50 --load 1kN --model ke,gw,jg --format csv
-  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um
-  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:20:log --output h.csv --plot h.svg
-  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --sigma 1.4um --mean-slope 0.14"
+    after_help = include_str!("help/conductance.txt")
 )]
 pub struct Conductance {
     /// Scene file; `asperity init` writes an example

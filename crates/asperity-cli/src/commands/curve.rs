@@ -22,36 +22,7 @@ const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
-separation_m, then the quantities with their units: force_N, area_m2.
-Where several separations carry a load (jg, at), the largest is used, the first on
-approach; a tension (dmt, jkr) has its stable separation, the smallest. Values that do not
-exist are blank; a message gives the reason.
-Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
-unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
-yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
-describes shear without slip.
-With --pull-off, jkr means jkr-separation, the branch on which surfaces separate. dmt is
-for small, hard asperities (tabor_parameter below 0.1), jkr for large, soft ones (above 5);
-`asperity check` prints the tabor_parameter.
-With --reference, deviations are relative to that model (differences for logarithms and
-shares), and 0 where two values differ by less than their error bounds.
-With --corrected each model has two sets of rows: ke, as it is, and ke-corrected with the
-intervals, which hold nine of ten surfaces.
-Default: force, area and tangent (at loads without the force) at separations of
-0:4:401 in units of asperity_height_std.
-
-Examples:
-  asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
-  asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
-  asperity curve scene.toml --model ke --load 1:1000:50:log --output loads.csv --plot loads.svg
-  asperity curve scene.toml --model ke --load 1kN --quantity tangent,unloading-stiffness
-  asperity curve scene.toml --model at --load 0.1,1,10 --all
-  asperity curve scene.toml --reference jg --load 10,100 --quantity area,mean-pressure
-  asperity curve scene.toml --model jg --separation 1um,2um --errors
-  asperity curve scene.toml --model ke --pressure 1e6,1e7,1e8 --corrected
-  asperity curve scene.toml --pull-off --work-of-adhesion 50mJ/m2 --format table
-  asperity curve scene.toml --plan --model ke --load 10:1000:50"
+    after_help = include_str!("help/curve.txt")
 )]
 pub struct Curve {
     #[command(flatten)]

@@ -20,24 +20,7 @@ use crate::scene::LoadedScene;
 /// Pressure against clearance as a table for a finite-element code
 #[derive(Debug, Args)]
 #[command(
-    after_help = "csv holds the pressure and its tangent (its exact slope) at every node. Read as
-cubics (Hermite), both are continuous, as Newton's method needs.
-abaqus and calculix hold *SURFACE BEHAVIOR with pairs of pressure and
-overclosure, which the codes join by straight lines; ansys holds the real
-constants of a nonlinear spring (COMBIN39) that carries the nominal area.
-All state a bound of the interpolation error between the nodes; --max-error adds
-nodes until it is met. The N nodes of A:B:N are at equal distances of clearance.
---conductance adds *GAP CONDUCTANCE at the same nodes, --friction adds *FRICTION
-that begins with the stiffness in stick at the largest pressure: for models with
-circular contacts, on scenes that name conductivities and shear moduli (bodies do).
-
-Examples:
-  asperity export scene.toml --model ke --as csv --separation 0:4:41
-  asperity export scene.toml --model ke --as csv --pressure 1e4:1e7 --max-error 1e-3
-  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 1e-3 --output ke.inp
-  asperity export scene.toml --model ke --as calculix --load 1:1e4 --max-error 0.01 --friction 0.2
-  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 0.01 --units mm-N-MPa
-  asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
+    after_help = include_str!("help/export.txt")
 )]
 pub struct ExportCommand {
     /// Scene file; `asperity init` writes an example

@@ -26,33 +26,7 @@ use asperity_answer::rounded;
     group(ArgGroup::new("place")),
     override_usage = "asperity fit [OPTIONS] --free <KEY[=A:B]> <SCENE> <DATA>
        asperity fit [OPTIONS] --free <KEY[=A:B]> --target <Q=V> --load <P> <SCENE>",
-    after_help = "DATA is a csv with the columns of `asperity curve`: load_N, pressure_Pa or
-separation_m, and any of area_m2, area_fraction, tangent_N_per_m,
-unloading_stiffness_N_per_m (ultrasound, modal tests), thermal_conductance_W_per_K and so
-on, each with <column>_std if known. Cells may be empty. Numbers may have decimal commas
-where semicolons or tabs separate the columns. Without standard deviations the
-residuals are ln(fitted/measured). A separation beside a load is compared by the load at
-that separation, unless it has a standard deviation.
-
-Free parameters are numbers of the scene by their keys (hardness, asperity_height_std,
-body1_youngs_modulus, plasticity_index), and what a rig adds: separation_offset (linear,
-reading minus separation) and series_compliance (of the rig, in m/N: a stiffness K reads
-1/(1/K + c), a separation d reads d + offset - c F). Parameters start at the values of
-the scene; default bounds are a factor 30 either way.
-
-Columns: model, parameter, value, lower and upper (the 95 % interval; blank where the data
-do not fix that end within the bounds), unit, rms (relative) and bic. Models are ordered by
-BIC, lowest first, or by rms where one of them has no BIC. json also has correlation,
-condition, undetermined combinations, limits at which parameters stop, residuals,
-unreachable data, an outlier and another stiffness that fits. If no model describes the
-data, or none reaches the target, the exit code is 1.
-With --target instead of DATA, the scene in which a quantity has a value at one load.
-
-Examples:
-  asperity curve scene.toml --model ke --pressure 1e5:1e7:8:log --quantity area,unloading-stiffness --output data.csv
-  asperity fit scene.toml data.csv --free asperity_height_std=0.1um:5um,hardness --model ke,jg
-  asperity fit scene.toml data.csv --free asperity_height_std,series_compliance --plot fit.svg
-  asperity fit scene.toml --free asperity_height_std --target area_fraction=0.4% --pressure 5MPa"
+    after_help = include_str!("help/fit.txt")
 )]
 pub struct FitCommand {
     /// Scene file; `asperity init` writes an example

@@ -15,15 +15,7 @@ use crate::output::{self, contact_map, print_message};
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The surface is periodic, and its spectrum is exact: flat from --long to --roll-off, then
-q^(-2-2H) down to --short, and nothing beyond. --skewness changes the phases of the waves
-only. With --anisotropy the cut-offs are those across the lay.
-The same options make the same heights in Rust and in Python (asperity.random_surface).
-
-Examples:
-  asperity generate --long 20um --short 2um --size 128x128 --pixel 0.25um --sq 0.5um --output s.npy
-  asperity generate --long 25um --short 1um --size 256x128 --pixel 0.25um,0.2um --gradient 0.1 --hurst 0.7 --skewness -1 --anisotropy 3 --direction 30 --seed 7 --output ground.x3p
-  asperity surface ground.x3p --periodic"
+    after_help = include_str!("help/generate.txt")
 )]
 pub struct Generate {
     /// Hurst exponent, 0 to 1

@@ -27,36 +27,7 @@ const POINTS: usize = 101;
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "Opening: the joint has been closed for the first time up to --closest, --load or
---pressure, and opens by the retreats (default: to the end of contact).
-Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
-(not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
-below 1 most surfaces have parted, and values are averages over many surfaces).
-hertz: as a Hertzian contact with the force and area at the closest approach; brake:
-Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
-Coming closer again retraces these curves, and then follows the virgin one: the energy is
-dissipated in the first cycle only.
---history takes a new joint through turning points; way counts the paths between them.
-bem opens the scan along its own path, with the stiffness at fixed contact.
-
-Slip, with --friction: at constant separation; force_N at a first shift (blank below 0), back_N
-and forth_N in a steady cycle between -amplitude and +amplitude (Masing); loss_J and loss_factor
-of a cycle whose amplitude is this shift: energy / (pi x force x shift), 4/pi in gross slip.
-Several preloads or forces have one row each, with tangential_force_N and amplitude_m or
-force_N and sliding_m (the shift at which 99 % of mu F is reached). Partial slip of every
-asperity (Cattaneo, Mindlin), which answers as elastically as in unloading: exact for gw.
-Needs equivalent_shear_modulus, or the bodies.
-
-Models of equal, upright asperities with circular contacts only, without adhesion.
-
-Examples:
-  asperity joint scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
-  asperity joint scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
-  asperity joint scan.toml --model bem --pressure 50MPa --retreat 0:100nm:11
-  asperity joint scene.toml --model ke --history-load 10,2000,500,3000,10 --output cycle.csv
-  asperity joint scene.toml --model gw --pressure 5e6 --friction 0.2 --amplitude 1e-7
-  asperity joint scene.toml --load 100:1e4:20:log --friction 0.3 --amplitude 100nm
-  asperity joint scene.toml --load 100N,1kN --friction 0.3 --tangential-force 1N:25N:20:log"
+    after_help = include_str!("help/joint.txt")
 )]
 pub struct Joint {
     /// Scene file; `asperity init` writes an example

@@ -11,21 +11,7 @@ use crate::output::{self, table::Format};
 /// Models or materials, with their sources
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Models: R is the radius of an asperity, w_c the critical interference, at which it begins
-to yield (w_c' with another constant in jg, w_1 in zmc). The column equations holds the
-provenance of each model's equations; notes explain its words. csv and json also hold
-titles, notes and how variants differ. The models from gw to af, and ghaednia, exist with
--random behind the id as well: averaged over the asperities of a random surface, whose
-heights and radii differ. bem, boundary elements, needs a scan.
-Materials: write material = \"steel-100cr6\" in [[body]] instead of the numbers. The numbers
-are typical ones at room temperature, for orientation; measured ones are better. Blank
-where no value was found. csv and json also hold the source of each material.
-
-Examples:
-  asperity list models
-  asperity list models ke
-  asperity list materials steel
-  asperity list materials --format csv --output materials.csv"
+    after_help = include_str!("help/list.txt")
 )]
 pub struct List {
     what: What,

@@ -29,22 +29,7 @@ const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature 
 #[derive(Debug, Args)]
 #[command(
     mut_arg("plot", |arg| arg.help(PLOT)),
-    after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR,
-Gwyddion .gwy, SDF (ISO 25178-71), each also inside gzip.
-Units and pixel size that a file does not contain must be given as options. A scan
-of n points with spacing dx is n dx wide.
-Two files are two rough surfaces in contact: their moments are added, or with
---aligned their heights, point by point.
---scales shows the results against the short-wavelength cut-off. Values that change
-with the cut-off describe the measurement, not the surface.
-
-Examples:
-  asperity surface scan.txt --unit um --pixel-size 0.5
-  asperity surface scan.txt --unit um --pixel-size 0.5,0.5 --estimator summits --format json
-  asperity surface scan.txt --unit um --pixel-size 0.5 --heights pdf.csv --scene rough.toml
-  asperity surface scan.txt --unit um --pixel-size 0.5 --plot report.svg
-  asperity surface scan.txt --unit um --pixel-size 0.5 --scales 1.5e-6:2e-5:8:log
-  asperity surface scan.txt scan.txt --unit um --pixel-size 0.5 --scene measured.toml"
+    after_help = include_str!("help/surface.txt")
 )]
 pub struct Surface {
     /// One measured surface, or the two surfaces in contact
