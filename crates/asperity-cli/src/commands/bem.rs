@@ -109,26 +109,21 @@ impl Places {
 }
 
 impl BemCommand {
-    /// Compares models with boundary elements under the former name of that command.
-    pub fn run_truth(self) -> Result<()> {
-        self.compared("truth")
-    }
-
-    pub fn run(self) -> Result<()> {
-        if self.compare {
-            return self.compared("bem");
-        }
-        if !self.models.is_empty() {
-            let text = "--model names models to compare with boundary elements; add --compare";
-            usage_error("bem", ErrorKind::MissingRequiredArgument, text);
-        }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), false)?;
+    /// Runs under the name of the command, or under the former one of comparisons with models.
+    pub fn run(self, command: &str) -> Result<()> {
+        let compares = self.compare || command == "truth";
+        self.check(command, compares);
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), compares)?;
         let given = self.places.given(scene.file.scene.nominal_area);
-        self.check(&given);
+        if self.picture.is_some() && given.len() > 1 {
+            let text = format!("--picture draws one load, not {}", given.len());
+            usage_error(command, ErrorKind::ArgumentConflict, &text);
+        }
         let bem = self.bem(&scene)?;
+        let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
-            file: &scene.file,
-            name: &scene.name,
+            file,
+            name,
             bem: &bem,
             given: &given,
             quantities: &self.quantities,
@@ -136,54 +131,35 @@ impl BemCommand {
             keep: self.map.is_some() || self.picture.is_some(),
         };
         let watch = terminal()?;
-        let solve = |sheet: &mut Sheet| press.solve(sheet, &watch).map_err(reason);
-        let (sheet, maps) = scene.answer(solve)?;
-        drop(watch);
-        self.write_or_end(&sheet, given.len())?;
-        if let Some(path) = &self.map {
-            contact_map::write(path, &maps, bem.map().shape())?;
-        }
-        if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
-            let hardness = bem.hardness(&scene.file.scene.interface)?;
-            draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, &scene.name))?;
-        }
-        end_if_stopped(&sheet, given.len());
-        Ok(())
-    }
-
-    /// Writes the rows, unless the work was stopped before there were any.
-    fn write_or_end(&self, sheet: &Sheet, all: usize) -> Result<()> {
-        if sheet.rows.is_empty() {
-            interrupt::end(0, all);
-        }
-        self.output.write(sheet)
-    }
-
-    /// Compares models with boundary elements.
-    fn compared(&self, command: &str) -> Result<()> {
-        let only = "--quantity, --gap, --map and --picture are for boundary elements without models; leave them out";
-        let places = &self.places;
-        if !(self.quantities.is_empty() && places.gaps.is_empty())
-            || self.map.is_some()
-            || self.picture.is_some()
-        {
-            usage_error(command, ErrorKind::ArgumentConflict, only);
-        }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), true)?;
-        let bem = self.bem(&scene)?;
-        let area = scene.file.scene.nominal_area;
-        let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);
-        let pressures = places.pressures.iter().flat_map(|list| &list.0).copied();
-        let pressures: Vec<f64> = pressures.chain(loads).collect();
-        let (watch, refine) = (terminal()?, self.refine);
-        let fill = |sheet: &mut Sheet| {
-            truth((&scene.file, &scene.name, &bem), &self.models, &pressures, refine, sheet, &watch)
-                .map_err(reason)
+        let fill = |sheet: &mut Sheet| match compares {
+            true => {
+                let pressure = |given: &LoadCase| match given {
+                    LoadCase::MeanPressure(pressure) => Some(*pressure),
+                    _ => None,
+                };
+                let pressures: Vec<f64> = given.iter().filter_map(pressure).collect();
+                let scan = (file, name, &bem);
+                truth(scan, &self.models, &pressures, self.refine, sheet, &watch).map(|()| vec![])
+            }
+            false => press.solve(sheet, &watch),
         };
-        let (sheet, ()) = scene.answer(fill)?;
+        // The reason alone: it names the scene where that is meant.
+        let reason = |error: AnswerError| Error::msg(error.to_string());
+        let (sheet, maps) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
         drop(watch);
-        self.write_or_end(&sheet, pressures.len())?;
-        end_if_stopped(&sheet, pressures.len());
+        if !sheet.rows.is_empty() {
+            self.output.write(&sheet)?;
+            if let Some(path) = &self.map {
+                contact_map::write(path, &maps, bem.map().shape())?;
+            }
+            if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
+                let hardness = bem.hardness(&file.scene.interface)?;
+                draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, name))?;
+            }
+        }
+        if sheet.rows.is_empty() || interrupt::requested() {
+            interrupt::end(sheet.rows.len(), given.len());
+        }
         Ok(())
     }
 
@@ -203,23 +179,21 @@ impl BemCommand {
     }
 
     /// Refuses options that exclude each other.
-    fn check(&self, given: &[LoadCase]) {
-        if self.picture.is_some() && given.len() > 1 {
-            let text = format!("--picture draws one load, not {}", given.len());
-            usage_error("bem", ErrorKind::ArgumentConflict, &text);
+    fn check(&self, command: &str, compares: bool) {
+        let alone = [
+            !self.quantities.is_empty(),
+            !self.places.gaps.is_empty(),
+            self.map.is_some(),
+            self.picture.is_some(),
+        ];
+        if compares && alone.contains(&true) {
+            let text = "--quantity, --gap, --map and --picture are for boundary elements without models; leave them out";
+            usage_error(command, ErrorKind::ArgumentConflict, text);
         }
-    }
-}
-
-/// The reason alone: it names the scene where that is meant.
-fn reason(error: AnswerError) -> Error {
-    Error::msg(error.to_string())
-}
-
-/// Ends the program after stopped work, of which the rows so far are written.
-fn end_if_stopped(sheet: &Sheet, all: usize) {
-    if interrupt::requested() {
-        interrupt::end(sheet.rows.len(), all);
+        if !compares && !self.models.is_empty() {
+            let text = "--model names models to compare with boundary elements; add --compare";
+            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+        }
     }
 }
 

@@ -17,7 +17,6 @@ use crate::output::fit_report::Report;
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
-use asperity_answer::rounded;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
 #[derive(Debug, Args)]
@@ -127,16 +126,9 @@ impl FitCommand {
                     print_message("warning", &format!("left out: {error}"));
                 }
                 Err(error) => {
-                    // Errors of columns and lines are those of the data.
                     let place = match &error {
-                        SceneError::Fit(
-                            FitError::Loads { .. }
-                            | FitError::Unit { .. }
-                            | FitError::Column { .. }
-                            | FitError::TooFew { .. }
-                            | FitError::NoStart { .. },
-                        ) => self.data_name(scene),
                         SceneError::Fit(FitError::Parameter { .. }) => "--free".into(),
+                        SceneError::Fit(_) => self.data_name(scene),
                         _ => scene.name.clone(),
                     };
                     return Err(error).context(place);
@@ -173,13 +165,6 @@ impl FitCommand {
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
-        let (area, targets) = (scene.file.scene.nominal_area, &self.target);
-        let is_given = self.free.iter().all(|one| one.name != "nominal_area");
-        let largest = targets.iter().find(|(name, value)| name == "area_m2" && *value > area);
-        if let Some((_, value)) = largest.filter(|_| is_given) {
-            let [value, area] = [*value, area].map(rounded);
-            bail!("--target: area is {value} m2, above the nominal area of {area} m2")
-        }
         let places = [
             ("load_N", self.load),
             ("pressure_Pa", self.pressure),
@@ -187,7 +172,7 @@ impl FitCommand {
         ];
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
-        let columns = places.chain(targets.iter().cloned());
+        let columns = places.chain(self.target.iter().cloned());
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
         scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
     }

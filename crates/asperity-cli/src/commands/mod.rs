@@ -82,8 +82,8 @@ impl Command {
             Self::Slip(command) => command.run("slip"),
             Self::PullOff(command) => command.run("pull-off"),
             Self::Conductance(command) => command.run(),
-            Self::Bem(command) => command.run(),
-            Self::Truth(command) => command.run_truth(),
+            Self::Bem(command) => command.run("bem"),
+            Self::Truth(command) => command.run("truth"),
             Self::Export(command) => command.run(),
             Self::Manual(command) => command.run(),
         }
