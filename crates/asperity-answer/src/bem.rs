@@ -18,9 +18,6 @@ const COLUMNS: [(&str, fn(&Solution) -> f64); 7] = [
     ("residual", |found| found.residual),
 ];
 
-/// Why the stiffnesses of an elastic contact differ.
-const FREE_STIFFNESSES: &str = "with a free boundary the tangent exceeds the unloading stiffness of the same elastic contact, the more the larger the contact: the tangent is the slope against the mean gap under the scan, the unloading stiffness that against the approach of distant points";
-
 /// What is solved on the scan of a scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Press<'a> {
@@ -105,12 +102,6 @@ impl Press<'_> {
         if sheet.rows.is_empty() && !watch.is_stopped() {
             return Err(format!("{}: no load was solved", self.name).into());
         }
-        // A contact that has yielded may unload stiffer.
-        let is_elastic = |row: &Vec<Cell>| row[4].number().is_some_and(|plastic| plastic <= 0.0);
-        let free = self.bem.continuation() == Continuation::Free;
-        if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
-            sheet.note("free-stiffnesses", FREE_STIFFNESSES);
-        }
         Ok(maps)
     }
 
@@ -172,10 +163,4 @@ fn cells(solution: &Solution, nominal_area: f64) -> Vec<Cell> {
     };
     let others = COLUMNS.map(|(_, number)| number(solution));
     [pressure * nominal_area, pressure].into_iter().chain(others).map(Cell::from).collect()
-}
-
-/// Whether the slope of loading and the stiffness of a joint are asked for.
-fn has_both_stiffnesses(quantities: &[Quantity]) -> bool {
-    let slope = |quantity: &Quantity| matches!(quantity, Quantity::Tangent | Quantity::Stiffness);
-    quantities.iter().any(slope) && quantities.contains(&Quantity::UnloadingStiffness)
 }

@@ -160,10 +160,6 @@ impl Conductance<'_> {
 
     /// Notes the roughness of the correlations used, and what they lack.
     fn note_roughness(&self, sheet: &mut Sheet, used: &str) {
-        if self.gas.is_some() {
-            let lack = "correlations have no separation, so that gas and total are blank";
-            sheet.note("no-gap", format!("{used}: {lack}"));
-        }
         let GapRoughness { height_std, mean_slope, .. } = self.roughness();
         let [sigma, slope] = [height_std, mean_slope].map(rounded);
         let of = match (self.roughness, &self.file.measured) {

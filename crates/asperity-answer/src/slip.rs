@@ -52,11 +52,14 @@ impl Slip<'_> {
         })
     }
 
-    /// The slip at a preload, with its numbers.
+    /// The slip at a preload, with its load \[N\], pressure \[Pa\] and separation over σ_z.
     fn at(&self, preload: At) -> Result<(PartialSlip, [f64; 3]), ContactError> {
         let Subject { file, model, tolerance, .. } = self.subject;
         let joint = Unloading::new(model, &file.scene, preload, self.law, tolerance)?;
-        Ok((PartialSlip::new(&joint, self.friction)?, self.preload(preload, &joint)?))
+        let load = joint.force(0.0)?.value();
+        let separation = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
+        let numbers = [load, load / file.scene.nominal_area, separation];
+        Ok((PartialSlip::new(&joint, self.friction)?, numbers.map(|x| self.digits(x))))
     }
 
     fn digits(&self, x: f64) -> f64 {
@@ -117,10 +120,12 @@ impl Slip<'_> {
         };
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         sheet.under(&[&heads, if shift.is_some() { &FORCES } else { &SHIFTS }]);
-        let (id, mut blanks, mut farthest) = (self.subject.id, Blanks::default(), None);
+        let (id, scene) = (self.subject.id, &self.subject.file.scene);
+        let (mut blanks, mut farthest) = (Blanks::default(), None);
         for &at in preloads {
             let known = self.at(at);
-            let place = known.as_ref().map_or_else(|_| self.given(at), |found| found.1.map(Some));
+            let given = [at.load(scene), at.pressure(scene), None];
+            let place = known.as_ref().map_or(given, |(_, numbers)| numbers.map(Some));
             for &amplitude in amplitudes {
                 let cycle = known.as_ref().map_err(|error| error.clone().into());
                 let cycle = match cycle.and_then(|(slip, _)| self.under(slip, amplitude)) {
@@ -167,24 +172,6 @@ impl Slip<'_> {
             }
             Amplitude::Force(_) => [force, self.digits(shift), stiffness, loss, factor],
         })
-    }
-
-    /// Load \[N\], pressure \[Pa\] and separation over σ_z of a preload, of those that are given.
-    fn given(&self, preload: At) -> [Option<f64>; 3] {
-        let scene = &self.subject.file.scene;
-        match preload {
-            At::Separation(at) => [None, None, self.subject.place(at, SeparationUnit::Sigma).ok()],
-            at => [at.load(scene), at.pressure(scene), None],
-        }
-    }
-
-    /// All three of a preload: what is given has its own digits.
-    fn preload(&self, preload: At, joint: &Unloading) -> Result<[f64; 3], ContactError> {
-        let [load, pressure, separation] = self.given(preload);
-        let load = load.map_or_else(|| joint.force(0.0).map(|force| force.value()), Ok)?;
-        let closest = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
-        let pressure = pressure.unwrap_or(load / self.subject.file.scene.nominal_area);
-        Ok([load, pressure, separation.unwrap_or(closest)])
     }
 
     /// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.

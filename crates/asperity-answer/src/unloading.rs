@@ -36,7 +36,10 @@ pub fn unloading(
             let opening = joint.unloading(closest)?;
             if opening.force(0.0)?.value() == 0.0 {
                 let at = opening.closest();
-                return Err(format!("nothing touches at a separation of {at}; choose a smaller one").into());
+                return Err(format!(
+                    "nothing touches at a separation of {at}; choose a smaller one"
+                )
+                .into());
             }
             let end = opening.last_contact();
             note_work(sheet, subject, &joint, closest);
@@ -44,12 +47,6 @@ pub fn unloading(
             // Only a default depends on the end of contact.
             last = last.into_iter().chain(end).reduce(f64::max);
             openings.push(opening);
-        }
-        if laws.contains(&UnloadingLaw::Brake) {
-            sheet.note("area-jumps", "brake: the area jumps at the start; the row of retreat 0 has the area after the jump");
-        }
-        if laws.len() > 1 && laws.contains(&UnloadingLaw::Etsion) {
-            sheet.note("no-area", "etsion: area_m2 is blank, as this law gives no area");
         }
         let retreats = match retreats {
             Some(given) => metres(sheet, subject, given),

@@ -105,7 +105,9 @@ fn areas_of_the_least_that_carries_the_load_have_a_note() {
 fn light_loads_have_a_note_with_their_number() {
     let bench = Bench::new();
     let asked = "curve scene.toml --model ke --corrected --quantity area --format csv";
-    for (loads, counted) in [("1.5,1e3", "1 of 2 loads is below"), ("1.5", "the load is below")] {
+    for (loads, counted) in
+        [("1.5,1e3", "at 1 of 2 loads the load is below"), ("1.5", "the load is below")]
+    {
         let run = bench.run(&format!("{asked} --load {loads}"));
         let note = format!("note: ke-corrected: {counted} the lightest solved one");
         assert!(run.messages.contains(&note), "{}", run.messages);
