@@ -2,12 +2,12 @@
 
 /// The reasons for blanks in rows of one model: what is blank, the first reason of each kind and
 /// the number of its rows.
-#[derive(Default)]
-pub(crate) struct Blanks(Vec<(String, String, usize)>);
+#[derive(Debug, Clone, Default)]
+pub struct Blanks(Vec<(String, String, usize)>);
 
 impl Blanks {
     /// Counts a row without this, such as a value at all or one quantity.
-    pub(crate) fn count(&mut self, what: &str, reason: String) {
+    pub fn count(&mut self, what: &str, reason: String) {
         // 1e30 leaves what 12 leaves.
         let words = |text: &str| {
             let is_word = |c: &char| c.is_alphabetic() && *c != 'e';
@@ -23,7 +23,7 @@ impl Blanks {
     }
 
     /// The reasons in sentences, of a model with so many rows.
-    pub(crate) fn texts(self, rows: usize) -> impl Iterator<Item = String> {
+    pub fn texts(self, rows: usize) -> impl Iterator<Item = String> {
         self.0.into_iter().map(move |(what, reason, count)| match rows {
             1 => reason,
             _ => format!("no {what} in {count} of {rows} rows, first: {reason}"),

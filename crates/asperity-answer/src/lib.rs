@@ -23,6 +23,7 @@ mod watch;
 
 pub use asked::{Asked, Line};
 pub use bem::Press;
+pub use blanks::Blanks;
 pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};

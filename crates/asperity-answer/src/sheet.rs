@@ -81,6 +81,11 @@ impl Sheet {
         Self { heads, ..Self::default() }
     }
 
+    /// Names the columns.
+    pub fn under(&mut self, heads: &[&[&str]]) {
+        self.heads = heads.concat().into_iter().map(String::from).collect();
+    }
+
     /// The place of a column.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<usize> {
