@@ -17,7 +17,7 @@ use clap::{CommandFactory, Parser};
 /// boundary elements
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, arg_required_else_help = true)]
-#[command(after_help = include_str!("commands/help/asperity.txt"))]
+#[command(after_help = include_str!("help/asperity.txt"))]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,

@@ -22,7 +22,7 @@ use crate::scene::LoadedScene;
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
 #[derive(Debug, Args)]
 #[command(
-    after_help = include_str!("help/bem.txt")
+    after_help = include_str!("../help/bem.txt")
 )]
 pub struct BemCommand {
     /// Scene file that names a scan

@@ -17,7 +17,7 @@ use crate::scene::LoadedScene;
 /// Check a scene: derived numbers, unusual values, likely unit errors, validity of a model
 #[derive(Debug, Args)]
 #[command(
-    after_help = include_str!("help/check.txt")
+    after_help = include_str!("../help/check.txt")
 )]
 pub struct Check {
     /// Scene file; `asperity init` writes an example

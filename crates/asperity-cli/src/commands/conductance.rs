@@ -20,7 +20,7 @@ use crate::scene::LoadedScene;
 #[derive(Debug, Args)]
 #[command(
     group(ArgGroup::new("given").required(true)),
-    after_help = include_str!("help/conductance.txt")
+    after_help = include_str!("../help/conductance.txt")
 )]
 pub struct Conductance {
     /// Scene file; `asperity init` writes an example

@@ -22,7 +22,7 @@ const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = include_str!("help/curve.txt")
+    after_help = include_str!("../help/curve.txt")
 )]
 pub struct Curve {
     #[command(flatten)]

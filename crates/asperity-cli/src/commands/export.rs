@@ -20,7 +20,7 @@ use crate::scene::LoadedScene;
 /// Pressure against clearance as a table for a finite-element code
 #[derive(Debug, Args)]
 #[command(
-    after_help = include_str!("help/export.txt")
+    after_help = include_str!("../help/export.txt")
 )]
 pub struct ExportCommand {
     /// Scene file; `asperity init` writes an example

@@ -25,7 +25,7 @@ use crate::scene::{LoadedScene, NamedModel};
     group(ArgGroup::new("place")),
     override_usage = "asperity fit [OPTIONS] --free <KEY[=A:B]> <SCENE> <DATA>
        asperity fit [OPTIONS] --free <KEY[=A:B]> --target <Q=V> --load <P> <SCENE>",
-    after_help = include_str!("help/fit.txt")
+    after_help = include_str!("../help/fit.txt")
 )]
 pub struct FitCommand {
     /// Scene file; `asperity init` writes an example

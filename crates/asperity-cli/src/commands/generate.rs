@@ -15,7 +15,7 @@ use crate::output::{self, contact_map, print_message};
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
 #[command(
-    after_help = include_str!("help/generate.txt")
+    after_help = include_str!("../help/generate.txt")
 )]
 pub struct Generate {
     /// Hurst exponent, 0 to 1

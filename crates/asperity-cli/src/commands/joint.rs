@@ -27,7 +27,7 @@ const POINTS: usize = 101;
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = include_str!("help/joint.txt")
+    after_help = include_str!("../help/joint.txt")
 )]
 pub struct Joint {
     /// Scene file; `asperity init` writes an example

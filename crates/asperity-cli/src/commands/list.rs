@@ -12,7 +12,7 @@ use crate::output::{self, table::Format};
 /// Models or materials, with their sources
 #[derive(Debug, Args)]
 #[command(
-    after_help = include_str!("help/list.txt")
+    after_help = include_str!("../help/list.txt")
 )]
 pub struct List {
     what: What,

@@ -14,7 +14,7 @@ use crate::Cli;
 #[derive(Debug, Args)]
 #[command(
     hide = true,
-    after_help = include_str!("help/manual.txt")
+    after_help = include_str!("../help/manual.txt")
 )]
 pub struct Manual {
     /// Folder to write to, made if it does not exist

@@ -27,7 +27,7 @@ pub struct Recommend {
 }
 
 /// The help. The range of the solved cases is that of the evidence, which is not read for it.
-const HELP: &str = include_str!("help/recommend.txt");
+const HELP: &str = include_str!("../help/recommend.txt");
 
 impl Recommend {
     pub fn run(self) -> Result<()> {

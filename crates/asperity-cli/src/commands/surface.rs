@@ -29,7 +29,7 @@ const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature 
 #[derive(Debug, Args)]
 #[command(
     mut_arg("plot", |arg| arg.help(PLOT)),
-    after_help = include_str!("help/surface.txt")
+    after_help = include_str!("../help/surface.txt")
 )]
 pub struct Surface {
     /// One measured surface, or the two surfaces in contact

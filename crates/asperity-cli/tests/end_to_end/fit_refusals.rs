@@ -106,7 +106,6 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free hardness --target area=1e-9 --load 1",
         "data.csv --free hardness --load 1",
         "data.csv --free hardness --plot fit.png",
-        "data.csv --free hardness --plot a.svg --output a.svg",
     ] {
         let run = bench.run(&format!("fit scene.toml {usage}"));
         assert_eq!(run.code, Some(2), "{usage}: {}", run.messages);
