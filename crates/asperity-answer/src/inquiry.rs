@@ -187,12 +187,9 @@ impl<'s> Inquiry<'s> {
                 });
                 if let Some((quantity, reason)) = failed {
                     let what = if answered { format!("`{quantity}`") } else { "value".into() };
-                    let opening = match reason {
-                        ContactError::OutOfReach { load, .. } if *load < 0.0 && id == "jkr" => {
-                            OPENING
-                        }
-                        _ => "",
-                    };
+                    let opens =
+                        |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
+                    let opening = if id == "jkr" && opens(reason) { OPENING } else { "" };
                     blanks.count(&what, reason.marked() + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);

@@ -10,8 +10,6 @@ use crate::{AnswerError, Sheet};
 
 /// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
-/// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
-const FAR: f64 = 1000.0;
 
 /// A joint that slips.
 #[derive(Debug, Clone, Copy)]
@@ -101,10 +99,8 @@ impl Slip<'_> {
         let text =
             format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
         sheet.note("loss", text);
-        let sliding = slip.shift_at(SLIDING)?;
-        self.check_amplitude(sheet, amplitude, sliding);
-        let limit = rounded(slip.limit()?);
-        let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
+        let [limit, sliding] = [slip.limit()?, slip.shift_at(SLIDING)?].map(rounded);
+        let percent = 100.0 * SLIDING;
         let text = format!(
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
@@ -114,14 +110,11 @@ impl Slip<'_> {
 
     /// A row for each cycle; blank where there is none.
     fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude], sheet: &mut Sheet) -> Outcome {
-        let shift = match amplitudes {
-            [Amplitude::Shift(shift), ..] => Some(*shift),
-            _ => None,
-        };
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
-        sheet.under(&[&heads, if shift.is_some() { &FORCES } else { &SHIFTS }]);
+        let by_shift = matches!(amplitudes, [Amplitude::Shift(_), ..]);
+        sheet.under(&[&heads, if by_shift { &FORCES } else { &SHIFTS }]);
         let (id, scene) = (self.subject.id, &self.subject.file.scene);
-        let (mut blanks, mut farthest) = (Blanks::default(), None);
+        let (mut blanks, mut answered) = (Blanks::default(), false);
         for &at in preloads {
             let known = self.at(at);
             let given = [at.load(scene), at.pressure(scene), None];
@@ -130,7 +123,7 @@ impl Slip<'_> {
                 let cycle = known.as_ref().map_err(|error| error.clone().into());
                 let cycle = match cycle.and_then(|(slip, _)| self.under(slip, amplitude)) {
                     Ok(cycle) => {
-                        farthest = farthest.into_iter().chain([cycle[4]]).reduce(f64::max);
+                        answered = true;
                         cycle.map(Some)
                     }
                     Err(error) => {
@@ -146,13 +139,10 @@ impl Slip<'_> {
             }
         }
         let reasons = blanks.texts(sheet.rows.len());
-        let Some(farthest) = farthest else {
+        if !answered {
             return Err(reasons.collect::<Vec<_>>().join("; ").into());
-        };
-        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
-        if let Some(shift) = shift {
-            self.check_amplitude(sheet, shift, farthest);
         }
+        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
         Ok(())
     }
 
@@ -173,21 +163,6 @@ impl Slip<'_> {
             Amplitude::Force(_) => [force, self.digits(shift), stiffness, loss, factor],
         })
     }
-
-    /// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.
-    fn check_amplitude(&self, sheet: &mut Sheet, amplitude: f64, sliding: f64) {
-        let height_std = self.subject.file.scene.surface.asperity_height_std;
-        let limits = [(sliding, "the shift of gross slip"), (height_std, "asperity_height_std")];
-        let beyond = limits.iter().filter(|(length, _)| amplitude > FAR * length);
-        let times =
-            |(length, name): &(f64, &str)| format!("{:.0e} times {name}", amplitude / length);
-        let beyond = beyond.map(times).collect::<Vec<_>>().join(" and ");
-        if !beyond.is_empty() {
-            let amplitude = shortest_digits(amplitude);
-            let advice = "write lengths with their unit, for example 100nm";
-            sheet.warn("amplitude", format!("amplitude is {amplitude} m, {beyond}; {advice}"));
-        }
-    }
 }
 
 /// Columns of cycles of one shift.
@@ -207,13 +182,8 @@ fn shift_of(slip: &PartialSlip, amplitude: Amplitude) -> Outcome<f64> {
         let ContactError::OutOfRange { field: "tangential_force", .. } = error else {
             return Err(error.into());
         };
-        let limit = slip.limit()?;
-        let digits = [force, limit].map(rounded);
-        // Forces that differ in later digits only.
-        let equal = digits[0] == digits[1];
-        let ten = |x: f64| shortest_digits(format!("{x:.9e}").parse().unwrap_or(x));
-        let [shown, of] = if equal { [force, limit].map(ten) } else { digits };
-        let is = if force < limit { "is within the tolerance of" } else { "is not below" };
-        Err(format!("a tangential force of {shown} N {is} mu F = {of} N: the joint slides").into())
+        let (force, limit) = (shortest_digits(force), rounded(slip.limit()?));
+        Err(format!("a tangential force of {force} N reaches mu F = {limit} N: the joint slides")
+            .into())
     })
 }
