@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
 use asperity_answer::{Blanks, Sheet};
-use asperity_inputs::SceneFile;
+use asperity_inputs::{MeasuredKeys, SceneFile};
 use asperity_plot::{Axis, Curve, Figure};
-use asperity_topography::{Estimator, Statistics, Topography};
+use asperity_topography::{Statistics, Topography};
 use clap::Args;
 
 use crate::input::args::model_id;
@@ -60,13 +60,8 @@ impl Scales {
         self.scales.is_some()
     }
 
-    /// The table of a levelled surface; `finish` processes it after smoothing.
-    pub fn table(
-        &self,
-        surface: &Topography,
-        estimator: Estimator,
-        finish: impl Fn(Topography) -> Result<Topography>,
-    ) -> Result<Sheet> {
+    /// The table of a scan, prepared by these keys with each cut-off.
+    pub fn table(&self, scan: &Topography, keys: &MeasuredKeys) -> Result<Sheet> {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
         let scene = self.with.as_deref().map(|path| LoadedScene::load(path, &[])).transpose()?;
         let asked = match &scene {
@@ -80,8 +75,9 @@ impl Scales {
             table.heads.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
         for &cutoff in cutoffs {
-            let found = surface.clone().smooth(cutoff).map_err(Into::into).and_then(&finish);
-            let found = found.and_then(|smooth| Ok((smooth.statistics(estimator)?, smooth)));
+            let keys = MeasuredKeys { smooth: Some(cutoff), ..keys.clone() };
+            let found = keys.prepare(scan.clone());
+            let found = found.and_then(|smooth| Ok((smooth.statistics(keys.estimator)?, smooth)));
             let number = |(.., number): (&str, &str, Number)| number(&found.as_ref().ok()?.0);
             let mut numbers = COLUMNS.map(number).to_vec();
             match (found.and_then(|(s, smooth)| Ok((s.surface()?, smooth))), &asked, at) {
@@ -90,7 +86,8 @@ impl Scales {
                     numbers.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Err(reason), ..) => {
-                    let reason = format!("{CUTOFF} {cutoff:e}: {}", output::summary(&reason));
+                    let reason =
+                        format!("{CUTOFF} {cutoff:e}: {}", output::summary(&reason.into()));
                     blanks.count("value", reason);
                 }
                 _ => {}

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Findings, Severity};
 use asperity_answer::{Cell, Sheet};
+use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Reported, Statistics,
@@ -121,15 +122,16 @@ impl Surface {
         if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
             print_message("warning", &tilted.message());
         }
-        let working = progress("surface");
+        let (working, keys) = (progress("surface"), self.keys());
         if self.scales.is_requested() {
-            let table = self.at_scales()?;
+            let path = self.files.first().context("a file was required")?;
+            let table = self.scales.table(&read(path, &keys)?, &keys)?;
             drop(working);
             return self.output.write(&table, || scales::picture(&table));
         }
         let (mut each, mut found) = (vec![], Findings::default());
         let (mut density, mut glance) = (None, None);
-        let scans = self.scans()?;
+        let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
@@ -215,15 +217,27 @@ impl Surface {
         names.collect::<Vec<_>>().join(" and ")
     }
 
+    /// The options as keys of a scene.
+    fn keys(&self) -> MeasuredKeys {
+        let Self { unit, pixel_size, max_missing, .. } = *self;
+        MeasuredKeys {
+            estimator: self.estimator,
+            level: self.level,
+            filter: self.filter,
+            smooth: self.smooth,
+            periodic: self.periodic,
+            fill_missing: self.fill_missing,
+            despike: self.despike,
+            options: ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() },
+            ..MeasuredKeys::default()
+        }
+    }
+
     /// The scans, or the sum of two that are aligned: names, as read, and prepared.
-    fn scans(&self) -> Result<Vec<(String, Topography, Topography)>> {
+    fn scans(&self, keys: &MeasuredKeys) -> Result<Vec<(String, Topography, Topography)>> {
         let scan = |path: &PathBuf| {
-            let (raw, mut surface) = self.levelled(path)?;
-            let name = path.display().to_string();
-            if let Some(cutoff) = self.smooth {
-                surface = surface.smooth(cutoff).with_context(|| name.clone())?;
-            }
-            surface = self.filtered(surface).with_context(|| name.clone())?;
+            let (name, raw) = (path.display().to_string(), read(path, keys)?);
+            let surface = keys.prepare(raw.clone()).with_context(|| name.clone())?;
             Ok((name, raw, surface))
         };
         let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
@@ -232,34 +246,6 @@ impl Surface {
         let raw = one.1.facing(&two.1, alignment).with_context(|| name.clone())?;
         let surface = one.2.facing(&two.2, alignment).with_context(|| name.clone())?;
         Ok(vec![(name, raw, surface)])
-    }
-
-    /// The surface against the short-wavelength cut-off.
-    fn at_scales(&self) -> Result<Sheet> {
-        let path = self.files.first().context("a file was required")?;
-        let (_, surface) = self.levelled(path)?;
-        self.scales.table(&surface, self.estimator, |smooth| Ok(self.filtered(smooth)?))
-    }
-
-    /// The scan as read and despiked; and levelled and filled.
-    fn levelled(&self, path: &Path) -> Result<(Topography, Topography)> {
-        output::keep(path);
-        let Self { unit, pixel_size, max_missing, .. } = *self;
-        let options = ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() };
-        let read = asperity_topography::read(path, &options).map_err(with_option)?;
-        let read = read.with_periodic(self.periodic);
-        let of = || path.display().to_string();
-        let clean = if self.despike { read.despiked().with_context(of)? } else { read };
-        let levelled = clean.clone().levelled(self.level);
-        let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
-        Ok((clean, filled.with_context(of)?))
-    }
-
-    fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
-        match self.filter {
-            Some(cutoff) => surface.filter(cutoff),
-            None => Ok(surface),
-        }
     }
 
     /// The template's scene on this surface, with the same reading options.
@@ -304,6 +290,13 @@ impl Surface {
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
         Ok(asperity_inputs::template_on(statistics.surface().ok().as_ref(), &keys))
     }
+}
+
+/// A scan as read, and despiked.
+fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
+    output::keep(path);
+    let read = asperity_topography::read(path, &keys.options).map_err(with_option)?;
+    keys.clean(read).with_context(|| path.display().to_string())
 }
 
 /// The error of a reader, with the option that states what the file does not.
