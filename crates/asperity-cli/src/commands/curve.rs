@@ -1,8 +1,8 @@
 //! `asperity curve`: quantities against separation or load; also `solve`, `compare`, `plan` and
 //! `pull-off`.
 
-use anyhow::{Context, Result, bail};
-use asperity::{At, ContactModel, Quantity, Request, linspace};
+use anyhow::{Context, Result};
+use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
 use asperity_inputs::SceneFile;
 use clap::Args;
@@ -28,7 +28,7 @@ pub struct Curve {
     #[command(flatten)]
     asked: ModelArgs,
     /// Give every separation that carries the load, instead of the largest alone
-    #[arg(long)]
+    #[arg(long, requires = "given")]
     all: bool,
     /// Add a column <quantity>_error with a bound on the relative error of each quantity (on the
     /// absolute error for logarithms and shares)
@@ -36,7 +36,7 @@ pub struct Curve {
     errors: bool,
     /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
     /// with columns <quantity>_lower and _upper, also for the separation; at loads only
-    #[arg(long, conflicts_with_all = ["errors", "all"])]
+    #[arg(long, requires = "given", conflicts_with_all = ["errors", "all"])]
     corrected: bool,
     /// Add a column <quantity>_deviation relative to this model
     #[arg(long, value_name = "M", value_parser = model_id)]
@@ -77,10 +77,6 @@ impl Curve {
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
         let request = self.asked.request(&scene.file, &separations, &USUAL);
-        if self.all && matches!(request.at.first(), Some(At::Separation(_))) {
-            let text = "--all needs --load or --pressure";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
-        }
         let (sheet, ()) =
             scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
@@ -98,11 +94,6 @@ impl Curve {
             (id, _) => Some(one_model(file, id, sheet)?),
         };
         let models = models(file, &self.asked.models, &request.quantities, sheet)?;
-        if self.corrected && request.at.iter().any(|at| matches!(at, At::Separation(_))) {
-            bail!(
-                "--corrected needs --load or --pressure: models are compared with boundary elements at equal loads"
-            );
-        }
         let beside = match reference {
             Some(reference) => Beside::Deviations(reference),
             None if self.corrected => Beside::Intervals,

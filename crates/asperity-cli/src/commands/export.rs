@@ -9,7 +9,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
-use crate::input::args::{one_model_id, separation_unit};
+use crate::input::args::{model_id, separation_unit};
 use crate::input::distances::{Length, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{friction, load, pressure, share};
@@ -27,7 +27,7 @@ pub struct ExportCommand {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The model; `asperity list models` lists them
-    #[arg(long, value_name = "M", value_parser = one_model_id)]
+    #[arg(long, value_name = "M", value_parser = model_id)]
     model: String,
     /// Form of the table: for a solver, or csv
     #[arg(long = "as", value_name = "FORM", value_parser = form())]

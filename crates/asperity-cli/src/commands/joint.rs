@@ -11,13 +11,13 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use super::joint_plots;
-use crate::input::args::{DrawnArgs, loads, one_model_id, separation_unit, tolerance};
+use crate::input::args::{DrawnArgs, loads, model_id, separation_unit, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
-use crate::output::{once, print_message};
+use crate::output::once;
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Shifts of a loop by default.
@@ -34,7 +34,7 @@ pub struct Joint {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Model by id, as listed by `asperity list models` [default: ke; gw without a hardness]
-    #[arg(long, value_name = "M", value_parser = one_model_id)]
+    #[arg(long, value_name = "M", value_parser = model_id)]
     model: Option<String>,
     #[command(flatten)]
     place: Closed,
@@ -177,10 +177,6 @@ impl Joint {
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
         let amplitudes = self.amplitudes();
-        if let (Some(points), false) = (self.points, preloads.len() * amplitudes.len() == 1) {
-            let text = format!("--points {points} is not used: several cycles have one row each");
-            print_message("note", &text);
-        }
         let points = self.points.unwrap_or(POINTS);
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet);
         let (sheet, ()) = scene.answer(fill)?;

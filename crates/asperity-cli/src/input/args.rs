@@ -9,9 +9,6 @@ use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{ArgAction, Args};
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
@@ -165,9 +162,6 @@ fn quantities_help() -> String {
 
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
-    if name.trim().is_empty() {
-        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity list models` lists them)".into());
-    }
     // bem is not in the registry, because it needs the scan of a scene.
     if name.trim().eq_ignore_ascii_case(Bem::ID) {
         return Ok(Bem::ID.into());
@@ -183,24 +177,13 @@ pub fn listed_model_id(name: &str) -> Result<String, String> {
     }
 }
 
-/// The id of the one model of a command.
-pub fn one_model_id(name: &str) -> Result<String, String> {
-    match name.split_once(',') {
-        Some((first, _)) => Err(format!("this command takes one model, for example {first}")),
-        None => model_id(name),
-    }
-}
-
 /// The unit of a separation by its name.
 pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
-    let read: StrDeserializer<'_, Error> = name.into_deserializer();
-    SeparationUnit::deserialize(read).map_err(|_| {
-        let own = match asperity_inputs::quantity(&format!("2{name}"), "m") {
-            Ok(_) => format!("; a separation may have its own unit, for example 2{name}"),
-            Err(_) => String::new(),
-        };
-        format!("the units are sigma (asperity_height_std) and m{own}")
-    })
+    match name {
+        "sigma" => Ok(SeparationUnit::Sigma),
+        "m" => Ok(SeparationUnit::Metres),
+        _ => Err("the units are sigma (asperity_height_std) and m; a separation may have its own unit, for example 2mm".into()),
+    }
 }
 
 /// The name of a file that ends so, or `-` for standard output; `what` is written so.
