@@ -30,8 +30,8 @@ pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
 pub use inquiry::{Beside, Inquiry, column_beside};
 pub use models::{
-    ALL_MODELS, NamedModel, by_reason, models, models_beside_bem, named_model, once, one_model,
-    one_or_usual, scene_findings, use_asperities,
+    ALL_MODELS, NamedModel, by_reason, models, named_model, once, one_model, one_or_usual,
+    scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;

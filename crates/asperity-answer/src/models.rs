@@ -75,14 +75,15 @@ pub fn one_or_usual(
     Ok(named)
 }
 
-/// The models given, of which some may be refused where they are compiled, or all that the scene
-/// allows; a note names the others.
+/// The models given, of which some may be refused where they are compiled, or all of those
+/// `allowed` by the scene that have these quantities; a note names the others.
 ///
 /// # Errors
 /// Those of [`SceneFile::model`], and where it allows none.
 pub fn models(
     file: &SceneFile,
     requested: &[String],
+    allowed: fn(&SceneFile) -> (Vec<Model>, Vec<LeftOut>),
     quantities: &[Quantity],
     sheet: &mut Sheet,
 ) -> Result<Vec<NamedModel>, AnswerError> {
@@ -90,8 +91,20 @@ pub fn models(
         let models = once(requested).into_iter();
         models.map(|id| named_model(file, &id, sheet)).collect::<Result<_, _>>()?
     } else {
-        let models = available(file, quantities, sheet).into_iter();
-        models.map(|model| (model.id().to_string(), model)).collect()
+        let (mut models, mut left_out) = allowed(file);
+        let request = Request::new(quantities.iter().copied());
+        models.retain(|model| match model.compile(&file.scene, &request) {
+            Err(reason @ ContactError::Unsupported { .. }) => {
+                left_out.push(LeftOut { id: model.id().into(), reason });
+                false
+            }
+            // Anything else is an error of the scene.
+            _ => true,
+        });
+        for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
+            sheet.note("left-out", format!("left out: {text}"));
+        }
+        models.into_iter().map(|model| (model.id().to_string(), model)).collect()
     };
     if models.is_empty() {
         return Err("no model is available for this scene".into());
@@ -102,47 +115,6 @@ pub fn models(
     Ok(models)
 }
 
-/// The models given, or all that can be compared with boundary elements; a note names the others.
-///
-/// # Errors
-/// Those of [`models`].
-pub fn models_beside_bem(
-    file: &SceneFile,
-    requested: &[String],
-    quantities: &[Quantity],
-    sheet: &mut Sheet,
-) -> Result<Vec<Model>, AnswerError> {
-    if by_name(requested) {
-        let models = models(file, requested, quantities, sheet)?;
-        return Ok(models.into_iter().map(|(_, model)| model).collect());
-    }
-    let mut models = available(file, quantities, sheet);
-    note_adhesion(file, sheet);
-    let (all, mut left_out) = file.models_beside_bem();
-    let (allowed, noted) = file.models();
-    left_out.retain(|model| !noted.contains(model));
-    note_left_out(&left_out, sheet);
-    let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
-    models.extend(all.into_iter().filter(|model| !known(model)));
-    Ok(models)
-}
-
-/// All models that the scene allows and that have these quantities; a note names the others.
-fn available(file: &SceneFile, quantities: &[Quantity], sheet: &mut Sheet) -> Vec<Model> {
-    let (mut models, mut left_out) = file.models();
-    let request = Request::new(quantities.iter().copied());
-    models.retain(|model| match model.compile(&file.scene, &request) {
-        Err(reason @ ContactError::Unsupported { .. }) => {
-            left_out.push(LeftOut { id: model.id().into(), reason });
-            false
-        }
-        // Anything else is an error of the scene.
-        _ => true,
-    });
-    note_left_out(&left_out, sheet);
-    models
-}
-
 /// Whether models are requested by name, not all.
 fn by_name(requested: &[String]) -> bool {
     !requested.is_empty() && requested.iter().all(|id| id != ALL_MODELS)
@@ -151,13 +123,6 @@ fn by_name(requested: &[String]) -> bool {
 /// Notes which models include the scene's adhesion, where it has any.
 pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
-}
-
-/// Notes the models that are left out, those of one reason together.
-fn note_left_out(left_out: &[LeftOut], sheet: &mut Sheet) {
-    for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
-        sheet.note("left-out", format!("left out: {text}"));
-    }
 }
 
 /// The models without a result, one text for each reason.

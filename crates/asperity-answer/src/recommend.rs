@@ -4,7 +4,7 @@ use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendat
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
-use crate::models::{by_reason, models_beside_bem, one_model};
+use crate::models::{by_reason, models, one_model};
 use crate::{AnswerError, Cell, Sheet};
 
 /// What the sheet of a recommendation is about.
@@ -39,7 +39,9 @@ impl Recommend<'_> {
         let Self { request, within, .. } = self;
         let (id, reference) = one_model(file, self.reference, sheet)?;
         // Persson's theory has evidence, too.
-        let models = models_beside_bem(file, self.models, &request.quantities, sheet)?;
+        let allowed = SceneFile::models_beside_bem;
+        let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();
+        let models = models.map(|(_, model)| model).collect();
         let advice = file
             .recommend_among(models, request, &reference, *within)
             .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;

@@ -7,7 +7,7 @@ use asperity::{ContactError, Described, Finding, Model};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
-use crate::models::{by_reason, grouped, models_beside_bem, once};
+use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 const COLUMNS: [&str; 10] = [
@@ -38,7 +38,8 @@ pub fn truth(
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
     sheet.under(&[&COLUMNS]);
-    let models = models_beside_bem(file, models, &[], sheet)?;
+    let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
+    let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
     let solve = |bem: &Bem, models: &[Model]| {
         compare_with_bem(&file.scene, bem, pressures, models, |progress| {
             let all = 3 * pressures.len();

@@ -93,7 +93,8 @@ impl Curve {
             (None, false) => None,
             (id, _) => Some(one_model(file, id, sheet)?),
         };
-        let models = models(file, &self.asked.models, &request.quantities, sheet)?;
+        let models =
+            models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
         let beside = match reference {
             Some(reference) => Beside::Deviations(reference),
             None if self.corrected => Beside::Intervals,
@@ -108,8 +109,9 @@ impl Curve {
     fn print_plan(&self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene, &[])?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
-        let find =
-            |sheet: &mut _| models(&scene.file, &self.asked.models, &request.quantities, sheet);
+        let find = |sheet: &mut _| {
+            models(&scene.file, &self.asked.models, SceneFile::models, &request.quantities, sheet)
+        };
         let mut plans = String::new();
         for (id, model) in scene.answer(find)?.1 {
             let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));

@@ -97,7 +97,6 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
         }
     }
     assert!(bench.read("losses.svg").contains("loss factor"));
-    let run = bench.run(&format!("{arguments} --load 100,200 --points 7"));
     // One preload has its loop; unloading goes back from one place.
     assert!(bench.data(&format!("{arguments} --load 100 --points 3")).starts_with("model,shift_m"));
     let run = bench.run("unload scene.toml --model ke --load 100,200");
