@@ -69,10 +69,7 @@ impl ContactTable {
                 if by_pressure { pressure / units.pascals } else { export.length(separation)? };
             lines.push((place, conductance / units.watts));
         }
-        let end = match (by_pressure, self.cut_off()) {
-            (false, Some(separation)) => export.length(separation)?,
-            _ => 0.0,
-        };
+        let end = if by_pressure { 0.0 } else { export.length(self.cut_off)? };
         lines.push((end, 0.0));
         if by_pressure {
             lines.reverse();
@@ -110,11 +107,11 @@ impl ContactTable {
             let [found] = bounds(errors, &ends, (noise, f64::INFINITY))?;
             error = error.max(found + 0.5 * noise);
         }
-        if let (Some((s0, [p0, h0])), Some(s1)) = (pairs.last().copied(), self.cut_off()) {
+        if let Some(&(s0, [p0, h0])) = pairs.last() {
             for t in (1..=PROBES).map(|k| k as f64 / (PROBES + 1) as f64) {
                 let at = match by_pressure {
                     true => At::Pressure((1.0 - t) * p0),
-                    false => (s0 + t * (s1 - s0)).into(),
+                    false => (s0 + t * (self.cut_off - s0)).into(),
                 };
                 let [_, h] = of(at)?;
                 last_error = last_error.max(((1.0 - t) * h0 / h - 1.0).abs());

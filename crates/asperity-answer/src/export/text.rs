@@ -30,7 +30,7 @@ impl ContactTable {
             _ => {}
         }
         let lines = self.lines(export)?;
-        let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
+        let begins = lines[0].0;
         let area = scene.nominal_area * units.per_metre.powi(2);
         let mut text = filled(
             form,
@@ -66,7 +66,7 @@ impl ContactTable {
             // Deflections and forces, from compression to tension, where there is no force; a point
             // there is asked for.
             TableFormat::Ansys => {
-                let reach = lines.last().map_or(0.0, |(closest, _)| begins - closest);
+                let reach = begins - lines[lines.len() - 1].0;
                 let points = lines.iter().rev().map(|(c, p)| (c - begins, 0.0 - p * area));
                 let points: Vec<(f64, f64)> = points.chain([(reach, 0.0)]).collect();
                 for (k, triple) in points.chunks(3).enumerate() {
@@ -83,10 +83,9 @@ impl ContactTable {
     /// the first node reaches 0.
     fn lines(&self, export: &Export<'_>) -> Outcome<Vec<(f64, f64)>> {
         let pascals = export.units.units().pascals;
-        let end = self.cut_off().map(|separation| (separation, 0.0));
         let nodes = self.nodes.iter().rev().map(|node| (node.separation, node.pressure));
         let pair = |(s, pressure)| Ok((export.length(s)?, pressure / pascals));
-        end.into_iter().chain(nodes).map(pair).collect()
+        [(self.cut_off, 0.0)].into_iter().chain(nodes).map(pair).collect()
     }
 }
 

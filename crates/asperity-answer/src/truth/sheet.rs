@@ -10,17 +10,13 @@ use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
-const COLUMNS: [&str; 10] = [
-    "load_N",
-    "pressure_Pa",
-    "model",
-    "area_fraction",
-    "area_deviation",
-    "mean_gap_m",
-    "mean_gap_deviation_over_sq",
-    "stiffness_N_per_m",
-    "stiffness_deviation",
-    "boundary",
+/// A number of a contact, or its deviation.
+type Number = fn(&ContactState) -> Option<f64>;
+/// The columns between the model and the boundary.
+const COLUMNS: [(&str, &str, Number); 3] = [
+    ("area_fraction", "area_deviation", |state| state.area_fraction),
+    ("mean_gap_m", "mean_gap_deviation_over_sq", |state| state.mean_gap),
+    ("stiffness_N_per_m", "stiffness_deviation", |state| state.stiffness),
 ];
 
 /// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean
@@ -37,7 +33,8 @@ pub fn truth(
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
-    sheet.under(&[&COLUMNS]);
+    let numbers: Vec<&str> = COLUMNS.iter().flat_map(|(of, off, _)| [*of, *off]).collect();
+    sheet.under(&[&["load_N", "pressure_Pa", "model"], &numbers, &["boundary"]]);
     let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
     let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
     let solve = |bem: &Bem, models: &[Model]| {
@@ -101,8 +98,7 @@ fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem):
         let off = truth.deviation(state);
         let mut row: Vec<Cell> =
             vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
-        let gap = [state.mean_gap, off.mean_gap, state.stiffness, off.stiffness];
-        row.extend([state.area_fraction, off.area_fraction].into_iter().chain(gap).map(Cell::from));
+        row.extend(COLUMNS.iter().flat_map(|(.., of)| [of(state).into(), of(&off).into()]));
         row.push(bem.continuation().name().into());
         sheet.rows.push(row);
     }

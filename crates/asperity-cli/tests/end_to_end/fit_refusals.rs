@@ -100,7 +100,6 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
-        "--free hardness --target area_fraction=120% --load 1",
         "--free hardness --target aera=1e-9 --load 1",
         "--free hardness --target area=1e-9 --separation 2",
         "data.csv --free hardness --target area=1e-9 --load 1",
