@@ -7,8 +7,10 @@ use asperity_inputs::SceneFile;
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
+/// A number of a solution.
+type Number = fn(&Solution) -> f64;
 /// Columns of every solution behind its load and pressure.
-const COLUMNS: [(&str, fn(&Solution) -> f64); 7] = [
+const COLUMNS: [(&str, Number); 7] = [
     ("area_fraction", |found| found.area),
     ("area_fraction_pixels", |found| found.pixel_area),
     ("plastic_fraction", |found| found.plastic_area),

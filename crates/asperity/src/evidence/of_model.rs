@@ -87,7 +87,7 @@ pub fn compile_known(
     quantities: &[Quantity],
     otherwise: &[Quantity],
     compile: impl Fn(&[Quantity]) -> Result<Box<dyn Contact>, ContactError>,
-) -> Result<(Box<dyn Contact>, Vec<(Quantity, ContactError)>), ContactError> {
+) -> Result<(Box<dyn Contact>, Lacking), ContactError> {
     let whole = match compile(quantities) {
         Ok(contact) => return Ok((contact, vec![])),
         Err(whole) => whole,
