@@ -194,18 +194,15 @@ impl Surface {
     fn check(&self) {
         let two = self.files.len() > 1;
         let separate = two && self.aligned.is_none();
-        let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
-        let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
-            let advice = "choose --smooth below --filter";
-            format!("--smooth {smooth} removes all that --filter {filter} keeps; {advice}")
-        });
+        let nothing_left =
+            self.smooth.zip(self.filter).is_some_and(|(smooth, filter)| smooth >= filter);
         let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
             (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
-            (cutoffs.is_some(), &nothing_left),
+            (nothing_left, "choose --smooth below --filter, which keeps some wavelengths"),
         ];
         if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {
             crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
