@@ -51,7 +51,7 @@ pub fn history(
             if open > 0 {
                 let all = path.points.len();
                 let text = format!("{name}: the joint is open at {open} of {all} points");
-                sheet.warn("open", text);
+                sheet.warn("few-contacts", text);
             }
         }
         Ok(())

@@ -29,7 +29,7 @@ struct Cli {
 fn main() -> ExitCode {
     input::set_program(Cli::command);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let Cli { command, quiet } = Cli::parse_from(arguments);
+    let Cli { command, quiet } = Cli::parse_from(input::former::renamed(arguments));
     output::set_quiet(quiet);
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,

@@ -7,18 +7,17 @@ use crate::document::Document;
 
 /// The codes of all warnings and notes about scans, scenes and answers.
 const CODES: &str = "\
-    above-hardness adhesion amplitude anisotropic area-above-nominal area-jumps atomic \
-    below-a-pixel beyond-fit beyond-full-contact blank cancelled channel correlation crowded \
+    above-hardness adhesion anisotropic area-above-nominal atomic below-a-pixel \
+    beyond-fit beyond-full-contact blank cancelled channel correlation crowded \
     curvature-follows-sampling deep default-model despiked end-of-contact energy-gain \
     estimators-disagree evidence extrapolated few-asperities few-contacts few-patches few-pixels \
-    filled fit-misses free-stiffnesses gap-roughness gaussian-moments gross-slip heights-integral \
-    heights-std hurst-exponent interpolation-error inverted least-area left-out level likely-unit \
-    loss mask nearest negative negative-angle-density no-area no-asperities no-contact \
-    no-end-of-contact no-gap no-hardness no-pull-off no-second-estimator no-tension no-value \
-    no-work not-gaussian not-monotone open-seam outliers periodic-part provenance reduced-tension \
-    repeated resampled roughness-parameter seam short-waves slope small-scan sticks \
-    summits-follow-sampling tabor undeclared-kink underflow unit unsolved unusual-size variant \
-    verdict work yields";
+    filled fit-misses gap-roughness gaussian-moments gross-slip heights-integral heights-std \
+    hurst-exponent interpolation-error inverted least-area left-out level likely-unit loss mask \
+    nearest negative negative-angle-density no-asperities no-contact no-end-of-contact \
+    no-hardness no-pull-off no-second-estimator no-tension no-value no-work not-gaussian \
+    not-monotone open-seam outliers periodic-part provenance reduced-tension repeated resampled \
+    roughness-parameter seam short-waves slope small-scan sticks summits-follow-sampling tabor \
+    undeclared-kink underflow unit unsolved unusual-size variant verdict work yields";
 
 /// Refuses a code that no warning and no note has.
 pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {

@@ -31,10 +31,11 @@ pub struct BemCommand {
     #[command(flatten)]
     places: Places,
     /// Compare models with boundary elements: area, mean gap and stiffness, with deviations
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["quantities", "gaps", "map", "picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
+    #[arg(requires = "compare")]
     models: Vec<String>,
     /// Ignore the hardness: elastic, with unlimited pressures
     #[arg(long)]
@@ -109,15 +110,12 @@ impl Places {
 }
 
 impl BemCommand {
-    /// Runs under the name of the command, or under the former one of comparisons with models.
-    pub fn run(self, command: &str) -> Result<()> {
-        let compares = self.compare || command == "truth";
-        self.check(command, compares);
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), compares)?;
+    pub fn run(self) -> Result<()> {
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), self.compare)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         if self.picture.is_some() && given.len() > 1 {
             let text = format!("--picture draws one load, not {}", given.len());
-            usage_error(command, ErrorKind::ArgumentConflict, &text);
+            usage_error("bem", ErrorKind::ArgumentConflict, &text);
         }
         let bem = self.bem(&scene)?;
         let (file, name) = (&scene.file, &*scene.name);
@@ -131,7 +129,7 @@ impl BemCommand {
             keep: self.map.is_some() || self.picture.is_some(),
         };
         let watch = terminal()?;
-        let fill = |sheet: &mut Sheet| match compares {
+        let fill = |sheet: &mut Sheet| match self.compare {
             true => {
                 let pressure = |given: &LoadCase| match given {
                     LoadCase::MeanPressure(pressure) => Some(*pressure),
@@ -176,24 +174,6 @@ impl BemCommand {
         };
         show(bem.note().as_slice());
         Ok(bem)
-    }
-
-    /// Refuses options that exclude each other.
-    fn check(&self, command: &str, compares: bool) {
-        let alone = [
-            !self.quantities.is_empty(),
-            !self.places.gaps.is_empty(),
-            self.map.is_some(),
-            self.picture.is_some(),
-        ];
-        if compares && alone.contains(&true) {
-            let text = "--quantity, --gap, --map and --picture are for boundary elements without models; leave them out";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
-        }
-        if !compares && !self.models.is_empty() {
-            let text = "--model names models to compare with boundary elements; add --compare";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
-        }
     }
 }
 

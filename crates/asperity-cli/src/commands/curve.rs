@@ -61,7 +61,7 @@ pub struct Curve {
 impl Curve {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
-        if self.plan || command == "plan" {
+        if self.plan {
             return self.print_plan();
         }
         if self.pull_off || command == "pull-off" {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Ranking, rank};
 use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
 
@@ -13,9 +13,9 @@ use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::interrupt;
-use crate::output::fit_report::Report;
+use crate::output::fit_report::{print_findings, print_notes, table};
 use crate::output::table::Format;
-use crate::output::{self, print_message, progress};
+use crate::output::{self, fit_plot, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -79,7 +79,7 @@ impl FitCommand {
         let done = fitted.len();
         let ranking = rank(fitted);
         if done > 0 {
-            self.write(&Report { scene: &scene, data: &data, models: &models, ranking: &ranking })?;
+            self.write(&scene, &data, &models, &ranking)?;
         }
         if interrupted {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
@@ -141,16 +141,20 @@ impl FitCommand {
         Ok((fitted, false))
     }
 
-    fn write(&self, report: &Report<'_>) -> Result<()> {
-        report.print_notes(&self.free);
-        report.print_findings()?;
-        self.output.draw(|| report.svg())?;
+    fn write(
+        &self,
+        scene: &LoadedScene,
+        data: &Data,
+        models: &[NamedModel],
+        ranking: &Ranking,
+    ) -> Result<()> {
+        print_notes(scene, ranking, &self.free);
+        print_findings(scene, data, models, ranking)?;
+        self.output.draw(|| fit_plot::svg(&scene.file, data, models, ranking))?;
         let output = &self.output.output;
         match output.format {
-            Format::Json => {
-                output.write_text(&(serde_json::to_string_pretty(report.ranking)? + "\n"))
-            }
-            _ => output.write(&report.table()),
+            Format::Json => output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n")),
+            _ => output.write(&table(ranking)),
         }
     }
 

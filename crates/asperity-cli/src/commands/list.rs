@@ -16,8 +16,12 @@ use crate::output::{self, table::Format};
 )]
 pub struct List {
     what: What,
+    /// Only models of this id, or with this word in their name, authors or year; or materials with
+    /// this word in their name, or the nearest ones
+    #[arg(default_value = "", hide_default_value = true)]
+    word: String,
     #[command(flatten)]
-    like: Like,
+    output: OutputArgs,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -26,30 +30,14 @@ enum What {
     Materials,
 }
 
-/// The word that models or materials are chosen by, and the output.
-#[derive(Debug, Args)]
-pub struct Like {
-    /// Only models of this id, or with this word in their name, authors or year; or materials with
-    /// this word in their name, or the nearest ones
-    word: Option<String>,
-    #[command(flatten)]
-    output: OutputArgs,
-}
-
 impl List {
-    pub fn run(self) -> Result<()> {
-        match self.what {
-            What::Models => self.like.show(models),
-            What::Materials => self.like.show(materials),
-        }
-    }
-}
-
-impl Like {
     /// Writes a list, narrow in a terminal, and its notes.
-    pub fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let narrow = self.output.format == Format::Table;
-        let sheet = list(&self.word.unwrap_or_default(), narrow)?;
+        let sheet = match self.what {
+            What::Models => models(&self.word, narrow)?,
+            What::Materials => materials(&self.word, narrow)?,
+        };
         self.output.write(&sheet)?;
         output::show(&sheet.findings);
         Ok(())
@@ -66,7 +54,7 @@ const TAGS: [(&str, &str); 3] = [
 /// The columns of a terminal, by their places; the others are too wide.
 const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
-pub fn models(word: &str, narrow: bool) -> Result<Sheet> {
+fn models(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
     for model in like(word)? {
         let (source, notes) = (model.citation(), model.notes());
@@ -126,7 +114,7 @@ fn like(word: &str) -> Result<Vec<Model>> {
     Ok(all)
 }
 
-pub fn materials(word: &str, narrow: bool) -> Result<Sheet> {
+fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
     let found = asperity_inputs::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity list materials` lists all");

@@ -3,6 +3,7 @@
 pub mod args;
 pub mod blanks;
 pub mod distances;
+pub mod former;
 pub mod lists;
 pub mod numbers;
 pub mod target;
