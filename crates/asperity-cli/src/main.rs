@@ -22,7 +22,7 @@ struct Cli {
     #[command(subcommand)]
     command: commands::Command,
     /// Print errors only, without warnings and notes
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = 100)]
     quiet: bool,
 }
 
