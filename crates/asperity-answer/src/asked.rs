@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity::{
-    At, Compared, Contact, ContactError, ContactModel, Corrected, Evaluation, Finding, Findings,
-    Model, Quantity, Request, Separation, SeparationUnit, Severity,
+    At, Contact, ContactError, ContactModel, Corrected, Evaluation, Finding, Findings, Model,
+    Quantity, Request, Separation, SeparationUnit, Severity, compile_compared, compile_known,
 };
 use asperity_inputs::SceneFile;
 
@@ -59,26 +59,11 @@ impl Asked {
             let request = Request::new(quantities).within(request.tolerance).at(places);
             if all { model.compile(scene, &request) } else { model.contact(scene, &request) }
         };
-        let compile = |quantities: &[Quantity]| match corrected {
-            true => {
-                // Some have no contact radii or no gap.
-                let with = |k: usize| alone(&[quantities, &Compared::QUANTITIES[..k]].concat());
-                [3, 2, 1].iter().find_map(|k| with(*k).ok()).map_or_else(|| with(0), Ok)
-            }
-            false => alone(quantities),
-        };
-        let (contact, refused) = match compile(&request.quantities) {
-            Ok(contact) => (contact, vec![]),
-            Err(whole) => {
-                let refusal = |q: &Quantity| Some((*q, compile(&[*q]).err()?));
-                let refused: Vec<_> = request.quantities.iter().filter_map(refusal).collect();
-                let mut had = request.quantities.clone();
-                had.retain(|q| refused.iter().all(|(lacks, _)| lacks != q));
-                // Without any quantity, the separations are still known.
-                let had = if had.is_empty() { vec![Quantity::Force] } else { had };
-                (compile(&had).map_err(|_| whole)?, refused)
-            }
-        };
+        // Without any quantity, the separations are still known.
+        let otherwise = [Quantity::Force];
+        let (contact, refused) = compile_known(&request.quantities, &otherwise, |quantities| {
+            if corrected { compile_compared(quantities, alone) } else { alone(quantities) }
+        })?;
         let (model, request) = (model.clone(), request.clone());
         Ok(Self { model, contact: contact.into(), request, refused, all })
     }
@@ -140,16 +125,12 @@ impl Asked {
             response.columns.drain(..).map(|column| column.rows.into_iter()).collect();
         let lines = places.into_iter().map(|(given, at)| {
             let mut found = columns.iter_mut().filter_map(Iterator::next);
-            let value = |quantity: &Quantity| match self
-                .refused
-                .iter()
-                .find(|(lacks, _)| lacks == quantity)
-            {
-                Some((_, reason)) => Err(reason.clone()),
-                None => match found.next() {
+            let value = |quantity: &Quantity| {
+                let lacks = self.refused.iter().find(|(lacks, _)| lacks == quantity);
+                match lacks.map_or_else(|| found.next(), |(_, why)| Some(Err(why.clone().into()))) {
                     Some(value) => value.map_err(|reason| *reason),
                     None => Err(ContactError::NotRequested { quantity: *quantity }),
-                },
+                }
             };
             let values = self.request.quantities.iter().map(value).collect();
             Line { given, separation: self.separation(file, at), values }

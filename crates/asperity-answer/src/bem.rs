@@ -7,27 +7,18 @@ use asperity_inputs::SceneFile;
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
-/// Columns of every solution.
-const COLUMNS: [&str; 9] = [
-    "load_N",
-    "pressure_Pa",
-    "area_fraction",
-    "area_fraction_pixels",
-    "plastic_fraction",
-    "mean_gap_m",
-    "patches",
-    "iterations",
-    "residual",
+/// A number of a solution.
+type Number = fn(&Solution) -> f64;
+/// Columns of every solution behind its load and pressure.
+const COLUMNS: [(&str, Number); 7] = [
+    ("area_fraction", |found| found.area),
+    ("area_fraction_pixels", |found| found.pixel_area),
+    ("plastic_fraction", |found| found.plastic_area),
+    ("mean_gap_m", |found| found.mean_gap),
+    ("patches", |found| found.patches.len() as f64),
+    ("iterations", |found| found.iterations as f64),
+    ("residual", |found| found.residual),
 ];
-
-/// Why the stiffnesses of an elastic contact differ.
-const FREE_STIFFNESSES: &str = "with a free boundary the tangent exceeds the unloading stiffness of the same elastic contact, the more the larger the contact: the tangent is the slope against the mean gap under the scan, the unloading stiffness that against the approach of distant points";
-
-/// Why a grid cannot be halved.
-const REFINE: &str =
-    "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
-/// The same for a scan whose crop would not be periodic.
-const REFINE_PERIODIC: &str = "--refine needs an even number of rows and columns; resample the period to such a grid (a crop is not periodic), or leave --refine out";
 
 /// What is solved on the scan of a scene.
 #[derive(Debug, Clone, Copy)]
@@ -64,28 +55,28 @@ impl Press<'_> {
         sheet: &mut Sheet,
         watch: &dyn Watch,
     ) -> Result<Vec<Vec<f64>>, AnswerError> {
+        sheet.under(&[&["load_N", "pressure_Pa"], &COLUMNS.map(|(head, _)| head)]);
         let mut quantities = once(self.quantities);
-        let own = |quantity: &Quantity| COLUMNS.contains(&&*quantity.column());
-        quantities.retain(|quantity| !own(quantity));
-        sheet.under(&[&COLUMNS]);
+        quantities.retain(|quantity| sheet.column(&quantity.column()).is_none());
         // Refuses what boundary elements or the scene lack before anything is solved.
         let request = Request::new(quantities.iter().copied());
         self.bem.compile(&self.file.scene, &request)?;
         // Before the hours of the whole grid.
         let half = self.refine.then(|| self.bem.half_grid()).transpose();
-        let half = half.map_err(|error: BemError| match self.bem.continuation() {
-            Continuation::Periodic => format!("{REFINE_PERIODIC}: {error}"),
-            _ => format!("{REFINE}: {error}"),
+        let half = half.map_err(|error: BemError| {
+            let how = match self.bem.continuation() {
+                Continuation::Periodic => "resample the period to such a grid (a crop is not periodic)",
+                _ => "crop the scan",
+            };
+            format!("--refine needs an even number of rows and columns; {how}, or leave --refine out: {error}")
         })?;
         let (whole, maps, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
-        let half = match half.filter(|_| !watch.is_stopped()) {
-            Some(half) => {
-                let (half, _, of_half) = self.rows(&half, &quantities, sheet, watch)?;
-                found.extend(of_half);
-                Some(half)
-            }
-            None => None,
-        };
+        let half = half.filter(|_| !watch.is_stopped());
+        let half = half.map(|half| self.rows(&half, &quantities, sheet, watch)).transpose()?;
+        let half = half.map(|(rows, _, of_half)| {
+            found.extend(of_half);
+            rows
+        });
         sheet.report(self.file, found);
         sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
         let width = sheet.heads.len();
@@ -112,12 +103,6 @@ impl Press<'_> {
         }
         if sheet.rows.is_empty() && !watch.is_stopped() {
             return Err(format!("{}: no load was solved", self.name).into());
-        }
-        // A contact that has yielded may unload stiffer.
-        let is_elastic = |row: &Vec<Cell>| row[4].number().is_some_and(|plastic| plastic <= 0.0);
-        let free = self.bem.continuation() == Continuation::Free;
-        if free && sheet.rows.iter().any(is_elastic) && has_both_stiffnesses(&quantities) {
-            sheet.note("free-stiffnesses", FREE_STIFFNESSES);
         }
         Ok(maps)
     }
@@ -172,29 +157,12 @@ impl Press<'_> {
     }
 }
 
-/// The cells of a solution under [`COLUMNS`].
+/// The cells of load and pressure, exactly as given, and under [`COLUMNS`].
 fn cells(solution: &Solution, nominal_area: f64) -> Vec<Cell> {
-    // Exactly as given.
     let pressure = match solution.given {
         LoadCase::MeanPressure(pressure) => pressure,
         _ => solution.mean_pressure,
     };
-    let numbers = [
-        pressure * nominal_area,
-        pressure,
-        solution.area,
-        solution.pixel_area,
-        solution.plastic_area,
-        solution.mean_gap,
-        solution.patches.len() as f64,
-        solution.iterations as f64,
-        solution.residual,
-    ];
-    numbers.map(Cell::from).to_vec()
-}
-
-/// Whether the slope of loading and the stiffness of a joint are asked for.
-fn has_both_stiffnesses(quantities: &[Quantity]) -> bool {
-    let slope = |quantity: &Quantity| matches!(quantity, Quantity::Tangent | Quantity::Stiffness);
-    quantities.iter().any(slope) && quantities.contains(&Quantity::UnloadingStiffness)
+    let others = COLUMNS.map(|(_, number)| number(solution));
+    [pressure * nominal_area, pressure].into_iter().chain(others).map(Cell::from).collect()
 }

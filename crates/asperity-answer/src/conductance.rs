@@ -1,10 +1,12 @@
 //! Thermal contact conductance: models, and published correlations beside them.
 
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
+use asperity::{
+    At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit, usual_reference,
+};
 use asperity_inputs::SceneFile;
 
-use crate::models::{once, one_model, one_or_usual};
+use crate::models::{once, one_or_usual};
 use crate::number::rounded;
 use crate::subject::Outcome;
 use crate::{AnswerError, Cell, Sheet};
@@ -42,20 +44,27 @@ impl Conductance<'_> {
     /// # Errors
     /// The reason of a single model or correlation, and where none has a conductance.
     pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
-        let mut heads =
-            ["model", "load_N", "pressure_Pa", "relative_pressure"].map(String::from).to_vec();
-        heads.extend([CONDUCTANCE.column(), "holds".into()]);
+        let of_contacts = CONDUCTANCE.column();
+        let heads = ["model", "load_N", "pressure_Pa", "relative_pressure", &of_contacts, "holds"];
+        sheet.under(&[&heads]);
         if self.gas.is_some() {
-            heads.extend(["gas", "total"].map(|part| format!("{part}_{}", CONDUCTANCE.column())));
+            sheet.heads.extend(["gas", "total"].map(|part| format!("{part}_{of_contacts}")));
         }
-        sheet.heads = heads;
         let is_asked =
             |known: &Correlation| self.ids.is_empty() || self.ids.iter().any(|id| id == known.id());
         let correlations: Vec<Correlation> =
             Correlation::ALL.into_iter().filter(is_asked).collect();
-        let models = self.models(sheet)?;
-        let alone = models.len() + correlations.len() == 1;
-        let leave_out = |sheet: &mut Sheet, id: &str, reason: String| -> Outcome {
+        let is_model = |id: &String| Correlation::ALL.iter().all(|known| *id != known.id());
+        let ids: Vec<String> = once(self.ids).into_iter().filter(is_model).collect();
+        let ids: Vec<Option<&str>> = match self.ids {
+            [] => vec![None],
+            _ => ids.iter().map(|id| Some(&**id)).collect(),
+        };
+        let alone = ids.len() + correlations.len() == 1;
+        let leave_out = |sheet: &mut Sheet, rows, id: &str, error: AnswerError| -> Outcome {
+            sheet.rows.truncate(rows);
+            let reason = error.to_string();
+            let reason = reason.trim_start_matches(&format!("{}: ", self.name));
             if alone {
                 return Err(format!("{id}: {reason}").into());
             }
@@ -63,23 +72,26 @@ impl Conductance<'_> {
             Ok(())
         };
         let mut answered = vec![];
-        for (id, model) in models {
-            let rows = model.and_then(|model| {
-                let rows = self.add_model(sheet, places, &id, &model);
-                rows.map(|()| model).map_err(|error| error.to_string())
+        for id in ids {
+            let rows = sheet.rows.len();
+            let found = one_or_usual(self.file, self.name, id, sheet).and_then(|(id, model)| {
+                self.add_model(sheet, places, &id, &model)?;
+                Ok(model)
             });
-            match rows {
+            let id = id.unwrap_or(usual_reference(&self.file.scene));
+            match found {
                 Ok(model) => answered.push(model),
-                Err(reason) => leave_out(sheet, &id, reason)?,
+                Err(error) => leave_out(sheet, rows, id, error)?,
             }
         }
         let found = answered.iter().flat_map(|model| self.file.findings_at(model, places));
         sheet.report(self.file, found.collect());
         let mut used = vec![];
         for correlation in correlations {
+            let rows = sheet.rows.len();
             match self.add_correlation(sheet, places, correlation) {
                 Ok(()) => used.push(correlation.id()),
-                Err(reason) => leave_out(sheet, correlation.id(), reason.to_string())?,
+                Err(error) => leave_out(sheet, rows, correlation.id(), error)?,
             }
         }
         if sheet.rows.is_empty() {
@@ -91,38 +103,22 @@ impl Conductance<'_> {
         Ok(())
     }
 
-    /// The models, each by the name of its rows, or why there is none.
-    fn models(&self, sheet: &mut Sheet) -> Outcome<Vec<(String, Result<Model, String>)>> {
-        if self.ids.is_empty() {
-            let (id, model) = one_or_usual(self.file, self.name, None, sheet)?;
-            return Ok(vec![(id, Ok(model))]);
-        }
-        let is_model = |id: &&String| Correlation::ALL.iter().all(|known| *id != known.id());
-        let name = format!("{}: ", self.name);
-        let model = |id: &String| {
-            let reason = |error: AnswerError| error.to_string().trim_start_matches(&name).into();
-            (id.clone(), one_model(self.file, id, sheet).map(|named| named.1).map_err(reason))
-        };
-        Ok(once(self.ids).iter().filter(is_model).map(model).collect())
-    }
-
     fn add_model(&self, sheet: &mut Sheet, places: &[At], id: &str, model: &Model) -> Outcome {
         let contact = &self.file.scene;
         let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
         let compiled = model.compile(contact, &request)?;
-        let row = |at: &At| {
+        for at in places {
             let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
-            let mut row = self.cells(id, *at, [None, Some(contacts)], "");
+            let mut beside = vec!["".into()];
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
                 let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
                 let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
-                row.extend([gas, contacts + gas].map(Cell::from));
+                beside.extend([gas, contacts + gas].map(Cell::from));
             }
-            Ok(row)
-        };
-        let rows = places.iter().map(row).collect::<Result<Vec<_>, asperity::ContactError>>()?;
-        sheet.rows.extend(rows);
+            let numbers = [at.load(contact), at.pressure(contact), None, Some(contacts)];
+            sheet.add(&[id], numbers.map(Cell::from).into_iter().chain(beside));
+        }
         Ok(())
     }
 
@@ -134,11 +130,11 @@ impl Conductance<'_> {
         places: &[At],
         correlation: Correlation,
     ) -> Outcome {
-        let ([from, to], id) = (correlation.range(), correlation.id());
-        let (mut rows, mut outside) = (vec![], None);
+        let ([from, to], id, scene) = (correlation.range(), correlation.id(), &self.file.scene);
+        let mut outside = None;
         for at in places {
-            let Some(pressure) = at.pressure(&self.file.scene) else { continue };
-            let found = correlation.at(&self.file.scene, &self.roughness(), pressure)?;
+            let Some(pressure) = at.pressure(scene) else { continue };
+            let found = correlation.at(scene, &self.roughness(), pressure)?;
             let relative = found.relative_pressure;
             if outside.is_none() && !(from..=to).contains(&relative) {
                 outside = Some(format!(
@@ -149,12 +145,10 @@ impl Conductance<'_> {
                 ));
             }
             let holds = if found.holds { "yes" } else { "no" };
-            let mut row = self.cells(id, *at, [relative, found.conductance].map(Some), holds);
-            row.resize(sheet.heads.len(), Cell::BLANK);
-            rows.push(row);
+            let numbers = [at.load(scene), Some(pressure), Some(relative), Some(found.conductance)];
+            sheet.add(&[id], numbers.map(Cell::from).into_iter().chain([holds.into()]));
         }
-        sheet.rows.extend(rows);
-        for reason in outside.into_iter().chain(correlation.reason_against(&self.file.scene)) {
+        for reason in outside.into_iter().chain(correlation.reason_against(scene)) {
             sheet.warn("correlation", format!("{id}: {reason}"));
         }
         Ok(())
@@ -166,10 +160,6 @@ impl Conductance<'_> {
 
     /// Notes the roughness of the correlations used, and what they lack.
     fn note_roughness(&self, sheet: &mut Sheet, used: &str) {
-        if self.gas.is_some() {
-            let lack = "correlations have no separation, so that gas and total are blank";
-            sheet.note("no-gap", format!("{used}: {lack}"));
-        }
         let GapRoughness { height_std, mean_slope, .. } = self.roughness();
         let [sigma, slope] = [height_std, mean_slope].map(rounded);
         let of = match (self.roughness, &self.file.measured) {
@@ -179,14 +169,5 @@ impl Conductance<'_> {
         };
         let text = format!("{used}: sigma is {sigma} m and the mean slope m {slope}, {of}");
         sheet.note("gap-roughness", text);
-    }
-
-    fn cells(&self, id: &str, at: At, found: [Option<f64>; 2], holds: &str) -> Vec<Cell> {
-        let scene = &self.file.scene;
-        let numbers = [at.load(scene), at.pressure(scene)].into_iter().chain(found);
-        let mut row = vec![Cell::from(id)];
-        row.extend(numbers.map(Cell::from));
-        row.push(holds.into());
-        row
     }
 }

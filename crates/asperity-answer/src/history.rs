@@ -1,12 +1,11 @@
 //! A joint through a history of turning points.
 
 use asperity::joints::{Joint, Path, UnloadingLaw};
-use asperity::{At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit};
+use asperity::{At, ContactError, Separation, SeparationUnit};
 
 use crate::number::rounded;
 use crate::subject::Subject;
-use crate::unloading::READ_0;
-use crate::{AnswerError, Cell, Sheet};
+use crate::{AnswerError, Sheet};
 
 /// Points on each path between turning points.
 const STEPS: usize = 50;
@@ -26,19 +25,14 @@ pub fn history(
     subject.fill(sheet, |sheet| {
         for joint in subject.joints(laws)? {
             let path = joint.path(&joint.turning_points(turns)?, STEPS)?;
-            let law = joint.law().to_string();
+            let (law, area) = (joint.law().to_string(), subject.file.scene.nominal_area);
             for point in &path.points {
                 let at = Separation::metres(point.separation);
-                let numbers = [
-                    point.way as f64,
-                    subject.place(at, SeparationUnit::Sigma)?,
-                    subject.place(at, SeparationUnit::Metres)?,
-                    point.force,
-                    point.force / subject.file.scene.nominal_area,
-                    point.stiffness,
-                ];
-                let names = [Cell::from(subject.id), law.as_str().into()];
-                sheet.rows.push(names.into_iter().chain(numbers.map(Cell::from)).collect());
+                let [sigma, metres] = [SeparationUnit::Sigma, SeparationUnit::Metres]
+                    .map(|unit| subject.place(at, unit));
+                let (force, stiffness) = (point.force, point.stiffness);
+                let numbers = [point.way as f64, sigma?, metres?, force, force / area, stiffness];
+                sheet.add(&[subject.id, &law], numbers);
             }
             let name = format!("{} by {law}", subject.id);
             note_work(sheet, &name, &joint, &path);
@@ -53,7 +47,12 @@ pub fn history(
                     other => other?,
                 }
             }
-            warn_few(sheet, subject, &joint, &path)?;
+            let open = path.points.iter().filter(|point| point.force == 0.0).count();
+            if open > 0 {
+                let all = path.points.len();
+                let text = format!("{name}: the joint is open at {open} of {all} points");
+                sheet.warn("few-contacts", text);
+            }
         }
         Ok(())
     })
@@ -78,45 +77,4 @@ fn note_work(sheet: &mut Sheet, name: &str, joint: &Joint, path: &Path) {
         ),
     };
     sheet.note("work", text);
-}
-
-/// Warns of points at which fewer than one asperity touches, and of zeros.
-fn warn_few(
-    sheet: &mut Sheet,
-    subject: &Subject<'_>,
-    joint: &Joint,
-    path: &Path,
-) -> Result<(), ContactError> {
-    let virgin = subject.model.compile(joint.scene(), &Request::new([Quantity::Contacts]))?;
-    let (mut few, mut opening) = (vec![], None);
-    for point in &path.points {
-        let (place, closest) = (At::metres(point.separation), point.closest);
-        let contacts = if point.separation > closest {
-            let found = match opening.take() {
-                Some((from, found)) if f64::total_cmp(&from, &closest).is_eq() => found,
-                _ => joint.unloading(At::metres(closest))?,
-            };
-            let contacts = found.contacts(point.separation - closest)?;
-            opening = Some((closest, found));
-            contacts
-        } else {
-            virgin.evaluate(Quantity::Contacts, virgin.separation(place)?)?
-        };
-        if contacts.value() < 1.0 {
-            few.push(point);
-        }
-    }
-    let Some(first) = few.first() else { return Ok(()) };
-    let zeros = few.iter().filter(|point| point.force == 0.0 || point.stiffness == 0.0).count();
-    let zeros = match zeros {
-        0 => String::new(),
-        count => format!("; at {count} of them values {READ_0}"),
-    };
-    let (id, law, count, all) = (subject.id, joint.law(), few.len(), path.points.len());
-    let (at, way) = (At::metres(first.separation), first.way);
-    let text = format!(
-        "{id} by {law}: fewer than one asperity touches on average at {count} of {all} points, first at {at} on way {way}{zeros}"
-    );
-    sheet.warn("few-contacts", text);
-    Ok(())
 }

@@ -59,29 +59,35 @@ impl<'s> Inquiry<'s> {
     /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
-        let mut found = Found::default();
-        match &self.beside {
-            Beside::Deviations(reference) => {
-                self.add_deviations(reference, sheet, &mut found, watch)?;
+        let (mut found, mut wanted) = (Found::default(), vec![]);
+        if let Beside::Deviations(reference) = &self.beside {
+            self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
+            found.answered = false;
+        }
+        for model in &self.models {
+            let first = sheet.rows.len();
+            let asked = self.ask(model, &mut found, sheet, watch, |sheet, place, line| {
+                let wanted = wanted.get(sheet.rows.len() - first);
+                sheet.rows.push(self.row(place, &line, wanted));
+            })?;
+            if matches!(self.beside, Beside::Intervals) {
+                self.add_corrected(&model.0, &asked, first, sheet, &mut found);
             }
-            beside => {
-                for model in &self.models {
-                    let first = sheet.rows.len();
-                    let asked =
-                        self.ask(model, &mut found, sheet, watch, |sheet, place, line| {
-                            sheet.rows.push(self.row(place, &line, beside));
-                        })?;
-                    if matches!(beside, Beside::Intervals) {
-                        self.add_corrected(&model.0, &asked, first, sheet, &mut found);
-                    }
-                }
-            }
+        }
+        // All models of one place together.
+        let places = wanted.len();
+        if places > 0 {
+            let rows = (0..sheet.rows.len()).map(|k| {
+                let (place, model) = (k / self.models.len(), k % self.models.len());
+                std::mem::take(&mut sheet.rows[model * places + place])
+            });
+            sheet.rows = rows.collect();
         }
         found.report(self.file, sheet);
         if found.answered { Ok(()) } else { Err("no row has a value".into()) }
     }
 
-    /// The number of columns for the model and for the load or separation.
+    /// The columns for the model and for the load or separation.
     pub(crate) fn place_heads(&self) -> Vec<&'static str> {
         let loads = match self.request.at.first() {
             None | Some(At::Separation(_)) => &[][..],
@@ -94,81 +100,46 @@ impl<'s> Inquiry<'s> {
 
     fn heads(&self) -> Vec<String> {
         let mut heads: Vec<String> = self.place_heads().into_iter().map(String::from).collect();
-        let quantities = &self.request.quantities;
-        let of = |q: &Quantity| q.column();
-        let with = |ends: &'static [&'static str]| {
-            quantities.iter().flat_map(move |q| {
-                let ends = ends.iter().map(|end| column_beside(*q, end));
-                [q.column()].into_iter().chain(ends).collect::<Vec<_>>()
-            })
+        let beside_each: &[&str] = match self.beside {
+            Beside::Nothing | Beside::Errors => &[],
+            Beside::Deviations(_) => &["deviation"],
+            Beside::Intervals => &ENDS,
         };
+        let quantities = &self.request.quantities;
+        for quantity in quantities {
+            heads.push(quantity.column());
+            heads.extend(beside_each.iter().map(|what| column_beside(*quantity, what)));
+        }
         match self.beside {
-            Beside::Nothing => heads.extend(quantities.iter().map(of)),
-            Beside::Errors => {
-                heads.extend(quantities.iter().map(of));
-                heads.extend(quantities.iter().map(|q| column_beside(*q, "error")));
-            }
-            Beside::Deviations(_) => heads.extend(with(&["deviation"])),
-            Beside::Intervals => {
-                heads.extend(with(&ENDS));
-                heads.extend(ENDS.map(|end| format!("separation_{end}_m")));
-            }
+            Beside::Errors => heads.extend(quantities.iter().map(|q| column_beside(*q, "error"))),
+            Beside::Intervals => heads.extend(ENDS.map(|end| format!("separation_{end}_m"))),
+            _ => {}
         }
         heads
     }
 
-    /// The cells of a line behind those of its place.
-    fn row(&self, mut row: Vec<Cell>, line: &Line, beside: &Beside) -> Vec<Cell> {
-        for value in &line.values {
+    /// A row with the cells of its place; `wanted` has the values of the reference.
+    fn row(&self, mut row: Vec<Cell>, line: &Line, wanted: Option<&Line>) -> Vec<Cell> {
+        let quantities = &self.request.quantities;
+        for (k, (value, &quantity)) in line.values.iter().zip(quantities).enumerate() {
             row.push(cell(value));
-            if matches!(beside, Beside::Intervals) {
-                row.extend([Cell::BLANK; 2]);
+            match (&self.beside, wanted) {
+                (Beside::Intervals, _) => row.extend([Cell::BLANK; 2]),
+                (_, Some(wanted)) => {
+                    let both = value.as_ref().ok().zip(wanted.values[k].as_ref().ok());
+                    row.push(both.and_then(|(a, b)| a.deviation(b, quantity)).into());
+                }
+                _ => {}
             }
         }
-        match beside {
-            Beside::Errors => {
-                let values = line.values.iter().zip(&self.request.quantities);
-                row.extend(values.map(|(v, q)| Cell::from(v.as_ref().ok().map(|v| v.bound(*q)))));
-            }
-            Beside::Intervals => row.extend([Cell::BLANK; 2]),
-            _ => {}
+        if matches!(self.beside, Beside::Errors) {
+            let values = line.values.iter().zip(quantities);
+            row.extend(values.map(|(v, q)| Cell::from(v.as_ref().ok().map(|v| v.bound(*q)))));
+        }
+        if matches!(self.beside, Beside::Intervals) {
+            row.extend([Cell::BLANK; 2]);
         }
         row
-    }
-
-    /// Compares every model with the reference, all models of one place together.
-    fn add_deviations(
-        &self,
-        reference: &NamedModel,
-        sheet: &mut Sheet,
-        found: &mut Found,
-        watch: &dyn Watch,
-    ) -> Result<(), AnswerError> {
-        let mut lines = |model| -> Result<Vec<(Vec<Cell>, Line)>, AnswerError> {
-            let mut lines = vec![];
-            self.ask(model, found, sheet, watch, |_, place, line| lines.push((place, line)))?;
-            Ok(lines)
-        };
-        let wanted = lines(reference)?;
-        let mut answers = self
-            .models
-            .iter()
-            .map(|model| Ok(lines(model)?.into_iter()))
-            .collect::<Result<Vec<_>, AnswerError>>()?;
-        found.answered = false;
-        for (_, wanted) in &wanted {
-            for (mut row, line) in answers.iter_mut().filter_map(Iterator::next) {
-                let values = line.values.iter().zip(&wanted.values);
-                for ((value, wanted), quantity) in values.zip(&self.request.quantities) {
-                    let both = value.as_ref().ok().zip(wanted.as_ref().ok());
-                    row.push(cell(value));
-                    row.push(both.and_then(|(a, b)| a.deviation(b, *quantity)).into());
-                }
-                found.answered |= line.values.iter().any(Result::is_ok);
-                sheet.rows.push(row);
-            }
-        }
-        Ok(())
     }
 
     /// Passes on the lines of one model, each with the cells of its place.
@@ -191,21 +162,45 @@ impl<'s> Inquiry<'s> {
             asked.findings(self.file, if self.at_defaults { &usual } else { &self.request.at });
         found.of_places.extend(of_places);
         sheet.extend(notes);
-        let mut blanks = Blanks::new(model.validity().adhesive);
+        let adhesive = model.validity().adhesive;
+        let is_new = |reason: &&ContactError| match reason {
+            // Without contact there is a finding already.
+            ContactError::NoValue { .. } => false,
+            // Likewise of a tension without adhesion.
+            ContactError::OutOfRange { field: "load" | "pressure", value, .. } => {
+                adhesive || *value >= 0.0
+            }
+            _ => true,
+        };
+        let (mut blanks, mut rows) = (Blanks::default(), 0);
         for block in self.request.at.chunks(ROWS_AT_A_TIME) {
             let (lines, warnings) = asked.lines(self.file, block);
             for line in lines {
-                found.answered |= line.values.iter().any(Result::is_ok);
-                blanks.count(&self.request.quantities, &asked, &line.values);
+                let answered = line.values.iter().any(Result::is_ok);
+                found.answered |= answered;
+                rows += 1;
+                // The first blank of a row that no other finding reports.
+                let had = self.request.quantities.iter().zip(&line.values);
+                let mut had = had.filter(|(quantity, _)| asked.has(**quantity));
+                let failed = had.find_map(|(quantity, value)| {
+                    Some((quantity, value.as_ref().err().filter(is_new)?))
+                });
+                if let Some((quantity, reason)) = failed {
+                    let what = if answered { format!("`{quantity}`") } else { "value".into() };
+                    let opens =
+                        |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
+                    let opening = if id == "jkr" && opens(reason) { OPENING } else { "" };
+                    blanks.count(&what, reason.marked() + opening);
+                }
                 deliver(sheet, self.place(id, &line), line);
             }
             found.of_places.extend(warnings);
         }
         let tension = |at: &At| at.load(&self.file.scene).is_some_and(|load| load < 0.0);
-        if self.request.at.iter().any(tension) && !model.validity().adhesive {
+        if self.request.at.iter().any(tension) && !adhesive {
             found.without_tension.push(id.clone());
         }
-        found.lacking.extend(blanks.texts(id).map(|text| (text, id.clone())));
+        found.lacking.extend(blanks.texts(rows).map(|text| (text, id.clone())));
         Ok(asked)
     }
 
@@ -270,5 +265,7 @@ impl Found {
     }
 }
 
+/// Names the model of opening where jkr pulls off.
+const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 /// The models that carry tension.
 const ADHESIVE: &str = "dmt, jkr or jkr-separation";

@@ -2,7 +2,10 @@
 
 use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
-use asperity::{ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity};
+use asperity::{
+    ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
+    usual_reference,
+};
 use asperity_inputs::{LeftOut, SceneFile};
 
 use crate::{AnswerError, Sheet};
@@ -30,30 +33,23 @@ pub fn named_model(
     Ok((id.to_string(), model))
 }
 
-/// The one model of an answer; an error if the scene has not what it needs.
+/// The one model of an answer, the usual one unless another is named; an error if the scene has
+/// not what it needs.
 ///
 /// # Errors
 /// Those of [`named_model`], and the reason why the scene refuses the model.
-pub fn one_model(file: &SceneFile, id: &str, sheet: &mut Sheet) -> Result<NamedModel, AnswerError> {
-    let named = named_model(file, id, sheet)?;
+pub fn one_model(
+    file: &SceneFile,
+    id: Option<&str>,
+    sheet: &mut Sheet,
+) -> Result<NamedModel, AnswerError> {
+    let named = named_model(file, id.unwrap_or(usual_reference(&file.scene)), sheet)?;
     // Other models report what they lack with their answers.
     let averaged = named.1.asperity_model().is_some();
     match averaged.then(|| file.refusal(&named.1)).flatten() {
         Some(reason) => Err(reason.into()),
         None => Ok(named),
     }
-}
-
-/// The reference model: the usual one unless another is named.
-///
-/// # Errors
-/// Those of [`one_model`].
-pub fn reference(
-    file: &SceneFile,
-    id: Option<&str>,
-    sheet: &mut Sheet,
-) -> Result<NamedModel, AnswerError> {
-    one_model(file, id.unwrap_or(asperity::usual_reference(&file.scene)), sheet)
 }
 
 /// The usual model where none is named; a note tells of a hardness that may be forgotten.
@@ -66,7 +62,7 @@ pub fn one_or_usual(
     id: Option<&str>,
     sheet: &mut Sheet,
 ) -> Result<NamedModel, AnswerError> {
-    let named = reference(file, id, sheet)?;
+    let named = one_model(file, id, sheet)?;
     let elastic = file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
     if id.is_none() && elastic {
         let text = format!(
@@ -79,78 +75,49 @@ pub fn one_or_usual(
     Ok(named)
 }
 
-/// The models given, of which some may be refused where they are compiled, or all that the scene
-/// allows; a note names the others.
+/// The models given, of which some may be refused where they are compiled, or all of those
+/// `allowed` by the scene that have these quantities; a note names the others.
 ///
 /// # Errors
 /// Those of [`SceneFile::model`], and where it allows none.
 pub fn models(
     file: &SceneFile,
     requested: &[String],
+    allowed: fn(&SceneFile) -> (Vec<Model>, Vec<LeftOut>),
     quantities: &[Quantity],
     sheet: &mut Sheet,
 ) -> Result<Vec<NamedModel>, AnswerError> {
-    if let Some(requested) = by_name(requested) {
-        let requested = once(requested);
-        let models = requested.iter().map(|id| named_model(file, id, sheet));
-        let models = models.collect::<Result<Vec<_>, _>>()?;
-        if !models.iter().all(|(_, model)| model.validity().adhesive) {
-            note_adhesion(file, sheet);
+    let models: Vec<NamedModel> = if by_name(requested) {
+        let models = once(requested).into_iter();
+        models.map(|id| named_model(file, &id, sheet)).collect::<Result<_, _>>()?
+    } else {
+        let (mut models, mut left_out) = allowed(file);
+        let request = Request::new(quantities.iter().copied());
+        models.retain(|model| match model.compile(&file.scene, &request) {
+            Err(reason @ ContactError::Unsupported { .. }) => {
+                left_out.push(LeftOut { id: model.id().into(), reason });
+                false
+            }
+            // Anything else is an error of the scene.
+            _ => true,
+        });
+        for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
+            sheet.note("left-out", format!("left out: {text}"));
         }
-        return Ok(models);
-    }
-    let models = available(file, quantities, sheet);
+        models.into_iter().map(|model| (model.id().to_string(), model)).collect()
+    };
     if models.is_empty() {
         return Err("no model is available for this scene".into());
     }
-    Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
-}
-
-/// The models given, or all that can be compared with boundary elements; a note names the others.
-///
-/// # Errors
-/// Those of [`models`].
-pub fn models_beside_bem(
-    file: &SceneFile,
-    requested: &[String],
-    quantities: &[Quantity],
-    sheet: &mut Sheet,
-) -> Result<Vec<Model>, AnswerError> {
-    if by_name(requested).is_some() {
-        let models = models(file, requested, quantities, sheet)?;
-        return Ok(models.into_iter().map(|(_, model)| model).collect());
+    if !models.iter().all(|(_, model)| model.validity().adhesive) {
+        note_adhesion(file, sheet);
     }
-    let mut models = available(file, quantities, sheet);
-    let (all, mut left_out) = file.models_beside_bem();
-    let (allowed, noted) = file.models();
-    left_out.retain(|model| !noted.contains(model));
-    note_left_out(&left_out, sheet);
-    let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
-    models.extend(all.into_iter().filter(|model| !known(model)));
     Ok(models)
 }
 
-/// All models that the scene allows and that have these quantities; a note names the others.
-fn available(file: &SceneFile, quantities: &[Quantity], sheet: &mut Sheet) -> Vec<Model> {
-    let (mut models, mut left_out) = file.models();
-    let request = Request::new(quantities.iter().copied());
-    models.retain(|model| match model.compile(&file.scene, &request) {
-        Err(reason @ ContactError::Unsupported { .. }) => {
-            left_out.push(LeftOut { id: model.id().into(), reason });
-            false
-        }
-        // Anything else is an error of the scene.
-        _ => true,
-    });
-    note_left_out(&left_out, sheet);
-    note_adhesion(file, sheet);
-    models
-}
-
-/// The models requested by name; none if all are requested.
-fn by_name(requested: &[String]) -> Option<&[String]> {
-    let all = requested.is_empty() || requested.iter().any(|id| id == ALL_MODELS);
-    (!all).then_some(requested)
+/// Whether models are requested by name, not all.
+fn by_name(requested: &[String]) -> bool {
+    !requested.is_empty() && requested.iter().all(|id| id != ALL_MODELS)
 }
 
 /// Notes which models include the scene's adhesion, where it has any.
@@ -158,23 +125,17 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
-/// Notes the models that are left out, those of one reason together.
-fn note_left_out(left_out: &[LeftOut], sheet: &mut Sheet) {
-    let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
-    for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
-        sheet.note("left-out", format!("left out: {text}"));
-    }
-}
-
 /// The models without a result, one text for each reason.
-pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
+pub fn by_reason<'e>(
+    lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
+) -> Vec<String> {
     // The reason contains the name of the model, which would separate equal reasons.
     let reason = |reason: &ContactError| match reason {
         ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
         ContactError::Refused { reason, .. } => format!(": {reason}"),
         reason => format!(": {}", reason.marked()),
     };
-    let grouped = grouped(lacking.iter().map(|(id, error)| (reason(error), id.clone())));
+    let grouped = grouped(lacking.into_iter().map(|(id, error)| (reason(error), id)));
     grouped.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
 }
 

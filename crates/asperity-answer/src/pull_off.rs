@@ -31,20 +31,17 @@ pub fn pull_off(
         let contact = model.compile(scene, &request);
         let found = contact.and_then(|contact| asperity::pull_off(&*contact));
         let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
-        let mut row = vec![Cell::from(&**id)];
-        if let Some(found) = found {
-            sheet.report(file, file.findings_at(model, &[found.separation.into()]));
-            let force = found.force.value();
-            note_reduction(sheet, id, force, scene);
-            row.extend([force, force / scene.nominal_area].map(Cell::from));
-            for unit in [SeparationUnit::Sigma, SeparationUnit::Metres] {
-                row.push(measured(file, found.separation, unit)?.into());
-            }
-        } else {
+        let Some(found) = found else {
             sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));
-        }
-        row.resize(heads.len(), Cell::BLANK);
-        sheet.rows.push(row);
+            sheet.add(&[id], [Cell::BLANK]);
+            continue;
+        };
+        sheet.report(file, file.findings_at(model, &[found.separation.into()]));
+        let (force, at) = (found.force.value(), found.separation);
+        note_reduction(sheet, id, force, scene);
+        let [sigma, metres] =
+            [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| measured(file, at, unit));
+        sheet.add(&[id], [force, force / scene.nominal_area, sigma?, metres?]);
     }
     Ok(())
 }

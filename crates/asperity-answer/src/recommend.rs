@@ -4,7 +4,7 @@ use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendat
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
-use crate::models::{by_reason, models_beside_bem, reference};
+use crate::models::{by_reason, models, one_model};
 use crate::{AnswerError, Cell, Sheet};
 
 /// What the sheet of a recommendation is about.
@@ -37,9 +37,11 @@ impl Recommend<'_> {
     /// Those of the reference, and of the models named.
     pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
         let Self { request, within, .. } = self;
-        let (id, reference) = reference(file, self.reference, sheet)?;
+        let (id, reference) = one_model(file, self.reference, sheet)?;
         // Persson's theory has evidence, too.
-        let models = models_beside_bem(file, self.models, &request.quantities, sheet)?;
+        let allowed = SceneFile::models_beside_bem;
+        let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();
+        let models = models.map(|(_, model)| model).collect();
         let advice = file
             .recommend_among(models, request, &reference, *within)
             .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;
@@ -58,9 +60,9 @@ impl Recommend<'_> {
             let lacks = found.lacking.iter().map(|(_, error)| error);
             let whole = found.deviations.as_ref().err().filter(|_| found.lacking.is_empty());
             let id = found.model.id();
-            lacking.extend(lacks.chain(whole).map(|error| (id.to_string(), error.clone())));
+            lacking.extend(lacks.chain(whole).map(|error| (id, error)));
         }
-        for text in by_reason(&lacking) {
+        for text in by_reason(lacking) {
             sheet.note("no-value", format!("no value: {text}"));
         }
         self.report(file, &advice, sheet);

@@ -37,6 +37,12 @@ impl Cell {
     pub fn number(&self) -> Option<f64> {
         if let Self::Number(number) = self { Some(*number) } else { None }
     }
+
+    /// The name or word, empty for numbers and blanks.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        if let Self::Text(text) = self { text } else { "" }
+    }
 }
 
 impl From<&str> for Cell {
@@ -75,10 +81,23 @@ impl Sheet {
         Self { heads, ..Self::default() }
     }
 
+    /// Names the columns.
+    pub fn under(&mut self, heads: &[&[&str]]) {
+        self.heads = heads.concat().into_iter().map(String::from).collect();
+    }
+
     /// The place of a column.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<usize> {
         self.heads.iter().position(|head| head == name)
+    }
+
+    /// Adds a row with names, then numbers, and blanks up to the last column.
+    pub fn add<N: Into<Cell>>(&mut self, names: &[&str], numbers: impl IntoIterator<Item = N>) {
+        let mut row: Vec<Cell> = names.iter().map(|name| Cell::from(*name)).collect();
+        row.extend(numbers.into_iter().map(Into::into));
+        row.resize(self.heads.len(), Cell::BLANK);
+        self.rows.push(row);
     }
 
     /// Adds a note that is a sentence of its own.

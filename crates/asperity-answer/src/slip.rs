@@ -3,16 +3,13 @@
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
 
+use crate::blanks::Blanks;
 use crate::number::{rounded, within};
 use crate::subject::{Outcome, Subject};
-use crate::{AnswerError, Cell, Sheet};
+use crate::{AnswerError, Sheet};
 
 /// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
-/// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
-const FAR: f64 = 1000.0;
-/// The end of the reason against a tangential force that is too large.
-const SLIDES: &str = "the joint slides";
 
 /// A joint that slips.
 #[derive(Debug, Clone, Copy)]
@@ -53,11 +50,14 @@ impl Slip<'_> {
         })
     }
 
-    /// The slip at a preload, with its numbers.
+    /// The slip at a preload, with its load \[N\], pressure \[Pa\] and separation over σ_z.
     fn at(&self, preload: At) -> Result<(PartialSlip, [f64; 3]), ContactError> {
         let Subject { file, model, tolerance, .. } = self.subject;
         let joint = Unloading::new(model, &file.scene, preload, self.law, tolerance)?;
-        Ok((PartialSlip::new(&joint, self.friction)?, self.preload(preload, &joint)?))
+        let load = joint.force(0.0)?.value();
+        let separation = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
+        let numbers = [load, load / file.scene.nominal_area, separation];
+        Ok((PartialSlip::new(&joint, self.friction)?, numbers.map(|x| self.digits(x))))
     }
 
     fn digits(&self, x: f64) -> f64 {
@@ -83,25 +83,24 @@ impl Slip<'_> {
         for shift in linspace(-amplitude, amplitude, points) {
             let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
             let (back, forth) = (path(false)?, path(true)?);
-            let [force, loss, factor] = match shift < 0.0 {
-                true => [None; 3],
-                false => {
-                    let factor = if shift > 0.0 { slip.loss_factor(shift)? } else { 0.0 };
-                    [slip.force(shift)?.value(), slip.loss(shift)?.value(), factor].map(Some)
-                }
+            let [force, loss, factor] = match shift {
+                shift if shift < 0.0 => [None; 3],
+                0.0 => [Some(0.0); 3],
+                shift => [
+                    slip.force(shift)?.value(),
+                    slip.loss(shift)?.value(),
+                    slip.loss_factor(shift)?,
+                ]
+                .map(Some),
             };
             let numbers = [Some(shift), force, back, forth, loss, factor];
-            let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(|x| Cell::from(x.map(|x| self.digits(x)))));
-            sheet.rows.push(row);
+            sheet.add(&[id], numbers.map(|x| x.map(|x| self.digits(x))));
         }
         let text =
             format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
         sheet.note("loss", text);
-        let sliding = slip.shift_at(SLIDING)?;
-        self.check_amplitude(sheet, amplitude, sliding);
-        let limit = rounded(slip.limit()?);
-        let (percent, sliding) = (100.0 * SLIDING, rounded(sliding));
+        let [limit, sliding] = [slip.limit()?, slip.shift_at(SLIDING)?].map(rounded);
+        let percent = 100.0 * SLIDING;
         let text = format!(
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
@@ -111,56 +110,39 @@ impl Slip<'_> {
 
     /// A row for each cycle; blank where there is none.
     fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude], sheet: &mut Sheet) -> Outcome {
-        let shift = match amplitudes {
-            [Amplitude::Shift(shift), ..] => Some(*shift),
-            _ => None,
-        };
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
-        let given = if shift.is_some() { FORCES } else { SHIFTS };
-        sheet.under(&[&heads, &given]);
-        let (mut reasons, mut farthest, mut answered) = (vec![], 0.0_f64, false);
+        let by_shift = matches!(amplitudes, [Amplitude::Shift(_), ..]);
+        sheet.under(&[&heads, if by_shift { &FORCES } else { &SHIFTS }]);
+        let (id, scene) = (self.subject.id, &self.subject.file.scene);
+        let (mut blanks, mut answered) = (Blanks::default(), false);
         for &at in preloads {
             let known = self.at(at);
-            let mut refused: Vec<String> = vec![];
+            let given = [at.load(scene), at.pressure(scene), None];
+            let place = known.as_ref().map_or(given, |(_, numbers)| numbers.map(Some));
             for &amplitude in amplitudes {
-                let found = match &known {
-                    Ok((slip, _)) => self.under(slip, amplitude),
-                    Err(error) => Err(error.clone().into()),
-                };
-                answered |= found.is_ok();
-                let cycle = found.map(|cycle| cycle.map(Some)).unwrap_or_else(|error| {
-                    refused.push(error.to_string());
-                    match amplitude {
-                        Amplitude::Shift(_) => [None; 5],
-                        Amplitude::Force(force) => [Some(force), None, None, None, None],
+                let cycle = known.as_ref().map_err(|error| error.clone().into());
+                let cycle = match cycle.and_then(|(slip, _)| self.under(slip, amplitude)) {
+                    Ok(cycle) => {
+                        answered = true;
+                        cycle.map(Some)
                     }
-                });
-                farthest = farthest.max(cycle[4].unwrap_or(0.0));
-                let place = match &known {
-                    Ok((_, preload)) => preload.map(Some),
-                    Err(_) => self.given(at),
+                    Err(error) => {
+                        blanks.count("cycle", error.to_string());
+                        let force = match amplitude {
+                            Amplitude::Shift(_) => None,
+                            Amplitude::Force(force) => Some(force),
+                        };
+                        [force, None, None, None, None]
+                    }
                 };
-                let mut row = vec![Cell::from(self.subject.id)];
-                row.extend(place.into_iter().chain(cycle).map(Cell::from));
-                sheet.rows.push(row);
-            }
-            match shift {
-                Some(_) => reasons.extend(refused),
-                None => reasons.extend(by_size(refused, amplitudes.len())),
+                sheet.add(&[id], place.into_iter().chain(cycle));
             }
         }
-        if !answered && !reasons.is_empty() {
-            reasons.truncate(if shift.is_some() { 1 } else { reasons.len() });
-            return Err(reasons.join("; ").into());
+        let reasons = blanks.texts(sheet.rows.len());
+        if !answered {
+            return Err(reasons.collect::<Vec<_>>().join("; ").into());
         }
-        let id = self.subject.id;
-        let blank = if shift.is_some() { "the row of a preload is blank: " } else { "" };
-        for reason in reasons {
-            self.subject.warn_blank(sheet, format!("{id}: {blank}{reason}"));
-        }
-        if let Some(shift) = shift {
-            self.check_amplitude(sheet, shift, farthest);
-        }
+        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
         Ok(())
     }
 
@@ -171,9 +153,8 @@ impl Slip<'_> {
             Amplitude::Shift(_) => slip.force(shift)?.value(),
             Amplitude::Force(force) => force,
         };
-        let (loss, factor) = (slip.loss(shift)?.value(), slip.loss_factor(shift)?);
-        let numbers = [force / shift, loss, factor].map(|x| self.digits(x));
-        let [stiffness, loss, factor] = numbers;
+        let numbers = [force / shift, slip.loss(shift)?.value(), slip.loss_factor(shift)?];
+        let [stiffness, loss, factor] = numbers.map(|x| self.digits(x));
         Ok(match amplitude {
             Amplitude::Shift(_) => {
                 let [force, sliding] = [force, slip.shift_at(SLIDING)?].map(|x| self.digits(x));
@@ -181,39 +162,6 @@ impl Slip<'_> {
             }
             Amplitude::Force(_) => [force, self.digits(shift), stiffness, loss, factor],
         })
-    }
-
-    /// Load \[N\], pressure \[Pa\] and separation over σ_z of a preload, of those that are given.
-    fn given(&self, preload: At) -> [Option<f64>; 3] {
-        let scene = &self.subject.file.scene;
-        match preload {
-            At::Separation(at) => [None, None, self.subject.place(at, SeparationUnit::Sigma).ok()],
-            at => [at.load(scene), at.pressure(scene), None],
-        }
-    }
-
-    /// All three of a preload: what is given has its own digits.
-    fn preload(&self, preload: At, joint: &Unloading) -> Result<[f64; 3], ContactError> {
-        let [load, pressure, separation] = self.given(preload);
-        let load = load.map_or_else(|| joint.force(0.0).map(|force| force.value()), Ok)?;
-        let closest = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
-        let pressure = pressure.unwrap_or(load / self.subject.file.scene.nominal_area);
-        Ok([load, pressure, separation.unwrap_or(closest)])
-    }
-
-    /// Warns of an amplitude far beyond the shift of gross slip or the heights of the asperities.
-    fn check_amplitude(&self, sheet: &mut Sheet, amplitude: f64, sliding: f64) {
-        let height_std = self.subject.file.scene.surface.asperity_height_std;
-        let limits = [(sliding, "the shift of gross slip"), (height_std, "asperity_height_std")];
-        let beyond = limits.iter().filter(|(length, _)| amplitude > FAR * length);
-        let times =
-            |(length, name): &(f64, &str)| format!("{:.0e} times {name}", amplitude / length);
-        let beyond = beyond.map(times).collect::<Vec<_>>().join(" and ");
-        if !beyond.is_empty() {
-            let amplitude = shortest_digits(amplitude);
-            let advice = "write lengths with their unit, for example 100nm";
-            sheet.warn("amplitude", format!("amplitude is {amplitude} m, {beyond}; {advice}"));
-        }
     }
 }
 
@@ -234,28 +182,8 @@ fn shift_of(slip: &PartialSlip, amplitude: Amplitude) -> Outcome<f64> {
         let ContactError::OutOfRange { field: "tangential_force", .. } = error else {
             return Err(error.into());
         };
-        let limit = slip.limit()?;
-        let digits = [force, limit].map(rounded);
-        // Forces that differ in later digits only.
-        let equal = digits[0] == digits[1];
-        let ten = |x: f64| shortest_digits(format!("{x:.9e}").parse().unwrap_or(x));
-        let [shown, of] = if equal { [force, limit].map(ten) } else { digits };
-        let is = if force < limit { "is within the tolerance of" } else { "is not below" };
-        Err(format!("a tangential force of {shown} N {is} mu F = {of} N: {SLIDES}").into())
-    })
-}
-
-/// The reasons of forces without a cycle: those that are too large are no reason for those that
-/// are too small.
-fn by_size(refused: Vec<String>, all: usize) -> impl Iterator<Item = String> {
-    let (large, small): (Vec<_>, Vec<_>) =
-        refused.into_iter().partition(|reason| reason.ends_with(SLIDES));
-    [large, small].into_iter().filter_map(move |refused| {
-        let first = refused.first()?;
-        Some(match refused.len() {
-            1 if all == 1 => first.clone(),
-            1 => format!("1 of {all} forces has no cycle: {first}"),
-            count => format!("{count} of {all} forces have no cycle, first: {first}"),
-        })
+        let (force, limit) = (shortest_digits(force), rounded(slip.limit()?));
+        Err(format!("a tangential force of {force} N reaches mu F = {limit} N: the joint slides")
+            .into())
     })
 }

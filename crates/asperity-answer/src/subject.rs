@@ -40,11 +40,6 @@ impl Sheet {
     pub(crate) fn report(&mut self, file: &SceneFile, found: Findings) {
         self.extend(file.accepted(found).at_least(Severity::Warning));
     }
-
-    /// Names the columns.
-    pub(crate) fn under(&mut self, heads: &[&[&str]]) {
-        self.heads = heads.concat().into_iter().map(String::from).collect();
-    }
 }
 
 impl Subject<'_> {

@@ -3,15 +3,13 @@
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, linspace};
 
+use crate::blanks::Blanks;
 use crate::number::rounded;
 use crate::subject::{Subject, unit_warning};
-use crate::{AnswerError, Cell, Sheet};
+use crate::{AnswerError, Sheet};
 
 /// Number of default retreats.
 const POINTS: usize = 101;
-/// The reason for values of 0.
-pub(crate) const READ_0: &str =
-    "are 0: they are below the smallest f64, and far fewer than one asperity touches";
 
 /// Retreats from the closest approach, in a unit.
 pub type Retreats<'r> = (&'r [f64], SeparationUnit);
@@ -38,9 +36,10 @@ pub fn unloading(
             let opening = joint.unloading(closest)?;
             if opening.force(0.0)?.value() == 0.0 {
                 let at = opening.closest();
-                let text =
-                    format!("nothing touches at a separation of {at}; choose a smaller one");
-                return Err(text.into());
+                return Err(format!(
+                    "nothing touches at a separation of {at}; choose a smaller one"
+                )
+                .into());
             }
             let end = opening.last_contact();
             note_work(sheet, subject, &joint, closest);
@@ -48,13 +47,6 @@ pub fn unloading(
             // Only a default depends on the end of contact.
             last = last.into_iter().chain(end).reduce(f64::max);
             openings.push(opening);
-        }
-        if laws.contains(&UnloadingLaw::Brake) {
-            let text = "brake: the area jumps at the start; the row of retreat 0 has the area after the jump";
-            sheet.note("area-jumps", text);
-        }
-        if laws.len() > 1 && laws.contains(&UnloadingLaw::Etsion) {
-            sheet.note("no-area", "etsion: area_m2 is blank, as this law gives no area");
         }
         let retreats = match retreats {
             Some(given) => metres(sheet, subject, given),
@@ -111,25 +103,14 @@ fn note_work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: A
 
 /// Tells where contact ends.
 fn note_end(sheet: &mut Sheet, name: &str, end: &Result<f64, ContactError>) {
-    match end {
-        Ok(0.0) => {
-            let text = "even at the closest approach, fewer than one asperity touches on average";
-            sheet.warn("few-contacts", format!("{name}: {text}"));
-        }
-        Ok(end) => {
-            let end = rounded(*end);
-            let text = "beyond which fewer than one asperity touches on average";
-            let text = format!("{name}: contact ends at a retreat of {end} m, {text}");
-            sheet.note("end-of-contact", text);
-        }
-        Err(error) => {
-            let text = format!("{name}: the end of contact was not found: {error}");
-            sheet.note("no-end-of-contact", text);
-        }
+    match end.as_ref().map(|end| (*end, rounded(*end))) {
+        Ok((0.0, _)) => sheet.warn("few-contacts", format!("{name}: even at the closest approach, fewer than one asperity touches on average")),
+        Ok((_, end)) => sheet.note("end-of-contact", format!("{name}: contact ends at a retreat of {end} m, beyond which fewer than one asperity touches on average")),
+        Err(error) => sheet.note("no-end-of-contact", format!("{name}: the end of contact was not found: {error}")),
     }
 }
 
-/// The rows of one law, with warnings of blanks and zeros.
+/// The rows of one law, with a warning of blanks.
 fn add_rows(
     sheet: &mut Sheet,
     subject: &Subject<'_>,
@@ -139,45 +120,30 @@ fn add_rows(
 ) -> Result<(), ContactError> {
     let (contact, law) = (&subject.file.scene, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
-    let row = |retreat: f64| {
-        let force = cell(opening.force(retreat))?;
-        let pressure = force.number().map(|force| force / contact.nominal_area);
-        let separation = closest + retreat / contact.surface.asperity_height_std;
-        let mut row: Vec<Cell> = vec![subject.id.into(), law.to_string().as_str().into()];
-        row.extend([retreat.into(), separation.into(), force, pressure.into()]);
-        if with_area {
-            row.push(if has_area(law) { cell(opening.area(retreat))? } else { Cell::BLANK });
-        }
-        row.extend([cell(opening.stiffness(retreat))?, cell(opening.contacts(retreat))?]);
-        Ok(row)
-    };
-    let rows: Vec<Vec<Cell>> =
-        retreats.iter().map(|retreat| row(*retreat)).collect::<Result<_, _>>()?;
-    let context = format!("{} by {law}", subject.id);
-    let blank = rows.iter().flatten().find_map(|cell| match cell {
-        Cell::Blank(Some(reason)) => Some(reason),
-        _ => None,
-    });
-    if let Some(reason) = blank {
-        subject.warn_blank(sheet, format!("{context}: a value is blank: {reason}"));
-    }
-    let is_0 = |row: &&Vec<Cell>| row[4..].contains(&Cell::Number(0.0));
-    let zeros = rows.iter().filter(is_0).filter_map(|row| row[2].number());
-    if let Some(from) = zeros.reduce(f64::min).map(rounded) {
-        let text = format!("{context}: from a retreat of {from} m on, values {READ_0}");
-        subject.warn_blank(sheet, text);
-    }
-    sheet.rows.extend(rows);
-    Ok(())
-}
-
-/// A value; blank where its integral fails.
-fn cell(found: Result<Evaluation, ContactError>) -> Result<Cell, ContactError> {
-    match found {
-        Ok(found) => Ok(found.value().into()),
+    let (name, mut blanks) = (law.to_string(), Blanks::default());
+    // Blank where the integral fails.
+    let mut value = |found: Result<Evaluation, ContactError>| match found {
+        Ok(found) => Ok(Some(found.value())),
         Err(error @ ContactError::Integral { .. }) => {
-            Ok(Cell::Blank(Some(error.to_string().into())))
+            blanks.count("value", error.to_string());
+            Ok(None)
         }
         Err(error) => Err(error),
+    };
+    for &retreat in retreats {
+        let force = value(opening.force(retreat))?;
+        let pressure = force.map(|force| force / contact.nominal_area);
+        let separation = closest + retreat / contact.surface.asperity_height_std;
+        let mut numbers = vec![Some(retreat), Some(separation), force, pressure];
+        if with_area {
+            numbers.push(if has_area(law) { value(opening.area(retreat))? } else { None });
+        }
+        numbers.push(value(opening.stiffness(retreat))?);
+        numbers.push(value(opening.contacts(retreat))?);
+        sheet.add(&[subject.id, &name], numbers);
     }
+    for text in blanks.texts(retreats.len()) {
+        subject.warn_blank(sheet, format!("{} by {law}: {text}", subject.id));
+    }
+    Ok(())
 }

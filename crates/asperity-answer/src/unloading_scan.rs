@@ -3,11 +3,11 @@
 use asperity::bem::{BemError, LoadCase};
 use asperity::{At, Datum, Separation, SeparationUnit, linspace};
 
-use crate::models::once;
+use crate::blanks::Blanks;
 use crate::number::rounded;
 use crate::subject::Subject;
 use crate::unloading::{Retreats, metres};
-use crate::{AnswerError, Cell, Sheet, Watch};
+use crate::{AnswerError, Sheet, Watch};
 
 /// Number of default retreats: each takes some solutions.
 const POINTS: usize = 21;
@@ -44,31 +44,30 @@ pub fn unloading_scan(
         let found = path.at_retreats(&retreats, |progress| {
             watch.step(&format!("{id}: retreat {} of {}", progress.done + 1, retreats.len()))
         });
-        let mut reasons: Vec<String> = vec![];
+        let mut blanks = Blanks::default();
         for (retreat, found) in retreats.iter().zip(found) {
             let found = match found {
                 Ok(found) => found,
                 Err(BemError::Cancelled) => continue,
                 Err(error) => {
-                    reasons.push(format!("at a retreat of {} m: {error}", rounded(*retreat)));
+                    let at = rounded(*retreat);
+                    blanks.count("value", format!("at a retreat of {at} m: {error}"));
                     continue;
                 }
             };
             let place = Separation::metres(found.mean_gap).from_surface_mean();
             let stiffness = found.stiffness.transpose().unwrap_or_else(|error| {
-                reasons.push(format!("no stiffness: {error}"));
+                blanks.count("stiffness", format!("no stiffness: {error}"));
                 None
             });
             let (pressure, area) = (found.mean_pressure, contact.nominal_area);
             let separation = subject.place(place, SeparationUnit::Sigma)?;
             let numbers = [*retreat, separation, pressure * area, pressure, found.area * area];
-            let mut row = vec![Cell::from(id), Cell::from("own")];
-            row.extend(numbers.map(Cell::from));
-            row.push(stiffness.map(|stiffness| stiffness * area).into());
-            sheet.rows.push(row);
+            let stiffness = stiffness.map(|stiffness| stiffness * area);
+            sheet.add(&[id, "own"], numbers.map(Some).into_iter().chain([stiffness]));
         }
-        for reason in once(&reasons) {
-            subject.warn_blank(sheet, format!("{id}: {reason}"));
+        for text in blanks.texts(retreats.len()) {
+            subject.warn_blank(sheet, format!("{id}: {text}"));
         }
         if sheet.rows.is_empty() {
             return Err("no retreat was solved".into());

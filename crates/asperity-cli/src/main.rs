@@ -17,25 +17,19 @@ use clap::{CommandFactory, Parser};
 /// boundary elements
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, arg_required_else_help = true)]
-#[command(after_help = "Examples:
-  asperity init scene.toml
-  asperity curve scene.toml --model gw,ke --separation 0:4:5 --format table
-  asperity curve scene.toml --model ke --load 100
-
-Results go to standard output; errors, warnings and notes go to standard error.
-Exit code: 0 done; 1 bad input, or a result that an error declares invalid; 2 bad usage.")]
+#[command(after_help = include_str!("help/asperity.txt"))]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
     /// Print errors only, without warnings and notes
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = 100)]
     quiet: bool,
 }
 
 fn main() -> ExitCode {
     input::set_program(Cli::command);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let Cli { command, quiet } = Cli::parse_from(arguments);
+    let Cli { command, quiet } = Cli::parse_from(input::former::renamed(arguments));
     output::set_quiet(quiet);
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,

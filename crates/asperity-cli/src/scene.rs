@@ -6,7 +6,7 @@ use anyhow::{Context, Error, Result};
 use asperity::{Findings, Severity, Tolerance};
 pub use asperity_answer::{ALL_MODELS, NamedModel};
 use asperity_answer::{
-    AnswerError, Sheet, Subject, one_model, one_or_usual, reference, scene_findings, use_asperities,
+    AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
 use asperity_inputs::SceneFile;
 
@@ -80,19 +80,14 @@ impl LoadedScene {
         }
     }
 
-    /// The reference model: the usual one unless another is given.
-    pub fn reference(&self, requested: Option<&str>) -> Result<NamedModel> {
-        Ok(self.answer(|sheet| reference(&self.file, requested, sheet))?.1)
+    /// The model of this id, or the usual one, with the scene's options; an error if the scene has
+    /// not what it needs.
+    pub fn model(&self, requested: Option<&str>) -> Result<NamedModel> {
+        Ok(self.answer(|sheet| one_model(&self.file, requested, sheet))?.1)
     }
 
-    /// The usual model where none is asked for; a note tells of a hardness that may be forgotten.
-    pub fn default_model(&self) -> Result<NamedModel> {
-        Ok(self.answer(|sheet| one_or_usual(&self.file, &self.name, None, sheet))?.1)
-    }
-
-    /// A model with the scene's options, under the given name; an error if the scene has not what
-    /// it needs.
-    pub fn model(&self, id: &str) -> Result<NamedModel> {
-        Ok(self.answer(|sheet| one_model(&self.file, id, sheet))?.1)
+    /// The same with a note where the usual one may ignore a hardness that was forgotten.
+    pub fn one_or_usual(&self, id: Option<&str>) -> Result<NamedModel> {
+        Ok(self.answer(|sheet| one_or_usual(&self.file, &self.name, id, sheet))?.1)
     }
 }

@@ -44,6 +44,7 @@ pub use likely::{
     gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point, without_thousands,
 };
 pub use materials::{Material, materials, materials_like};
+pub use measured_keys::MeasuredKeys;
 pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use numbers::{Roughness, interface_of};

@@ -57,7 +57,8 @@ impl Scan {
             Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
             None => read(&path, options),
         };
-        let prepared = read.and_then(|read| self.keys.prepare(read));
+        let prepared =
+            read.and_then(|read| self.keys.clean(read)).and_then(|clean| self.keys.prepare(clean));
         prepared.map_err(|error| self.refused(document, error))
     }
 

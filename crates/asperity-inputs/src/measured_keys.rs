@@ -12,18 +12,29 @@ use crate::document::Document;
 
 /// The keys for measured files of `[surface]` or its counterface.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct MeasuredKeys {
-    pub(crate) file: Option<PathBuf>,
-    pub(crate) files: Option<Vec<PathBuf>>,
-    pub(crate) estimator: Estimator,
-    pub(crate) level: Option<Level>,
-    pub(crate) filter: Option<f64>,
-    pub(crate) smooth: Option<f64>,
-    pub(crate) periodic: bool,
-    pub(crate) aligned: Option<Alignment>,
-    fill_missing: bool,
-    despike: bool,
-    pub(crate) options: ReadOptions,
+pub struct MeasuredKeys {
+    /// The file of one scan.
+    pub file: Option<PathBuf>,
+    /// The files of two surfaces in contact.
+    pub files: Option<Vec<PathBuf>>,
+    /// How asperities are estimated.
+    pub estimator: Estimator,
+    /// The form removed; the usual one by default.
+    pub level: Option<Level>,
+    /// Long-wavelength cut-off \[m\].
+    pub filter: Option<f64>,
+    /// Short-wavelength cut-off \[m\].
+    pub smooth: Option<f64>,
+    /// Whether the scan is periodic.
+    pub periodic: bool,
+    /// How the points of two scans meet, if they do.
+    pub aligned: Option<Alignment>,
+    /// Whether missing points are filled.
+    pub fill_missing: bool,
+    /// Whether outliers are replaced.
+    pub despike: bool,
+    /// How files are read.
+    pub options: ReadOptions,
 }
 
 /// `aligned`: whether points of two scans meet, and which.
@@ -78,11 +89,21 @@ impl MeasuredKeys {
         })
     }
 
-    /// The scan, despiked, levelled, filled and filtered.
-    pub(crate) fn prepare(&self, read: Topography) -> Result<Topography, TopographyError> {
+    /// The scan without outliers, if they are replaced.
+    ///
+    /// # Errors
+    /// Those of [`Topography::despiked`].
+    pub fn clean(&self, read: Topography) -> Result<Topography, TopographyError> {
         let read = read.with_periodic(self.periodic);
-        let read = if self.despike { read.despiked()? } else { read };
-        let mut topography = read.levelled(self.level)?;
+        if self.despike { read.despiked() } else { Ok(read) }
+    }
+
+    /// A clean scan levelled, filled and filtered.
+    ///
+    /// # Errors
+    /// Those of these steps.
+    pub fn prepare(&self, clean: Topography) -> Result<Topography, TopographyError> {
+        let mut topography = clean.levelled(self.level)?;
         if self.fill_missing {
             topography = topography.fill()?;
         }

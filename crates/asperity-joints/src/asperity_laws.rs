@@ -72,7 +72,7 @@ impl AsperityLaws {
         }
         if model.validity().adhesive {
             return Err(unsupported(
-                "with adhesion, use the model jkr-separation for the unloading curve of jkr, or the quantity unloading-stiffness for small vibrations",
+                "with adhesion, the curve of the model jkr-separation is the unloading curve of jkr, and the quantity unloading-stiffness is for small vibrations",
             ));
         }
         let one = model

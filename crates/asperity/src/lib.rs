@@ -40,7 +40,9 @@ pub use asperity_zmc::ZhaoMaiettaChang;
 pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue};
 pub use evidence::{Compared, Evidence, EvidenceCase, EvidenceRow};
 #[cfg(feature = "evidence")]
-pub use evidence::{Estimate, ExpectedContact, Ratio, SurfaceShape};
+pub use evidence::{
+    Estimate, ExpectedContact, Ratio, SurfaceShape, compile_compared, compile_known,
+};
 #[cfg(feature = "evidence")]
 pub use ranking::nearest_to_bem;
 #[cfg(feature = "evidence")]

@@ -11,7 +11,7 @@ use asperity::{At, ContactModel, Quantity, Request, shortest_digits};
 
 use super::error_bound::bounds;
 use super::kinks::{kinks, pieces};
-use super::text::check_nodes;
+use super::text::{check_nodes, filled};
 use super::{ConductanceAgainst, ContactNode, ContactTable, Export, TableFormat};
 use crate::subject::{Outcome, Subject};
 
@@ -43,36 +43,25 @@ impl ContactTable {
         };
         let nodes = self.nodes.iter().map(|node| node.separation);
         let pairs = nodes.map(|s| Ok((s, of(s.into())?))).collect::<Outcome<Vec<Conducting>>>()?;
-        let error = self.line_error(export, &of, &pairs, by_pressure)?;
-        let last_error = self.last_error(&of, &pairs, by_pressure)?;
-        let nodes = pairs.len();
+        let [error, last_error] = self.line_errors(export, &of, &pairs, by_pressure)?;
         if calculix {
-            check_nodes(nodes, MOST_PAIRS - 1, "*GAP CONDUCTANCE of CalculiX")?;
+            check_nodes(pairs.len(), MOST_PAIRS - 1, "*GAP CONDUCTANCE of CalculiX")?;
         }
-        let named = against.name();
-        let mut text = format!(
-            "** thermal conductance against {named}, in {} and {}, of contacts in vacuum that are
-** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e},
-** and {last_error:.3e} at {PROBES} points of the line from the lightest of them to no conductance
-",
-            units.conductance,
-            if by_pressure { units.pressure } else { units.length }
-        );
-        text += &units.conversion(1, "**");
+        let blanks = [
+            ("variable", against.name()),
+            ("unit", units.conductance),
+            ("unit_of_variable", if by_pressure { units.pressure } else { units.length }),
+            ("nodes", &pairs.len().to_string()),
+            ("error", &format!("{error:.3e}")),
+            ("last_error", &format!("{last_error:.3e}")),
+            ("probes", &PROBES.to_string()),
+            ("converted", &units.conversion(1, "**")),
+        ];
+        let mut text = filled(include_str!("forms/conductance.txt"), &blanks);
         text += match (calculix, by_pressure) {
-            (true, _) => "** constant beyond the last pair; the third number is a temperature, and of no effect
-** with the table above no heat flows in ccx 2.20, which knows the pressure with
-** *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR and SURFACE TO SURFACE only: replace the table by
-** that if heat is needed
-*GAP CONDUCTANCE
-",
-            (_, true) => "** not verified: what Abaqus does beyond the last pair, and at clearances that carry pressure
-*GAP CONDUCTANCE, PRESSURE
-",
-            _ => "** clearances as in the overclosures above, with the other sign; beyond the last there is none;
-** not verified: what Abaqus does at clearances below 0
-*GAP CONDUCTANCE
-",
+            (true, _) => include_str!("forms/conductance_calculix.txt"),
+            (_, true) => include_str!("forms/conductance_pressure.txt"),
+            _ => include_str!("forms/conductance_clearance.txt"),
         };
         let mut lines = vec![];
         for (separation, [pressure, conductance]) in pairs {
@@ -80,10 +69,7 @@ impl ContactTable {
                 if by_pressure { pressure / units.pascals } else { export.length(separation)? };
             lines.push((place, conductance / units.watts));
         }
-        let end = match (by_pressure, self.cut_off()) {
-            (false, Some(separation)) => export.length(separation)?,
-            _ => 0.0,
-        };
+        let end = if by_pressure { 0.0 } else { export.length(self.cut_off)? };
         lines.push((end, 0.0));
         if by_pressure {
             lines.reverse();
@@ -95,17 +81,18 @@ impl ContactTable {
         Ok(text)
     }
 
-    /// The largest relative error of the lines between the nodes.
-    fn line_error(
+    /// The largest relative errors of the lines between the nodes, and of the line to the pair
+    /// without conductance, of which the model knows nothing.
+    fn line_errors(
         &self,
         export: &Export<'_>,
         of: &dyn Fn(At) -> Outcome<[f64; 2]>,
         pairs: &[Conducting],
         by_pressure: bool,
-    ) -> Outcome<f64> {
+    ) -> Outcome<[f64; 2]> {
         let kinks = kinks(&export.subject)?;
         let noise = 4.0 * export.subject.tolerance.relative();
-        let mut error = 0.0_f64;
+        let [mut error, mut last_error] = [0.0_f64; 2];
         for pair in pairs.windows(2) {
             let [(s0, [p0, h0]), (s1, [p1, h1])] = [pair[0], pair[1]];
             let errors = |separation: f64| {
@@ -120,29 +107,17 @@ impl ContactTable {
             let [found] = bounds(errors, &ends, (noise, f64::INFINITY))?;
             error = error.max(found + 0.5 * noise);
         }
-        Ok(error)
-    }
-
-    /// The relative error of the line to the pair without conductance, of which the model knows
-    /// nothing.
-    fn last_error(
-        &self,
-        of: &dyn Fn(At) -> Outcome<[f64; 2]>,
-        pairs: &[Conducting],
-        by_pressure: bool,
-    ) -> Outcome<f64> {
-        let mut error = 0.0_f64;
-        if let (Some((s0, [p0, h0])), Some(s1)) = (pairs.last().copied(), self.cut_off()) {
+        if let Some(&(s0, [p0, h0])) = pairs.last() {
             for t in (1..=PROBES).map(|k| k as f64 / (PROBES + 1) as f64) {
                 let at = match by_pressure {
                     true => At::Pressure((1.0 - t) * p0),
-                    false => (s0 + t * (s1 - s0)).into(),
+                    false => (s0 + t * (self.cut_off - s0)).into(),
                 };
                 let [_, h] = of(at)?;
-                error = error.max(((1.0 - t) * h0 / h - 1.0).abs());
+                last_error = last_error.max(((1.0 - t) * h0 / h - 1.0).abs());
             }
         }
-        Ok(error)
+        Ok([error, last_error])
     }
 
     /// Coulomb's friction with the model's tangential stiffness in stick, as `*FRICTION`: in Abaqus
@@ -161,27 +136,24 @@ impl ContactTable {
         };
         let [first, .., last] = &self.nodes[..] else { return Ok(String::new()) };
         let ([pressure, slope, slip], [light, light_slope, light_slip]) = (of(first)?, of(last)?);
-        let (stress, length) = (units.pressure, units.length);
-        let from = format!(
-            "** friction with the stiffness in stick at {pressure:.3e} {stress}, {slope:.3e} {stress}/{length}; the asperities' own
-** curve bends from the beginning on, up to the same limit\n"
-        );
-        Ok(match export.format {
-            TableFormat::Abaqus => format!(
-                "{from}** Abaqus/Standard takes the stiffness as mu p over the elastic slip, which is {slip:.3e} {length} there
-** and {light_slip:.3e} {length} at {light:.3e} {stress}; for Abaqus/Explicit, in its place (one stiffness for all pressures):
-** *FRICTION, SHEAR TRACTION SLOPE={slope:.9e}
-*FRICTION, ELASTIC SLIP={slip:.9e}
-{}
-",
-                shortest_digits(friction)
-            ),
-            _ => format!(
-                "{from}** ccx has one stick slope for all pressures; at {light:.3e} {stress} it would be {light_slope:.3e} {stress}/{length}
-*FRICTION
-{friction:.9e}, {slope:.9e}
-"
-            ),
-        })
+        let (form, shown) = match export.format {
+            TableFormat::Abaqus => {
+                (include_str!("forms/friction_abaqus.txt"), shortest_digits(friction))
+            }
+            _ => (include_str!("forms/friction_calculix.txt"), format!("{friction:.9e}")),
+        };
+        let rounded = [pressure, slope, slip, light, light_slope, light_slip];
+        let names = ["pressure", "slope", "slip", "light", "light_slope", "light_slip"];
+        let rounded = rounded.map(|number| format!("{number:.3e}"));
+        let [exact_slope, exact_slip] = [slope, slip].map(|number| format!("{number:.9e}"));
+        let mut blanks = vec![
+            ("stress", units.pressure),
+            ("length", units.length),
+            ("exact_slope", &exact_slope),
+            ("exact_slip", &exact_slip),
+            ("friction", &shown),
+        ];
+        blanks.extend(names.into_iter().zip(rounded.iter().map(|text| &**text)));
+        Ok(filled(form, &blanks))
     }
 }

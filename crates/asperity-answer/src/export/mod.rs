@@ -77,10 +77,9 @@ impl TableFormat {
         friction: Option<f64>,
     ) -> Result<(), String> {
         let of_solid = matches!(self, Self::Abaqus | Self::Calculix);
-        let by_clearance = conductance == Some(ConductanceAgainst::Clearance);
         let (what, known) = match (conductance, friction) {
             (Some(_), _) if !of_solid => ("conductance", "abaqus or calculix"),
-            _ if by_clearance && self == Self::Calculix => {
+            (Some(ConductanceAgainst::Clearance), _) if self == Self::Calculix => {
                 ("conductance against clearance", "abaqus")
             }
             (_, Some(_)) if !of_solid => ("friction", "abaqus or calculix"),

@@ -36,8 +36,10 @@ pub(crate) struct ContactTable {
     pub(crate) pressure_error: f64,
     /// Bound of the relative error of the stiffness between the nodes.
     pub(crate) stiffness_error: f64,
-    /// σ_z \[m\].
-    pub(crate) asperity_height_std: f64,
+    /// The separation over σ_z at which the tangent of the last node reaches pressure 0: a table
+    /// that ends there has no kink at the last node. The model's own pressure beyond the last node
+    /// is below that node's.
+    pub(crate) cut_off: f64,
 }
 
 impl ContactTable {
@@ -45,14 +47,6 @@ impl ContactTable {
     pub(crate) fn new(export: &Export<'_>) -> Outcome<Self> {
         let builder = Builder::new(&export.subject, export.format.interpolation())?;
         builder.between(export.ends, export.nodes, export.max_error)
-    }
-
-    /// The separation over σ_z at which the tangent of the last node reaches pressure 0: a table
-    /// that ends there has no kink at the last node. The model's own pressure beyond the last node
-    /// is below that node's.
-    pub(crate) fn cut_off(&self) -> Option<f64> {
-        let last = self.nodes.last()?;
-        Some(last.separation + last.pressure / last.stiffness / self.asperity_height_std)
     }
 }
 
@@ -152,9 +146,8 @@ impl Builder {
     }
 
     fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
-        let (mut pressure_error, mut stiffness_error) = (0.0, 0.0);
-        for pair in nodes.windows(2) {
-            let (from, to) = (&pair[0], &pair[1]);
+        let [mut pressure_error, mut stiffness_error] = [0.0_f64; 2];
+        for (from, to) in nodes.iter().zip(&nodes[1..]) {
             if !self.monotone(from, to) {
                 let (nodes, from, to) = (nodes.len(), from.separation, to.separation);
                 return Err(format!(
@@ -163,15 +156,12 @@ impl Builder {
                 .into());
             }
             let [pressure, stiffness] = self.errors(from, to, f64::INFINITY)?;
-            pressure_error = f64::max(pressure_error, pressure);
-            stiffness_error = f64::max(stiffness_error, stiffness);
+            pressure_error = pressure_error.max(pressure);
+            stiffness_error = stiffness_error.max(stiffness);
         }
-        Ok(ContactTable {
-            nodes,
-            pressure_error,
-            stiffness_error,
-            asperity_height_std: self.height_std(),
-        })
+        let last = nodes[nodes.len() - 1];
+        let cut_off = last.separation + last.pressure / last.stiffness / self.height_std();
+        Ok(ContactTable { nodes, pressure_error, stiffness_error, cut_off })
     }
 
     /// Slopes at both ends over the secant's: positive, because the pressure falls.

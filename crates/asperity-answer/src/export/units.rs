@@ -26,39 +26,33 @@ pub(crate) struct Units {
     pub(crate) pressure: &'static str,
     pub(crate) conductance: &'static str,
     /// Comments on conversion of lengths and of conductances; none for SI.
-    converted: [Option<&'static str>; 2],
+    converted: [&'static str; 2],
 }
 
-const SI: Units = Units {
-    per_metre: 1.0,
-    pascals: 1.0,
-    watts: 1.0,
-    length: "m",
-    pressure: "Pa",
-    conductance: "W/(m2 K)",
-    converted: [None; 2],
-};
-
-const MM_TONNE_S: Units = Units {
-    per_metre: 1e3,
-    pascals: 1e6,
-    watts: 1e3,
-    length: "mm",
-    pressure: "MPa",
-    conductance: "mW/(mm2 K)",
-    converted: [
-        Some("units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa"),
-        Some(
-            "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
-        ),
-    ],
-};
-
 impl UnitSystem {
-    pub(crate) fn units(self) -> &'static Units {
+    pub(crate) fn units(self) -> Units {
         match self {
-            Self::Si => &SI,
-            Self::MmTonneS => &MM_TONNE_S,
+            Self::Si => Units {
+                per_metre: 1.0,
+                pascals: 1.0,
+                watts: 1.0,
+                length: "m",
+                pressure: "Pa",
+                conductance: "W/(m2 K)",
+                converted: [""; 2],
+            },
+            Self::MmTonneS => Units {
+                per_metre: 1e3,
+                pascals: 1e6,
+                watts: 1e3,
+                length: "mm",
+                pressure: "MPa",
+                conductance: "mW/(mm2 K)",
+                converted: [
+                    "units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa",
+                    "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
+                ],
+            },
         }
     }
 }
@@ -71,7 +65,10 @@ impl Units {
 
     /// The lines on conversion of lengths (0) and conductances (1) behind this sign of a comment.
     pub(crate) fn conversion(&self, of: usize, comment: &str) -> String {
-        self.converted[of].map_or_else(String::new, |line| format!("{comment} {line}\n"))
+        match self.converted[of] {
+            "" => String::new(),
+            line => format!("{comment} {line}\n"),
+        }
     }
 }
 

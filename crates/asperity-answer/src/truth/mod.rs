@@ -5,10 +5,9 @@ mod sheet;
 
 use std::ops::ControlFlow;
 
-use asperity::bem::{Bem, BemError, LoadCase, Progress, Solution};
+use asperity::bem::{Bem, BemError, LoadCase, Progress};
 use asperity::{
-    At, Check, Contact, ContactError, ContactModel, Datum, Finding, Model, Quantity, Request,
-    Scene, SeparationUnit,
+    Check, Compared, Contact, ContactError, ContactModel, Finding, Model, Quantity, Request, Scene,
 };
 pub use sentences::{beside_table, summary, unranked};
 pub use sheet::truth;
@@ -85,29 +84,29 @@ pub fn compare_with_bem(
     let mut solved: Vec<Result<Kept, BemError>> =
         given.iter().map(|_| Err(BemError::Cancelled)).collect();
     elements.solve_each(&given, progress, |index, solution| {
-        solved[index] = solution.map(Kept::from);
+        solved[index] = solution.map(|found| (found.area, found.mean_gap, found.notes));
     });
-    let request = Request::new([Quantity::AreaFraction, Quantity::Tangent]);
+    let request = Request::new([Quantity::Area, Quantity::Tangent]);
     let contacts: Vec<_> =
         models.iter().map(|model| (model, model.compile(scene, &request))).collect();
     let rms_height = bem.map().rms_height();
     let answer = |(pressure, around): (&f64, &[Result<Kept, BemError>])| {
-        let here = around[1].clone()?;
+        let (area, gap, notes) = around[1].clone()?;
         let gaps = around[0].as_ref().ok().zip(around[2].as_ref().ok());
         let [lighter, heavier] = elements.pressures_around(*pressure);
         let force = (heavier - lighter) * scene.nominal_area;
         let bem = ContactState {
-            area_fraction: Some(here.area),
-            mean_gap: Some(here.gap),
+            area_fraction: Some(area),
+            mean_gap: Some(gap),
             // Where all touches, gaps no longer fall.
             stiffness: gaps
-                .map(|(light, heavy)| force / (light.gap - heavy.gap))
+                .map(|(light, heavy)| force / (light.1 - heavy.1))
                 .filter(|stiffness| stiffness.is_finite() && *stiffness > 0.0),
         };
         let (mut models, mut refused, mut missing) = (vec![], vec![], vec![]);
         for (model, contact) in &contacts {
             let (state, lacks) = match contact {
-                Ok(contact) => asked(contact.as_ref(), At::Pressure(*pressure)),
+                Ok(contact) => state(contact.as_ref(), *pressure),
                 Err(reason) => (ContactState::default(), Some(reason.clone())),
             };
             let area = state.area_fraction;
@@ -119,44 +118,25 @@ pub fn compare_with_bem(
                 None => missing.extend(lacks.map(|lacks| ((*model).clone(), lacks))),
             }
         }
-        let (pressure, notes) = (*pressure, here.notes);
-        Ok(Truth { pressure, bem, rms_height, notes, models, refused, missing })
+        Ok(Truth { pressure: *pressure, bem, rms_height, notes, models, refused, missing })
     };
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
 }
 
-/// What is kept of a solution: no maps.
-#[derive(Debug, Clone)]
-struct Kept {
-    area: f64,
-    gap: f64,
-    notes: Vec<Finding>,
-}
+/// Area, mean gap and notes of a solution, without its maps.
+type Kept = (f64, f64, Vec<Finding>);
 
-impl From<Solution> for Kept {
-    fn from(solution: Solution) -> Self {
-        Self { area: solution.area, gap: solution.mean_gap, notes: solution.notes }
-    }
-}
-
-/// The contact by a model, and the error of the first number that it lacks.
-fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) {
+/// The contact by a model at a pressure, and the error of the first number that it lacks.
+fn state(contact: &dyn Contact, pressure: f64) -> (ContactState, Option<ContactError>) {
     let mut lacks = None;
-    let mut kept = |found: Result<f64, ContactError>| match found {
-        Ok(found) => Some(found),
-        Err(reason) => {
-            lacks.get_or_insert(reason);
-            None
-        }
+    let mut value = |quantity: Compared| {
+        let found = quantity.of_contact(contact, pressure);
+        found.map_err(|reason| lacks.get_or_insert(reason).clone()).ok()
     };
-    let value = |quantity| contact.evaluate(quantity, at).map(|found| found.value());
-    let gap = contact.separation(at).and_then(|separation| {
-        separation.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact.scene())
-    });
     let state = ContactState {
-        area_fraction: kept(value(Quantity::AreaFraction)),
-        mean_gap: kept(gap.map(|gap| gap.value)),
-        stiffness: kept(value(Quantity::Tangent)),
+        area_fraction: value(Compared::Area),
+        mean_gap: value(Compared::MeanGap),
+        stiffness: value(Compared::Stiffness),
     };
     (state, lacks)
 }

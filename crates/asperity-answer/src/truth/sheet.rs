@@ -7,20 +7,16 @@ use asperity::{ContactError, Described, Finding, Model};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
-use crate::models::{by_reason, models_beside_bem, once};
+use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
-const COLUMNS: [&str; 10] = [
-    "load_N",
-    "pressure_Pa",
-    "model",
-    "area_fraction",
-    "area_deviation",
-    "mean_gap_m",
-    "mean_gap_deviation_over_sq",
-    "stiffness_N_per_m",
-    "stiffness_deviation",
-    "boundary",
+/// A number of a contact, or its deviation.
+type Number = fn(&ContactState) -> Option<f64>;
+/// The columns between the model and the boundary.
+const COLUMNS: [(&str, &str, Number); 3] = [
+    ("area_fraction", "area_deviation", |state| state.area_fraction),
+    ("mean_gap_m", "mean_gap_deviation_over_sq", |state| state.mean_gap),
+    ("stiffness_N_per_m", "stiffness_deviation", |state| state.stiffness),
 ];
 
 /// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean
@@ -37,8 +33,10 @@ pub fn truth(
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
-    sheet.under(&[&COLUMNS]);
-    let models = models_beside_bem(file, models, &[], sheet)?;
+    let numbers: Vec<&str> = COLUMNS.iter().flat_map(|(of, off, _)| [*of, *off]).collect();
+    sheet.under(&[&["load_N", "pressure_Pa", "model"], &numbers, &["boundary"]]);
+    let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
+    let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
     let solve = |bem: &Bem, models: &[Model]| {
         compare_with_bem(&file.scene, bem, pressures, models, |progress| {
             let all = 3 * pressures.len();
@@ -68,7 +66,7 @@ pub fn truth(
         truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
     };
     sheet.report(file, found.iter().flat_map(of_truth).collect());
-    for text in by_reason(&missing(&found)) {
+    for text in by_reason(missing(&found)) {
         sheet.warn("no-value", text);
     }
     sheet.note("nearest", summary(&found));
@@ -87,17 +85,10 @@ pub fn truth(
 }
 
 /// One reason per model and kind: others differ only in the load.
-fn missing(found: &[Truth]) -> Vec<(String, ContactError)> {
-    let mut missing: Vec<(String, ContactError)> = vec![];
-    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
-        let same = |(id, known): &(String, ContactError)| {
-            id == model.id() && discriminant(known) == discriminant(why)
-        };
-        if !missing.iter().any(same) {
-            missing.push((model.id().into(), why.clone()));
-        }
-    }
-    missing
+fn missing(found: &[Truth]) -> Vec<(&str, &ContactError)> {
+    let missing = found.iter().flat_map(|truth| &truth.missing);
+    let kinds = grouped(missing.map(|(model, why)| ((model.id(), discriminant(why)), why)));
+    kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
 }
 
 fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem): (f64, &Bem)) {
@@ -107,12 +98,7 @@ fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem):
         let off = truth.deviation(state);
         let mut row: Vec<Cell> =
             vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
-        let numbers = [
-            [state.area_fraction, off.area_fraction],
-            [state.mean_gap, off.mean_gap],
-            [state.stiffness, off.stiffness],
-        ];
-        row.extend(numbers.into_iter().flatten().map(Cell::from));
+        row.extend(COLUMNS.iter().flat_map(|(.., of)| [of(state).into(), of(&off).into()]));
         row.push(bem.continuation().name().into());
         sheet.rows.push(row);
     }

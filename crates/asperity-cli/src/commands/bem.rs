@@ -11,7 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{OutputArgs, file_ending, listed_model_id, refuse_same_place};
+use crate::input::args::{OutputArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
@@ -22,25 +22,7 @@ use crate::scene::LoadedScene;
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The scene names a scan: [surface] file = \"scan.txt\". The scan represents the
-whole nominal area, levelled and filtered by the scene's keys. The material is that of
-the scene and yields where the pressure reaches the hardness.
-Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
-pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
-planes), patches, iterations, residual; then those of --quantity, with the names that
-models have; with --refine the same on half the grid;
-boundary (periodic, periodic-part or free).
---compare solves the same contacts by models, with the asperities of the same scan. Deviations
-are relative to bem; of the mean gap, over the rms height of the scan.
-After Ctrl-C the loads solved so far are written; the exit code is 130.
-
-Examples:
-  asperity bem scan.toml --pressure 1e7,1e8
-  asperity bem scan.toml --load 1000 --elastic --boundary free --format json
-  asperity bem scan.toml --pressure 1e7:1e9:5:log --refine --output bem.csv --format csv
-  asperity bem scan.toml --pressure 1e7,1e8 --quantity unloading-stiffness
-  asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg
-  asperity bem scan.toml --pressure 1e7,1e8 --compare --model gw,ke"
+    after_help = include_str!("../help/bem.txt")
 )]
 pub struct BemCommand {
     /// Scene file that names a scan
@@ -49,10 +31,11 @@ pub struct BemCommand {
     #[command(flatten)]
     places: Places,
     /// Compare models with boundary elements: area, mean gap and stiffness, with deviations
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["quantities", "gaps", "map", "picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
+    #[arg(requires = "compare")]
     models: Vec<String>,
     /// Ignore the hardness: elastic, with unlimited pressures
     #[arg(long)]
@@ -127,26 +110,18 @@ impl Places {
 }
 
 impl BemCommand {
-    /// Compares models with boundary elements under the former name of that command.
-    pub fn run_truth(self) -> Result<()> {
-        self.compared("truth")
-    }
-
     pub fn run(self) -> Result<()> {
-        if self.compare {
-            return self.compared("bem");
-        }
-        if !self.models.is_empty() {
-            let text = "--model names models to compare with boundary elements; add --compare";
-            usage_error("bem", ErrorKind::MissingRequiredArgument, text);
-        }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), false)?;
+        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), self.compare)?;
         let given = self.places.given(scene.file.scene.nominal_area);
-        self.check(&given);
+        if self.picture.is_some() && given.len() > 1 {
+            let text = format!("--picture draws one load, not {}", given.len());
+            usage_error("bem", ErrorKind::ArgumentConflict, &text);
+        }
         let bem = self.bem(&scene)?;
+        let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
-            file: &scene.file,
-            name: &scene.name,
+            file,
+            name,
             bem: &bem,
             given: &given,
             quantities: &self.quantities,
@@ -154,54 +129,35 @@ impl BemCommand {
             keep: self.map.is_some() || self.picture.is_some(),
         };
         let watch = terminal()?;
-        let solve = |sheet: &mut Sheet| press.solve(sheet, &watch).map_err(reason);
-        let (sheet, maps) = scene.answer(solve)?;
-        drop(watch);
-        self.write_or_end(&sheet, given.len())?;
-        if let Some(path) = &self.map {
-            contact_map::write(path, &maps, bem.map().shape())?;
-        }
-        if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
-            let hardness = bem.hardness(&scene.file.scene.interface)?;
-            draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, &scene.name))?;
-        }
-        end_if_stopped(&sheet, given.len());
-        Ok(())
-    }
-
-    /// Writes the rows, unless the work was stopped before there were any.
-    fn write_or_end(&self, sheet: &Sheet, all: usize) -> Result<()> {
-        if sheet.rows.is_empty() {
-            interrupt::end(0, all);
-        }
-        self.output.write(sheet)
-    }
-
-    /// Compares models with boundary elements.
-    fn compared(&self, command: &str) -> Result<()> {
-        let only = "--quantity, --gap, --map and --picture are for boundary elements without models; leave them out";
-        let places = &self.places;
-        if !(self.quantities.is_empty() && places.gaps.is_empty())
-            || self.map.is_some()
-            || self.picture.is_some()
-        {
-            usage_error(command, ErrorKind::ArgumentConflict, only);
-        }
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), true)?;
-        let bem = self.bem(&scene)?;
-        let area = scene.file.scene.nominal_area;
-        let loads = places.loads.iter().flat_map(|list| &list.0).map(|load| load / area);
-        let pressures = places.pressures.iter().flat_map(|list| &list.0).copied();
-        let pressures: Vec<f64> = pressures.chain(loads).collect();
-        let (watch, refine) = (terminal()?, self.refine);
-        let fill = |sheet: &mut Sheet| {
-            truth((&scene.file, &scene.name, &bem), &self.models, &pressures, refine, sheet, &watch)
-                .map_err(reason)
+        let fill = |sheet: &mut Sheet| match self.compare {
+            true => {
+                let pressure = |given: &LoadCase| match given {
+                    LoadCase::MeanPressure(pressure) => Some(*pressure),
+                    _ => None,
+                };
+                let pressures: Vec<f64> = given.iter().filter_map(pressure).collect();
+                let scan = (file, name, &bem);
+                truth(scan, &self.models, &pressures, self.refine, sheet, &watch).map(|()| vec![])
+            }
+            false => press.solve(sheet, &watch),
         };
-        let (sheet, ()) = scene.answer(fill)?;
+        // The reason alone: it names the scene where that is meant.
+        let reason = |error: AnswerError| Error::msg(error.to_string());
+        let (sheet, maps) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
         drop(watch);
-        self.write_or_end(&sheet, pressures.len())?;
-        end_if_stopped(&sheet, pressures.len());
+        if !sheet.rows.is_empty() {
+            self.output.write(&sheet)?;
+            if let Some(path) = &self.map {
+                contact_map::write(path, &maps, bem.map().shape())?;
+            }
+            if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
+                let hardness = bem.hardness(&file.scene.interface)?;
+                draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, name))?;
+            }
+        }
+        if sheet.rows.is_empty() || interrupt::requested() {
+            interrupt::end(sheet.rows.len(), given.len());
+        }
         Ok(())
     }
 
@@ -218,32 +174,6 @@ impl BemCommand {
         };
         show(bem.note().as_slice());
         Ok(bem)
-    }
-
-    /// Refuses options that exclude each other.
-    fn check(&self, given: &[LoadCase]) {
-        if self.picture.is_some() && given.len() > 1 {
-            let text = format!("--picture draws one load, not {}", given.len());
-            usage_error("bem", ErrorKind::ArgumentConflict, &text);
-        }
-        let others = [self.picture.as_deref(), self.map.as_deref()];
-        let texts = [
-            "--output, --picture and --map name the same file; choose different names",
-            "--map - and --picture - use standard output; name a file for the data with --output",
-        ];
-        refuse_same_place("bem", self.output.output.as_deref(), &others, texts);
-    }
-}
-
-/// The reason alone: it names the scene where that is meant.
-fn reason(error: AnswerError) -> Error {
-    Error::msg(error.to_string())
-}
-
-/// Ends the program after stopped work, of which the rows so far are written.
-fn end_if_stopped(sheet: &Sheet, all: usize) {
-    if interrupt::requested() {
-        interrupt::end(sheet.rows.len(), all);
     }
 }
 

@@ -17,16 +17,7 @@ use crate::scene::LoadedScene;
 /// Check a scene: derived numbers, unusual values, likely unit errors, validity of a model
 #[derive(Debug, Args)]
 #[command(
-    after_help = "With a load, pressure or separation, the table also has the contact area, the number of
-contacts and their interference, and findings on the validity of the model there.
-After an error, results are invalid until the number is corrected; exit code 1.
-json: {\"numbers\": {name: value}, \"findings\": [{code, severity, field, value,
-usual, message}]}.
-
-Examples:
-  asperity check scene.toml
-  asperity check scene.toml --load 1200
-  asperity check scene.toml --model gw --pressure 5e6 --format json"
+    after_help = include_str!("../help/check.txt")
 )]
 pub struct Check {
     /// Scene file; `asperity init` writes an example
@@ -65,7 +56,7 @@ impl Check {
         let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
-            let (_, model) = scene.reference(self.model.as_deref())?;
+            let (_, model) = scene.model(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)
         });
         let (mut checked, refused) = match answered {

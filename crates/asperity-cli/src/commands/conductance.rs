@@ -4,18 +4,15 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, nearest_hint, nearest_name, shortest_digits};
-use asperity_answer::{Conductance as Question, Gas, rounded};
+use asperity::{At, Interface, nearest_hint, nearest_name};
+use asperity_answer::{Conductance as Question, Gas};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;
-use super::conductivity::{
-    Conductivity, conductivity, interface_conductivity, missing_conductivity,
-};
 use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure, slope};
+use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
 use crate::output::print_message;
 use crate::scene::LoadedScene;
 
@@ -23,25 +20,7 @@ use crate::scene::LoadedScene;
 #[derive(Debug, Args)]
 #[command(
     group(ArgGroup::new("given").required(true)),
-    after_help = "Columns: model, load_N, pressure_Pa, relative_pressure,
-thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the conductance of
-the gas in the gap, at the model's separation from the mean plane, and their sum, the
-total_thermal_conductance_per_area_W_per_m2_per_K.
-cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for plastic contacts
-(plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
-for elastic contacts. sigma and m, the standard deviation of the heights and the mean absolute
-slope, are those of --sigma and --mean-slope, of the scan or, without both, of a Gaussian surface
-with the scene's asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
-power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
-sqrt(2) p/(E m) of 1e-5 to 0.012).
-Values are for contacts in vacuum; the models neglect their thermal interaction.
-
-Examples:
-  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
-  asperity conductance scene.toml --conductivity 50 --load 1kN --model ke,gw,jg --format csv
-  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um
-  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:20:log --output h.csv --plot h.svg
-  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --sigma 1.4um --mean-slope 0.14"
+    after_help = include_str!("../help/conductance.txt")
 )]
 pub struct Conductance {
     /// Scene file; `asperity init` writes an example
@@ -60,7 +39,7 @@ pub struct Conductance {
     /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2), or those of its two bodies, in
     /// W/(m K), instead of the scene's
     #[arg(long, value_name = "K|K1,K2", value_parser = interface_conductivity)]
-    conductivity: Option<Conductivity>,
+    conductivity: Option<f64>,
     /// Thermal conductivity of a gas in the gap, in W/(m K)
     #[arg(long, value_name = "K", value_parser = conductivity)]
     gas: Option<f64>,
@@ -80,9 +59,13 @@ pub struct Conductance {
 
 impl Conductance {
     pub fn run(self) -> Result<()> {
-        self.output.check("conductance");
-        self.check_gas();
-        self.check_roughness()?;
+        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
+            bail!("{found}")
+        }
+        if self.gas.is_some() && self.gas_parameter.is_none() {
+            let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
+            print_message("note", text);
+        }
         let scene = self.open()?;
         let question = Question {
             file: &scene.file,
@@ -102,14 +85,14 @@ impl Conductance {
         let ids: Vec<String> = self.models.iter().filter(is_model).cloned().collect();
         let mut scene = LoadedScene::load(&self.scene, &ids)?;
         let interface = &mut scene.file.scene.interface;
-        let Some(given) = &self.conductivity else {
+        let Some(given) = self.conductivity else {
             if interface.thermal_conductivity.is_none() {
-                bail!("{}: {}", scene.name, missing_conductivity(&scene.file))
+                let how = "set it in the scene, or use --conductivity";
+                bail!("{}: thermal_conductivity is missing: {how}", scene.name)
             }
             return Ok(scene);
         };
-        interface.thermal_conductivity = Some(given.value());
-        given.note();
+        interface.thermal_conductivity = Some(given);
         let found = interface.findings().into_iter();
         scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
         Ok(scene)
@@ -127,49 +110,17 @@ impl Conductance {
     }
 }
 
-/// A larger conductivity \[W/(m K)\] of a gas or a paste in the gap is unlikely.
-const MOST_GAS: f64 = 10.0;
-/// A larger standard deviation of the heights \[m\] is unlikely.
-const ROUGHEST: f64 = 1e-3;
+/// A conductivity \[W/(m K)\].
+fn conductivity(text: &str) -> Result<f64, String> {
+    of_unit(text, "W/(m K)").and_then(positive)
+}
 
-/// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.
-const LONGEST_JUMP: f64 = 1e-2;
-
-impl Conductance {
-    /// Refuses numbers of the correlations that are in another unit.
-    fn check_roughness(&self) -> Result<()> {
-        if let Some(sigma) = self.sigma.filter(|sigma| *sigma > ROUGHEST) {
-            let given = shortest_digits(sigma);
-            bail!("--sigma is {given} m; {given} looks like um, written {given}um")
-        }
-        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
-            bail!("{found}")
-        }
-        Ok(())
-    }
-
-    /// Warns of an unlikely conductivity, and of a missing or unlikely temperature-jump distance.
-    fn check_gas(&self) {
-        if let Some(gas) = self.gas.filter(|gas| *gas > MOST_GAS) {
-            let [given, meant] = [gas, 1e-3 * gas].map(rounded);
-            let text = format!(
-                "--gas is {given} W/(m K); {given} looks like mW/(m K); {given} mW/(m K) is {meant} W/(m K)"
-            );
-            print_message("warning", &text);
-        }
-        match (self.gas, self.gas_parameter) {
-            (Some(_), None) => {
-                let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
-                print_message("note", text);
-            }
-            (_, Some(given)) if given > LONGEST_JUMP => {
-                let text = format!(
-                    "--gas-parameter is {given} m; {given} looks like um, about 0.37um for air at 1 bar"
-                );
-                print_message("warning", &text);
-            }
-            _ => {}
-        }
+/// The conductivity of an interface \[W/(m K)\], or of its two bodies.
+fn interface_conductivity(text: &str) -> Result<f64, String> {
+    match Numbers::read(text, conductivity)?.0[..] {
+        [one] => Ok(one),
+        [first, second] => Ok(Interface::mean_conductivity(first, second)),
+        ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
     }
 }
 

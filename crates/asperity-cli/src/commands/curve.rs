@@ -1,9 +1,9 @@
 //! `asperity curve`: quantities against separation or load; also `solve`, `compare`, `plan` and
 //! `pull-off`.
 
-use anyhow::{Context, Result, bail};
-use asperity::{At, ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, reference};
+use anyhow::{Context, Result};
+use asperity::{ContactModel, Quantity, Request, linspace};
+use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -22,42 +22,13 @@ const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
-separation_m, then the quantities with their units: force_N, area_m2.
-Where several separations carry a load (jg, at), the largest is used, the first on
-approach; a tension (dmt, jkr) has its stable separation, the smallest. Values that do not
-exist are blank; a message gives the reason.
-Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
-unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
-yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
-describes shear without slip.
-With --pull-off, jkr means jkr-separation, the branch on which surfaces separate. dmt is
-for small, hard asperities (tabor_parameter below 0.1), jkr for large, soft ones (above 5);
-`asperity check` prints the tabor_parameter.
-With --reference, deviations are relative to that model (differences for logarithms and
-shares), and 0 where two values differ by less than their error bounds.
-With --corrected each model has two sets of rows: ke, as it is, and ke-corrected with the
-intervals, which hold nine of ten surfaces.
-Default: force, area and tangent (at loads without the force) at separations of
-0:4:401 in units of asperity_height_std.
-
-Examples:
-  asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
-  asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
-  asperity curve scene.toml --model ke --load 1:1000:50:log --output loads.csv --plot loads.svg
-  asperity curve scene.toml --model ke --load 1kN --quantity tangent,unloading-stiffness
-  asperity curve scene.toml --model at --load 0.1,1,10 --all
-  asperity curve scene.toml --reference jg --load 10,100 --quantity area,mean-pressure
-  asperity curve scene.toml --model jg --separation 1um,2um --errors
-  asperity curve scene.toml --model ke --pressure 1e6,1e7,1e8 --corrected
-  asperity curve scene.toml --pull-off --work-of-adhesion 50mJ/m2 --format table
-  asperity curve scene.toml --plan --model ke --load 10:1000:50"
+    after_help = include_str!("../help/curve.txt")
 )]
 pub struct Curve {
     #[command(flatten)]
     asked: ModelArgs,
     /// Give every separation that carries the load, instead of the largest alone
-    #[arg(long)]
+    #[arg(long, requires = "given")]
     all: bool,
     /// Add a column <quantity>_error with a bound on the relative error of each quantity (on the
     /// absolute error for logarithms and shares)
@@ -65,7 +36,7 @@ pub struct Curve {
     errors: bool,
     /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
     /// with columns <quantity>_lower and _upper, also for the separation; at loads only
-    #[arg(long, conflicts_with_all = ["errors", "all"])]
+    #[arg(long, requires = "given", conflicts_with_all = ["errors", "all"])]
     corrected: bool,
     /// Add a column <quantity>_deviation relative to this model
     #[arg(long, value_name = "M", value_parser = model_id)]
@@ -90,7 +61,7 @@ pub struct Curve {
 impl Curve {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
-        if self.plan || command == "plan" {
+        if self.plan {
             return self.print_plan();
         }
         if self.pull_off || command == "pull-off" {
@@ -100,17 +71,12 @@ impl Curve {
             let text = "--work-of-adhesion is for --pull-off; add it";
             usage_error(command, ErrorKind::MissingRequiredArgument, text);
         }
-        self.output.check(command);
         // The former command of comparisons always has a reference, at one separation.
         let compares = command == "compare";
         let ids = if compares { &[][..] } else { &self.asked.models };
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
         let request = self.asked.request(&scene.file, &separations, &USUAL);
-        if self.all && matches!(request.at.first(), Some(At::Separation(_))) {
-            let text = "--all needs --load or --pressure";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
-        }
         let (sheet, ()) =
             scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
@@ -125,14 +91,10 @@ impl Curve {
     ) -> Result<()> {
         let reference = match (self.reference.as_deref(), compares) {
             (None, false) => None,
-            (id, _) => Some(reference(file, id, sheet)?),
+            (id, _) => Some(one_model(file, id, sheet)?),
         };
-        let models = models(file, &self.asked.models, &request.quantities, sheet)?;
-        if self.corrected && request.at.iter().any(|at| matches!(at, At::Separation(_))) {
-            bail!(
-                "--corrected needs --load or --pressure: models are compared with boundary elements at equal loads"
-            );
-        }
+        let models =
+            models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
         let beside = match reference {
             Some(reference) => Beside::Deviations(reference),
             None if self.corrected => Beside::Intervals,
@@ -147,8 +109,9 @@ impl Curve {
     fn print_plan(&self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene, &[])?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
-        let find =
-            |sheet: &mut _| models(&scene.file, &self.asked.models, &request.quantities, sheet);
+        let find = |sheet: &mut _| {
+            models(&scene.file, &self.asked.models, SceneFile::models, &request.quantities, sheet)
+        };
         let mut plans = String::new();
         for (id, model) in scene.answer(find)?.1 {
             let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));

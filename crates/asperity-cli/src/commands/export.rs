@@ -9,10 +9,10 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
-use crate::input::args::{one_model_id, separation_unit};
+use crate::input::args::{model_id, separation_unit};
 use crate::input::distances::{Length, warn_unit};
 use crate::input::lists::{Span, range};
-use crate::input::numbers::{error_below_1, friction, load, pressure};
+use crate::input::numbers::{friction, load, pressure, share};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -20,31 +20,14 @@ use crate::scene::LoadedScene;
 /// Pressure against clearance as a table for a finite-element code
 #[derive(Debug, Args)]
 #[command(
-    after_help = "csv holds the pressure and its tangent (its exact slope) at every node. Read as
-cubics (Hermite), both are continuous, as Newton's method needs.
-abaqus and calculix hold *SURFACE BEHAVIOR with pairs of pressure and
-overclosure, which the codes join by straight lines; ansys holds the real
-constants of a nonlinear spring (COMBIN39) that carries the nominal area.
-All state a bound of the interpolation error between the nodes; --max-error adds
-nodes until it is met. The N nodes of A:B:N are at equal distances of clearance.
---conductance adds *GAP CONDUCTANCE at the same nodes, --friction adds *FRICTION
-that begins with the stiffness in stick at the largest pressure: for models with
-circular contacts, on scenes that name conductivities and shear moduli (bodies do).
-
-Examples:
-  asperity export scene.toml --model ke --as csv --separation 0:4:41
-  asperity export scene.toml --model ke --as csv --pressure 1e4:1e7 --max-error 1e-3
-  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 1e-3 --output ke.inp
-  asperity export scene.toml --model ke --as calculix --load 1:1e4 --max-error 0.01 --friction 0.2
-  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 0.01 --units mm-N-MPa
-  asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
+    after_help = include_str!("../help/export.txt")
 )]
 pub struct ExportCommand {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The model; `asperity list models` lists them
-    #[arg(long, value_name = "M", value_parser = one_model_id)]
+    #[arg(long, value_name = "M", value_parser = model_id)]
     model: String,
     /// Form of the table: for a solver, or csv
     #[arg(long = "as", value_name = "FORM", value_parser = form())]
@@ -58,7 +41,7 @@ pub struct ExportCommand {
     unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
-    #[arg(long, value_name = "X", value_parser = error_below_1)]
+    #[arg(long, value_name = "X", value_parser = share)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance
@@ -123,7 +106,7 @@ impl ExportCommand {
         }
         self.format.check(self.conductance, self.friction).map_err(Error::msg)?;
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
-        let named = scene.model(&self.model)?;
+        let named = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;
             let ends = [span.first, span.last];

@@ -11,20 +11,11 @@ use crate::input::args::file_ending;
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
 use crate::output::{self, contact_map, print_message};
-use asperity_answer::rounded;
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The surface is periodic, and its spectrum is exact: flat from --long to --roll-off, then
-q^(-2-2H) down to --short, and nothing beyond. --skewness changes the phases of the waves
-only. With --anisotropy the cut-offs are those across the lay.
-The same options make the same heights in Rust and in Python (asperity.random_surface).
-
-Examples:
-  asperity generate --long 20um --short 2um --size 128x128 --pixel 0.25um --sq 0.5um --output s.npy
-  asperity generate --long 25um --short 1um --size 256x128 --pixel 0.25um,0.2um --gradient 0.1 --hurst 0.7 --skewness -1 --anisotropy 3 --direction 30 --seed 7 --output ground.x3p
-  asperity surface ground.x3p --periodic"
+    after_help = include_str!("../help/generate.txt")
 )]
 pub struct Generate {
     /// Hurst exponent, 0 to 1
@@ -72,14 +63,6 @@ pub struct Generate {
 impl Generate {
     pub fn run(self) -> Result<()> {
         let surface = self.surface()?;
-        let gradient = (2.0 * surface.moments().m2).sqrt();
-        if gradient > 1.0 {
-            let text = format!(
-                "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
-                rounded(gradient)
-            );
-            print_message("warning", &text);
-        }
         let [columns, rows] = self.size;
         let map = surface.map([rows, columns])?;
         let shape = map.shape();

@@ -9,9 +9,7 @@ use crate::output;
 
 /// Write a commented example scene with every key
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
-  asperity init
-  asperity init my-scene.toml")]
+#[command(after_help = include_str!("../help/init.txt"))]
 pub struct Init {
     /// File to write instead of standard output
     file: Option<PathBuf>,

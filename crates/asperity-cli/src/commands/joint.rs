@@ -6,22 +6,20 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, rounded, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use super::joint_plots;
-use crate::input::args::{DrawnArgs, loads, one_model_id, separation_unit, tolerance};
-use crate::input::distances::{Distances, turning_separations, warn_unit};
-use crate::input::lists::{Numbers, all, turning_loads};
+use crate::input::args::{DrawnArgs, loads, model_id, separation_unit, tolerance};
+use crate::input::distances::{Distances, warn_unit};
+use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
-use crate::output::{once, print_message};
+use crate::output::once;
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Larger coefficients of friction are unlikely.
-const LARGEST_FRICTION: f64 = 2.0;
 /// Shifts of a loop by default.
 const POINTS: usize = 101;
 
@@ -29,43 +27,14 @@ const POINTS: usize = 101;
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "Opening: the joint has been closed for the first time up to --closest, --load or
---pressure, and opens by the retreats (default: to the end of contact).
-Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
-(not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
-below 1 most surfaces have parted, and values are averages over many surfaces).
-hertz: as a Hertzian contact with the force and area at the closest approach; brake:
-Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
-Coming closer again retraces these curves, and then follows the virgin one: the energy is
-dissipated in the first cycle only.
---history takes a new joint through turning points; way counts the paths between them.
-bem opens the scan along its own path, with the stiffness at fixed contact.
-
-Slip, with --friction: at constant separation; force_N at a first shift (blank below 0), back_N
-and forth_N in a steady cycle between -amplitude and +amplitude (Masing); loss_J and loss_factor
-of a cycle whose amplitude is this shift: energy / (pi x force x shift), 4/pi in gross slip.
-Several preloads or forces have one row each, with tangential_force_N and amplitude_m or
-force_N and sliding_m (the shift at which 99 % of mu F is reached). Partial slip of every
-asperity (Cattaneo, Mindlin), which answers as elastically as in unloading: exact for gw.
-Needs equivalent_shear_modulus, or the bodies.
-
-Models of equal, upright asperities with circular contacts only, without adhesion.
-
-Examples:
-  asperity joint scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
-  asperity joint scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
-  asperity joint scan.toml --model bem --pressure 50MPa --retreat 0:100nm:11
-  asperity joint scene.toml --model ke --history-load 10,2000,500,3000,10 --output cycle.csv
-  asperity joint scene.toml --model gw --pressure 5e6 --friction 0.2 --amplitude 1e-7
-  asperity joint scene.toml --load 100:1e4:20:log --friction 0.3 --amplitude 100nm
-  asperity joint scene.toml --load 100N,1kN --friction 0.3 --tangential-force 1N:25N:20:log"
+    after_help = include_str!("../help/joint.txt")
 )]
 pub struct Joint {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Model by id, as listed by `asperity list models` [default: ke; gw without a hardness]
-    #[arg(long, value_name = "M", value_parser = one_model_id)]
+    #[arg(long, value_name = "M", value_parser = model_id)]
     model: Option<String>,
     #[command(flatten)]
     place: Closed,
@@ -111,11 +80,10 @@ struct Closed {
     pressure: Option<Numbers>,
     /// Turning points as separations, in sigma, or with a unit, for example 2um
     #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = turning_separations)]
     history: Option<Distances>,
     /// Turning points as loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = turning_loads)]
+    #[arg(value_parser = all(load))]
     history_load: Option<Numbers>,
 }
 
@@ -159,10 +127,8 @@ impl Closed {
 impl Joint {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
-        self.output.check(command);
         let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
-        let model = self.model.as_deref();
-        let named = model.map_or_else(|| scene.default_model(), |id| scene.model(id))?;
+        let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
@@ -175,7 +141,6 @@ impl Joint {
         if self.friction.is_some() && laws.len() > 1 {
             usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        self.check_friction();
         let places = self.place.all(&scene, &named, self.unit);
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
@@ -212,10 +177,6 @@ impl Joint {
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
         let amplitudes = self.amplitudes();
-        if let (Some(points), false) = (self.points, preloads.len() * amplitudes.len() == 1) {
-            let text = format!("--points {points} is not used: several cycles have one row each");
-            print_message("note", &text);
-        }
         let points = self.points.unwrap_or(POINTS);
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet);
         let (sheet, ()) = scene.answer(fill)?;
@@ -226,16 +187,5 @@ impl Joint {
         let shift = self.cycle.amplitude.map(Amplitude::Shift);
         let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
         shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
-    }
-
-    /// Warns of a coefficient of friction that is probably in per cent.
-    fn check_friction(&self) {
-        if let Some(given) = self.friction.filter(|friction| *friction > LARGEST_FRICTION) {
-            let given = rounded(given);
-            let text = format!(
-                "--friction is {given}, and dry contacts have at most about 1.5; {given} % is written {given}%"
-            );
-            print_message("warning", &text);
-        }
     }
 }

@@ -69,23 +69,19 @@ pub fn history(sheet: &Sheet, from: Datum) -> Result<String> {
 }
 
 fn laws(sheet: &Sheet) -> Vec<String> {
-    once(&sheet.rows.iter().map(|row| text(&row[1])).collect::<Vec<_>>())
-}
-
-fn text(cell: &Cell) -> String {
-    if let Cell::Text(text) = cell { text.to_string() } else { String::new() }
+    once(&sheet.rows.iter().map(|row| row[1].text().to_string()).collect::<Vec<_>>())
 }
 
 /// A copy of a row that gets a marker.
 fn marked(row: &[Cell]) -> Vec<Cell> {
     let mut row = row.to_vec();
-    row[1] = format!("{}, marked", text(&row[1])).as_str().into();
+    row[1] = format!("{}, marked", row[1].text()).as_str().into();
     row
 }
 
 /// A curve for each law, with markers at the [`marked`] rows if there are any.
 fn by_law(mut sheet: Sheet, laws: &[String], x: &Axis) -> Result<String> {
-    let id = sheet.rows.first().map_or(String::new(), |row| text(&row[0]));
+    let id = sheet.rows.first().map_or(String::new(), |row| row[0].text().into());
     // The law names the curve.
     sheet.heads.remove(0);
     sheet.rows.iter_mut().for_each(|row| drop(row.remove(0)));
@@ -93,7 +89,7 @@ fn by_law(mut sheet: Sheet, laws: &[String], x: &Axis) -> Result<String> {
         let by = if law == "own" { String::new() } else { format!(" by {law}") };
         let mut curve = Curve::new(look, law, &format!("{id}, back{by}"));
         let key = format!("{law}, marked");
-        let is_marked = sheet.rows.iter().any(|row| row[0] == key.as_str().into());
+        let is_marked = sheet.rows.iter().any(|row| row[0].text() == key);
         curve.marked = is_marked.then_some(key);
         curve
     };
@@ -106,7 +102,7 @@ pub fn slip(sheet: &Sheet, amplitude: Option<f64>) -> Result<String> {
     match (sheet.column("shift_m"), amplitude) {
         (Some(_), _) => slip_loop(sheet),
         (None, Some(amplitude)) => {
-            let name = |row: &[Cell]| text(&row[0]);
+            let name = |row: &[Cell]| row[0].text().to_string();
             let title = |id: &str| format!("{id}, cycles of ±{amplitude:e} m");
             cycles(sheet, ("load_N", "load (N)"), name, title)
         }
@@ -145,14 +141,7 @@ fn cycles(
 ) -> Result<String> {
     let mut long = sheet.clone();
     long.rows.iter_mut().for_each(|row| row[0] = name(row).as_str().into());
-    let names = once(&long.rows.iter().map(|row| text(&row[0])).collect::<Vec<_>>());
-    let few = long.rows.len() <= plot::MARKED * names.len();
-    let curve = |(look, name): (usize, &String)| {
-        let mut curve = Curve::new(look, name, &title(name));
-        curve.every_point = few;
-        curve
-    };
-    let curves: Vec<Curve> = names.iter().enumerate().map(curve).collect();
+    let curves = plot::curves(&long, |look, name| Curve::new(look, name, &title(name)));
     let x = plot::fitted(&mut long, Axis::new(column, label));
     plot::against(&long, &x, &CYCLES, &curves)
 }

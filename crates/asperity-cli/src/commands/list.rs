@@ -3,6 +3,7 @@
 use anyhow::{Result, ensure};
 use asperity::{Described, Model};
 use asperity_answer::{Cell, Sheet};
+use asperity_inputs::Material;
 use clap::{Args, ValueEnum};
 
 use crate::input::args::OutputArgs;
@@ -11,26 +12,16 @@ use crate::output::{self, table::Format};
 /// Models or materials, with their sources
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Models: R is the radius of an asperity, w_c the critical interference, at which it begins
-to yield (w_c' with another constant in jg, w_1 in zmc). The column equations holds the
-provenance of each model's equations; notes explain its words. csv and json also hold
-titles, notes and how variants differ. The models from gw to af, and ghaednia, exist with
--random behind the id as well: averaged over the asperities of a random surface, whose
-heights and radii differ. bem, boundary elements, needs a scan.
-Materials: write material = \"steel-100cr6\" in [[body]] instead of the numbers. The numbers
-are typical ones at room temperature, for orientation; measured ones are better. Blank
-where no value was found. csv and json also hold the source of each material.
-
-Examples:
-  asperity list models
-  asperity list models ke
-  asperity list materials steel
-  asperity list materials --format csv --output materials.csv"
+    after_help = include_str!("../help/list.txt")
 )]
 pub struct List {
     what: What,
+    /// Only models of this id, or with this word in their name, authors or year; or materials with
+    /// this word in their name, or the nearest ones
+    #[arg(default_value = "", hide_default_value = true)]
+    word: String,
     #[command(flatten)]
-    like: Like,
+    output: OutputArgs,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -39,30 +30,14 @@ enum What {
     Materials,
 }
 
-/// The word that models or materials are chosen by, and the output.
-#[derive(Debug, Args)]
-pub struct Like {
-    /// Only models of this id, or with this word in their name, authors or year; or materials with
-    /// this word in their name, or the nearest ones
-    word: Option<String>,
-    #[command(flatten)]
-    output: OutputArgs,
-}
-
 impl List {
-    pub fn run(self) -> Result<()> {
-        match self.what {
-            What::Models => self.like.show(models),
-            What::Materials => self.like.show(materials),
-        }
-    }
-}
-
-impl Like {
     /// Writes a list, narrow in a terminal, and its notes.
-    pub fn show(self, list: fn(&str, bool) -> Result<Sheet>) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let narrow = self.output.format == Format::Table;
-        let sheet = list(&self.word.unwrap_or_default(), narrow)?;
+        let sheet = match self.what {
+            What::Models => models(&self.word, narrow)?,
+            What::Materials => materials(&self.word, narrow)?,
+        };
         self.output.write(&sheet)?;
         output::show(&sheet.findings);
         Ok(())
@@ -76,37 +51,33 @@ const TAGS: [(&str, &str); 3] = [
     ("recalled", "from general knowledge of the literature, the paper was not available"),
 ];
 
-/// The columns of models.
-const OF_MODELS: [&str; 9] =
-    ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes", "variant"];
-/// Those of a terminal, as places in [`OF_MODELS`]; the others are too wide.
+/// The columns of a terminal, by their places; the others are too wide.
 const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
-pub fn models(word: &str, narrow: bool) -> Result<Sheet> {
-    let all: Vec<usize> = (0..OF_MODELS.len()).collect();
-    let shown = if narrow { &NARROW[..] } else { &all };
-    let mut sheet = Sheet::new(&shown.iter().map(|k| OF_MODELS[*k]).collect::<Vec<_>>());
+fn models(word: &str, narrow: bool) -> Result<Sheet> {
+    let mut sheet = Sheet::default();
     for model in like(word)? {
-        let (source, validity) = (model.citation(), model.validity());
-        let (year, equations) = (source.year.to_string(), source.provenance.to_string());
-        let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();
-        let (notes, variant) = (notes.join("; "), model.variant().join("; "));
+        let (source, notes) = (model.citation(), model.notes());
+        let notes = notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        let variant = model.variant().join("; ");
         if narrow && !variant.is_empty() {
             sheet.note("variant", format!("{}: {variant}", source.id));
         }
-        let (title, valid_for) = (source.title, validity.valid_for);
-        let row: [&str; OF_MODELS.len()] = [
-            source.id,
-            source.name,
-            &year,
-            source.authors,
-            valid_for,
-            title,
-            &equations,
-            &notes,
-            &variant,
+        let cells: [(&str, &str); 9] = [
+            ("model", source.id),
+            ("name", source.name),
+            ("year", &source.year.to_string()),
+            ("authors", source.authors),
+            ("valid_for", model.validity().valid_for),
+            ("title", source.title),
+            ("equations", &source.provenance.to_string()),
+            ("notes", &notes),
+            ("variant", &variant),
         ];
-        sheet.rows.push(shown.iter().map(|k| row[*k].into()).collect());
+        let shown = if narrow { NARROW.map(|k| cells[k]).to_vec() } else { cells.to_vec() };
+        let (heads, row): (Vec<&str>, Vec<&str>) = shown.into_iter().unzip();
+        sheet.under(&[&heads]);
+        sheet.add(&row, [Cell::BLANK; 0]);
     }
     if narrow {
         for (tag, meaning) in TAGS {
@@ -143,37 +114,27 @@ fn like(word: &str) -> Result<Vec<Model>> {
     Ok(all)
 }
 
-/// The columns of materials; the last is too wide for a terminal.
-const OF_MATERIALS: [&str; 9] = [
-    "material",
-    "youngs_modulus_Pa",
-    "poissons_ratio",
-    "hardness_Pa",
-    "yield_strength_Pa",
-    "thermal_conductivity_W_per_m_K",
-    "electrical_resistivity_ohm_m",
-    "name",
-    "source",
-];
-
-pub fn materials(word: &str, narrow: bool) -> Result<Sheet> {
-    let mut sheet = Sheet::new(&OF_MATERIALS[..OF_MATERIALS.len() - usize::from(narrow)]);
+fn materials(word: &str, narrow: bool) -> Result<Sheet> {
+    let mut sheet = Sheet::default();
     let found = asperity_inputs::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity list materials` lists all");
-    for material in found {
-        let body = &material.body;
-        let numbers = [
-            Some(body.youngs_modulus),
-            Some(body.poissons_ratio),
-            body.hardness,
-            body.yield_strength,
-            body.thermal_conductivity,
-            body.electrical_resistivity,
+    for Material { id, name, source, body, .. } in found {
+        let number = |head, number: Option<f64>| (head, Cell::from(number));
+        let mut cells = vec![
+            ("material", Cell::from(&**id)),
+            number("youngs_modulus_Pa", Some(body.youngs_modulus)),
+            number("poissons_ratio", Some(body.poissons_ratio)),
+            number("hardness_Pa", body.hardness),
+            number("yield_strength_Pa", body.yield_strength),
+            number("thermal_conductivity_W_per_m_K", body.thermal_conductivity),
+            number("electrical_resistivity_ohm_m", body.electrical_resistivity),
+            ("name", Cell::from(&**name)),
+            ("source", Cell::from(&**source)),
         ];
-        let mut row = vec![Cell::from(&*material.id)];
-        row.extend(numbers.map(Cell::from));
-        row.extend([Cell::from(&*material.name), Cell::from(&*material.source)]);
-        row.truncate(sheet.heads.len());
+        // Too wide for a terminal.
+        cells.truncate(cells.len() - usize::from(narrow));
+        let (heads, row): (Vec<&str>, Vec<Cell>) = cells.into_iter().unzip();
+        sheet.under(&[&heads]);
         sheet.rows.push(row);
     }
     Ok(sheet)

@@ -14,12 +14,7 @@ use crate::Cli;
 #[derive(Debug, Args)]
 #[command(
     hide = true,
-    after_help = "The files go to man/man1, bash-completion/completions, zsh/site-functions and
-fish/vendor_completions.d in the folder. Below ~/.local/share man, bash and fish find
-them; zsh does if zsh/site-functions is in its fpath. Existing files are overwritten.
-
-Examples:
-  asperity manual share"
+    after_help = include_str!("../help/manual.txt")
 )]
 pub struct Manual {
     /// Folder to write to, made if it does not exist

@@ -5,7 +5,6 @@ mod bem;
 mod check;
 mod conductance;
 mod conductance_picture;
-mod conductivity;
 mod curve;
 mod export;
 mod fit;
@@ -30,12 +29,6 @@ pub enum Command {
     Generate(generate::Generate),
     Check(check::Check),
     List(list::List),
-    /// The materials that a scene file may name: `list materials`
-    #[command(hide = true)]
-    Materials(list::Like),
-    /// The models: `list models`
-    #[command(hide = true)]
-    Models(list::Like),
     #[command(hide = true, group(ArgGroup::new("given").required(true)))]
     Solve(curve::Curve),
     Curve(curve::Curve),
@@ -43,11 +36,7 @@ pub enum Command {
     Compare(curve::Curve),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
-    #[command(hide = true)]
-    Plan(curve::Curve),
     Joint(joint::Joint),
-    #[command(hide = true)]
-    Unload(joint::Joint),
     #[command(hide = true)]
     #[command(mut_arg("friction", |arg| arg.required(true)))]
     #[command(mut_group("cycle", |group| group.required(true)))]
@@ -56,8 +45,6 @@ pub enum Command {
     PullOff(curve::Curve),
     Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
-    #[command(hide = true)]
-    Truth(bem::BemCommand),
     Export(export::ExportCommand),
     Manual(manual::Manual),
 }
@@ -70,21 +57,16 @@ impl Command {
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::List(command) => command.run(),
-            Self::Materials(like) => like.show(list::materials),
-            Self::Models(like) => like.show(list::models),
             Self::Solve(command) => command.run("solve"),
             Self::Curve(command) => command.run("curve"),
             Self::Compare(command) => command.run("compare"),
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
-            Self::Plan(command) => command.run("plan"),
             Self::Joint(command) => command.run("joint"),
-            Self::Unload(command) => command.run("unload"),
             Self::Slip(command) => command.run("slip"),
             Self::PullOff(command) => command.run("pull-off"),
             Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
-            Self::Truth(command) => command.run_truth(),
             Self::Export(command) => command.run(),
             Self::Manual(command) => command.run(),
         }

@@ -27,7 +27,7 @@ pub fn pull_off(asked: ModelArgs, work: Option<f64>, output: &OutputArgs) -> Res
     };
     let mut models = vec![];
     for id in once(&ids) {
-        let named = scene.model(&id)?;
+        let named = scene.model(Some(&id))?;
         if !named.1.validity().adhesive {
             bail!("{id} has no adhesion; use dmt, jkr or jkr-separation");
         }

@@ -27,24 +27,7 @@ pub struct Recommend {
 }
 
 /// The help. The range of the solved cases is that of the evidence, which is not read for it.
-const HELP: &str =
-    "Models are listed from simplest to most complex: asperities of one radius with upright
-contacts, random asperities, no asperities (Persson), inclined contacts. The recommended
-model is the first that is near enough to the reference and valid for the scene (an elastic
-model is not valid where yielding asperities carry more than 10 % of the load). Deviations
-are the largest over the separations or loads, as those of `asperity curve --reference`.
-Agreement with the reference is no proof of accuracy: columns .._off_bem have the expected
-deviation of a model from boundary elements at the loads, interpolated between solved random
-surfaces (alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 0.7, 1, 2, 4, 8, p/(E g) from 0.00001 to 0.3),
-the largest over the separations or loads that have one; .._spread is half the width of the
-interval that holds nine of ten surfaces. `asperity bem --compare` solves the scan of the scene
-itself, and `asperity curve --corrected` divides by the expected ratios.
-Default: force and area at the separations of `asperity curve`.
-
-Examples:
-  asperity recommend scene.toml
-  asperity recommend scene.toml --load 1:1000:20:log --quantity area,tangent
-  asperity recommend scene.toml --reference gao --within 20% --quantity force --separation 0:3:7";
+const HELP: &str = include_str!("../help/recommend.txt");
 
 impl Recommend {
     pub fn run(self) -> Result<()> {

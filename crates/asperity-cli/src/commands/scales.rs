@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request};
-use asperity_answer::{Cell, Sheet};
-use asperity_inputs::SceneFile;
+use asperity_answer::{Blanks, Sheet};
+use asperity_inputs::{MeasuredKeys, SceneFile};
 use asperity_plot::{Axis, Curve, Figure};
-use asperity_topography::{Estimator, Topography};
+use asperity_topography::{Statistics, Topography};
 use clap::Args;
 
 use crate::input::args::model_id;
@@ -40,13 +40,15 @@ pub struct Scales {
     model: Option<String>,
 }
 
+/// A number of a surface.
+type Number = fn(&Statistics) -> Option<f64>;
 /// Columns of the surface, with their labels in a plot.
-const COLUMNS: [(&str, &str); 5] = [
-    ("alpha", "bandwidth α"),
-    ("asperity_radius_m", "radius R (m)"),
-    ("asperity_density_per_m2", "density η (1/m²)"),
-    ("asperity_height_std_m", "height std σ_z (m)"),
-    ("rms_slope", "rms slope"),
+const COLUMNS: [(&str, &str, Number); 5] = [
+    ("alpha", "bandwidth α", |s| Some(s.alpha)),
+    ("asperity_radius_m", "radius R (m)", |s| s.asperity_radius),
+    ("asperity_density_per_m2", "density η (1/m²)", |s| s.asperity_density),
+    ("asperity_height_std_m", "height std σ_z (m)", |s| s.asperity_height_std),
+    ("rms_slope", "rms slope", |s| Some((2.0 * s.m2).sqrt())),
 ];
 /// Columns of the results of the scene.
 const ANSWERS: [(Quantity, &str); 2] =
@@ -58,87 +60,59 @@ impl Scales {
         self.scales.is_some()
     }
 
-    /// The table of a levelled surface; `finish` processes it after smoothing.
-    pub fn table(
-        &self,
-        surface: &Topography,
-        estimator: Estimator,
-        finish: impl Fn(Topography) -> Result<Topography>,
-    ) -> Result<Sheet> {
+    /// The table of a scan, prepared by these keys with each cut-off.
+    pub fn table(&self, scan: &Topography, keys: &MeasuredKeys) -> Result<Sheet> {
         let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
         let scene = self.with.as_deref().map(|path| LoadedScene::load(path, &[])).transpose()?;
         let asked = match &scene {
-            Some(scene) => Some((scene, scene.reference(self.model.as_deref())?)),
+            Some(scene) => Some((scene, scene.model(self.model.as_deref())?)),
             None => None,
         };
         let at = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
-        let mut table = Sheet::new(&[CUTOFF]);
-        table.heads.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
+        let (mut table, mut blanks) = (Sheet::new(&[CUTOFF]), Blanks::default());
+        table.heads.extend(COLUMNS.iter().map(|(name, ..)| (*name).to_string()));
         if asked.is_some() {
             table.heads.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
-        // One message for all cut-offs that fail for the same reason.
-        let mut failed: Vec<(String, Vec<String>)> = vec![];
-        for cutoff in cutoffs {
-            let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
-            let found = found.and_then(|smooth| {
-                let statistics = smooth.statistics(estimator)?;
-                Ok((smooth, statistics))
-            });
-            let mut row = vec![Cell::from(Some(*cutoff))];
-            let numbers = found.as_ref().map_or([None; COLUMNS.len()], |(_, s)| {
-                let slope = (2.0 * s.m2).sqrt();
-                let (radius, density) = (s.asperity_radius, s.asperity_density);
-                [Some(s.alpha), radius, density, s.asperity_height_std, Some(slope)]
-            });
-            row.extend(numbers.map(Cell::from));
-            let found = found.and_then(|(smooth, statistics)| Ok((smooth, statistics.surface()?)));
-            match (&asked, at, &found) {
-                (Some((scene, (id, _))), Some(at), Ok((smooth, asperities))) => {
-                    let file = scene.file.with_scan(*asperities, smooth.clone());
-                    row.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
+        for &cutoff in cutoffs {
+            let keys = MeasuredKeys { smooth: Some(cutoff), ..keys.clone() };
+            let found = keys.prepare(scan.clone());
+            let found = found.and_then(|smooth| Ok((smooth.statistics(keys.estimator)?, smooth)));
+            let number = |(.., number): (&str, &str, Number)| number(&found.as_ref().ok()?.0);
+            let mut numbers = COLUMNS.map(number).to_vec();
+            match (found.and_then(|(s, smooth)| Ok((s.surface()?, smooth))), &asked, at) {
+                (Ok((asperities, smooth)), Some((scene, (id, _))), Some(at)) => {
+                    let file = scene.file.with_scan(asperities, smooth);
+                    numbers.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
-                (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::from(None))),
+                (Err(reason), ..) => {
+                    let reason =
+                        format!("{CUTOFF} {cutoff:e}: {}", output::summary(&reason.into()));
+                    blanks.count("value", reason);
+                }
                 _ => {}
             }
-            if let Err(reason) = &found {
-                let (reason, cutoff) = (output::summary(reason), format!("{cutoff:e}"));
-                match failed.iter_mut().find(|(known, _)| kind(known) == kind(&reason)) {
-                    Some((_, cutoffs)) => cutoffs.push(cutoff),
-                    None => failed.push((reason, vec![cutoff])),
-                }
-            }
-            table.rows.push(row);
+            table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
         }
-        for (reason, cutoffs) in failed {
-            let others = match &cutoffs[1..] {
-                [] => String::new(),
-                others => format!(" (likewise {})", others.join(", ")),
-            };
-            print_message("warning", &format!("{CUTOFF} {}{others}: {reason}", cutoffs[0]));
-        }
+        blanks.texts(cutoffs.len()).for_each(|text| print_message("warning", &text));
         Ok(table)
     }
 }
 
-/// A reason without its digits, which differ between cut-offs.
-fn kind(reason: &str) -> String {
-    reason.chars().filter(|c| !c.is_ascii_digit()).collect()
-}
-
-/// The results of a scene; blank where there is none.
-fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Cell>> {
+/// The results of a scene; `None` where there is none.
+fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Option<f64>>> {
     let request = Request::new(ANSWERS.map(|(quantity, _)| quantity)).at([at]);
     let response = file.model(id)?.solve(&file.scene, &request)?;
     let value = |column: &asperity::Column| column.rows[0].as_ref().ok().map(|v| v.value());
-    Ok(response.columns.iter().map(|column| Cell::from(value(column))).collect())
+    Ok(response.columns.iter().map(value).collect())
 }
 
 /// A panel for each column, against the cut-off.
 pub fn picture(table: &Sheet) -> Result<String> {
     let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
     let answers = answers.iter().map(|(name, label)| (name.as_str(), *label));
-    let columns: Vec<_> = COLUMNS.into_iter().chain(answers).collect();
+    let columns: Vec<_> =
+        COLUMNS.into_iter().map(|(name, label, _)| (name, label)).chain(answers).collect();
     let mut named = table.clone();
     named.heads.insert(0, "curve".into());
     named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));

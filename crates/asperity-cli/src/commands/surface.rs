@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Findings, Severity};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::with_decimal_point;
+use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Reported, Statistics,
@@ -20,7 +20,7 @@ use toml::Value;
 use crate::commands::scales::{self, Scales};
 use crate::input::args::DrawnArgs;
 use crate::input::lists::have_units;
-use crate::input::numbers::{length, share_or_0};
+use crate::input::numbers::{length, share};
 use crate::output::table::Format;
 use crate::output::{self, print_message, progress};
 
@@ -30,22 +30,7 @@ const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature 
 #[derive(Debug, Args)]
 #[command(
     mut_arg("plot", |arg| arg.help(PLOT)),
-    after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR,
-Gwyddion .gwy, SDF (ISO 25178-71), each also inside gzip.
-Units and pixel size that a file does not contain must be given as options. A scan
-of n points with spacing dx is n dx wide.
-Two files are two rough surfaces in contact: their moments are added, or with
---aligned their heights, point by point.
---scales shows the results against the short-wavelength cut-off. Values that change
-with the cut-off describe the measurement, not the surface.
-
-Examples:
-  asperity surface scan.txt --unit um --pixel-size 0.5
-  asperity surface scan.txt --unit um --pixel-size 0.5,0.5 --estimator summits --format json
-  asperity surface scan.txt --unit um --pixel-size 0.5 --heights pdf.csv --scene rough.toml
-  asperity surface scan.txt --unit um --pixel-size 0.5 --plot report.svg
-  asperity surface scan.txt --unit um --pixel-size 0.5 --scales 1.5e-6:2e-5:8:log
-  asperity surface scan.txt scan.txt --unit um --pixel-size 0.5 --scene measured.toml"
+    after_help = include_str!("../help/surface.txt")
 )]
 pub struct Surface {
     /// One measured surface, or the two surfaces in contact
@@ -80,7 +65,7 @@ pub struct Surface {
     #[arg(long)]
     periodic: bool,
     /// Largest accepted share of missing points, for example 0.2 or 20%
-    #[arg(long, value_name = "SHARE", value_parser = share_or_0, default_value = "0.1")]
+    #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0.1")]
     max_missing: f64,
     /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the
     /// mean of its neighbours)
@@ -112,8 +97,7 @@ pub struct Surface {
 fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
     have_units(text, length)?;
     let sizes = text.split(',').map(str::parse).collect::<Result<Vec<Distance>, _>>();
-    let point = || with_decimal_point(text).map(|one| format!("; write {one} for one value"));
-    match sizes.map_err(|error| format!("{error}{}", point().unwrap_or_default()))?[..] {
+    match sizes.map_err(|error| error.to_string())?[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
@@ -138,15 +122,16 @@ impl Surface {
         if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
             print_message("warning", &tilted.message());
         }
-        let working = progress("surface");
+        let (working, keys) = (progress("surface"), self.keys());
         if self.scales.is_requested() {
-            let table = self.at_scales()?;
+            let path = self.files.first().context("a file was required")?;
+            let table = self.scales.table(&read(path, &keys)?, &keys)?;
             drop(working);
             return self.output.write(&table, || scales::picture(&table));
         }
         let (mut each, mut found) = (vec![], Findings::default());
         let (mut density, mut glance) = (None, None);
-        let scans = self.scans()?;
+        let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
@@ -207,23 +192,17 @@ impl Surface {
 
     /// Refuses options that exclude each other.
     fn check(&self) {
-        self.output.check("surface");
         let two = self.files.len() > 1;
         let separate = two && self.aligned.is_none();
-        let one_file = self.scene.is_some() && self.scene == self.heights;
-        let cutoffs = self.smooth.zip(self.filter).filter(|(smooth, filter)| smooth >= filter);
-        let nothing_left = cutoffs.map_or(String::new(), |(smooth, filter)| {
-            let advice = "choose --smooth below --filter";
-            format!("--smooth {smooth} removes all that --filter {filter} keeps; {advice}")
-        });
+        let nothing_left =
+            self.smooth.zip(self.filter).is_some_and(|(smooth, filter)| smooth >= filter);
         let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
-            (one_file, "--scene and --heights name the same file; choose two names"),
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
             (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
-            (cutoffs.is_some(), &nothing_left),
+            (nothing_left, "choose --smooth below --filter, which keeps some wavelengths"),
         ];
         if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {
             crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
@@ -235,15 +214,27 @@ impl Surface {
         names.collect::<Vec<_>>().join(" and ")
     }
 
+    /// The options as keys of a scene.
+    fn keys(&self) -> MeasuredKeys {
+        let Self { unit, pixel_size, max_missing, .. } = *self;
+        MeasuredKeys {
+            estimator: self.estimator,
+            level: self.level,
+            filter: self.filter,
+            smooth: self.smooth,
+            periodic: self.periodic,
+            fill_missing: self.fill_missing,
+            despike: self.despike,
+            options: ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() },
+            ..MeasuredKeys::default()
+        }
+    }
+
     /// The scans, or the sum of two that are aligned: names, as read, and prepared.
-    fn scans(&self) -> Result<Vec<(String, Topography, Topography)>> {
+    fn scans(&self, keys: &MeasuredKeys) -> Result<Vec<(String, Topography, Topography)>> {
         let scan = |path: &PathBuf| {
-            let (raw, mut surface) = self.levelled(path)?;
-            let name = path.display().to_string();
-            if let Some(cutoff) = self.smooth {
-                surface = surface.smooth(cutoff).with_context(|| name.clone())?;
-            }
-            surface = self.filtered(surface).with_context(|| name.clone())?;
+            let (name, raw) = (path.display().to_string(), read(path, keys)?);
+            let surface = keys.prepare(raw.clone()).with_context(|| name.clone())?;
             Ok((name, raw, surface))
         };
         let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
@@ -252,34 +243,6 @@ impl Surface {
         let raw = one.1.facing(&two.1, alignment).with_context(|| name.clone())?;
         let surface = one.2.facing(&two.2, alignment).with_context(|| name.clone())?;
         Ok(vec![(name, raw, surface)])
-    }
-
-    /// The surface against the short-wavelength cut-off.
-    fn at_scales(&self) -> Result<Sheet> {
-        let path = self.files.first().context("a file was required")?;
-        let (_, surface) = self.levelled(path)?;
-        self.scales.table(&surface, self.estimator, |smooth| Ok(self.filtered(smooth)?))
-    }
-
-    /// The scan as read and despiked; and levelled and filled.
-    fn levelled(&self, path: &Path) -> Result<(Topography, Topography)> {
-        output::keep(path);
-        let Self { unit, pixel_size, max_missing, .. } = *self;
-        let options = ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() };
-        let read = asperity_topography::read(path, &options).map_err(with_option)?;
-        let read = read.with_periodic(self.periodic);
-        let of = || path.display().to_string();
-        let clean = if self.despike { read.despiked().with_context(of)? } else { read };
-        let levelled = clean.clone().levelled(self.level);
-        let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
-        Ok((clean, filled.with_context(of)?))
-    }
-
-    fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
-        match self.filter {
-            Some(cutoff) => surface.filter(cutoff),
-            None => Ok(surface),
-        }
     }
 
     /// The template's scene on this surface, with the same reading options.
@@ -324,6 +287,13 @@ impl Surface {
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
         Ok(asperity_inputs::template_on(statistics.surface().ok().as_ref(), &keys))
     }
+}
+
+/// A scan as read, and despiked.
+fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
+    output::keep(path);
+    let read = asperity_topography::read(path, &keys.options).map_err(with_option)?;
+    keys.clean(read).with_context(|| path.display().to_string())
 }
 
 /// The error of a reader, with the option that states what the file does not.

@@ -1,6 +1,6 @@
 //! Arguments that several commands share: parsing and defaults only.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::Bem;
@@ -8,11 +8,7 @@ use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Toleranc
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
@@ -137,15 +133,6 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
-    /// Ends the `command` where plot and data have the same destination.
-    pub fn check(&self, command: &str) {
-        let texts = [
-            "--plot and --output name the same file; choose two names",
-            "--plot - uses standard output; name a file for the data with --output",
-        ];
-        refuse_same_place(command, self.output.output.as_deref(), &[self.plot.as_deref()], texts);
-    }
-
     /// Writes the sheet, and its plot where one is requested.
     pub fn write(&self, sheet: &Sheet, picture: impl FnOnce() -> Result<String>) -> Result<()> {
         self.draw(picture)?;
@@ -159,28 +146,6 @@ impl DrawnArgs {
             None => Ok(()),
         }
     }
-}
-
-/// Ends the `command` with one of two texts where data and drawings go to the same file, or several
-/// of them to standard output.
-pub fn refuse_same_place(
-    command: &str,
-    data: Option<&Path>,
-    drawings: &[Option<&Path>],
-    [same, standard]: [&str; 2],
-) {
-    let drawn = drawings.iter().copied().flatten().map(Some);
-    let places: Vec<Option<&Path>> = std::iter::once(data).chain(drawn).collect();
-    let (streams, files): (Vec<_>, Vec<_>) =
-        places.into_iter().partition(|place| output::is_standard(*place));
-    let files: Vec<&Path> = files.into_iter().flatten().collect();
-    let twice = |k: usize| files[..k].iter().any(|file| output::is_same(file, files[k]));
-    let text = match (0..files.len()).any(twice) {
-        true => same,
-        false if streams.len() > 1 => standard,
-        false => return,
-    };
-    crate::input::usage_error(command, ErrorKind::ArgumentConflict, text)
 }
 
 fn quantities_help() -> String {
@@ -197,9 +162,6 @@ fn quantities_help() -> String {
 
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
-    if name.trim().is_empty() {
-        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity list models` lists them)".into());
-    }
     // bem is not in the registry, because it needs the scan of a scene.
     if name.trim().eq_ignore_ascii_case(Bem::ID) {
         return Ok(Bem::ID.into());
@@ -215,24 +177,13 @@ pub fn listed_model_id(name: &str) -> Result<String, String> {
     }
 }
 
-/// The id of the one model of a command.
-pub fn one_model_id(name: &str) -> Result<String, String> {
-    match name.split_once(',') {
-        Some((first, _)) => Err(format!("this command takes one model, for example {first}")),
-        None => model_id(name),
-    }
-}
-
 /// The unit of a separation by its name.
 pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
-    let read: StrDeserializer<'_, Error> = name.into_deserializer();
-    SeparationUnit::deserialize(read).map_err(|_| {
-        let own = match asperity_inputs::quantity(&format!("2{name}"), "m") {
-            Ok(_) => format!("; a separation may have its own unit, for example 2{name}"),
-            Err(_) => String::new(),
-        };
-        format!("the units are sigma (asperity_height_std) and m{own}")
-    })
+    match name {
+        "sigma" => Ok(SeparationUnit::Sigma),
+        "m" => Ok(SeparationUnit::Metres),
+        _ => Err("the units are sigma (asperity_height_std) and m; a separation may have its own unit, for example 2mm".into()),
+    }
 }
 
 /// The name of a file that ends so, or `-` for standard output; `what` is written so.

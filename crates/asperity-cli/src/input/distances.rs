@@ -5,8 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_answer::unit_warning;
 
-use crate::input::ambiguous::one_value_only;
-use crate::input::lists::{Numbers, ReadNumber, Span, have_units, refuse_repeated};
+use crate::input::lists::{Numbers, ReadNumber, Span, have_units};
 use crate::input::numbers::{number, of_unit};
 use crate::output::show;
 
@@ -45,9 +44,7 @@ impl FromStr for Length<f64> {
 
     fn from_str(text: &str) -> Result<Self, String> {
         match text.contains([',', ':']) {
-            true => Err(one_value_only(text).unwrap_or_else(|| {
-                format!("{text:?} is more than one value; write one, for example 2um")
-            })),
+            true => Err(format!("{text:?} is more than one value; write one, for example 2um")),
             false => Self::read(text, |text, number| number(text)),
         }
     }
@@ -59,13 +56,6 @@ impl FromStr for Length<Span> {
     fn from_str(text: &str) -> Result<Self, String> {
         Self::read(text, Span::even)
     }
-}
-
-/// Separations at which a joint turns.
-pub fn turning_separations(text: &str) -> Result<Distances, String> {
-    let found: Distances = text.parse()?;
-    refuse_repeated(text, &found.value, "separations")?;
-    Ok(found)
 }
 
 /// A length in m, or with its unit.
@@ -96,7 +86,7 @@ mod tests {
             assert!((found.value.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
         }
         for (bad, part) in [
-            ("1,2um", "write 1.2um for one value"),
+            ("1,2um", "1 has no unit"),
             ("1:2um:3", "1 has no unit"),
             ("1,two", "\"two\" is not a number"),
             ("2um:1um:3", "A must be below B"),
@@ -104,13 +94,6 @@ mod tests {
         ] {
             assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));
         }
-        for (same, wanted) in [
-            ("2,1,1", "1 follows 1; a joint turns at separations that differ"),
-            ("2um,2um", "2um follows 2um; a joint turns at separations that differ"),
-        ] {
-            assert_eq!(turning_separations(same).unwrap_err(), wanted);
-        }
-        assert_eq!(turning_separations("2,1,2").unwrap().value, [2.0, 1.0, 2.0]);
         let one: Length<f64> = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
         let two = "2um,3um".parse::<Length<f64>>().unwrap_err();

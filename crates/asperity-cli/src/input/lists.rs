@@ -3,10 +3,8 @@
 use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
-use asperity_inputs::with_decimal_point;
 
-use crate::input::ambiguous::refuse_one_number;
-use crate::input::numbers::{count_up_to, number, of_unit, positive};
+use crate::input::numbers::{count_up_to, number};
 
 /// The largest number of values in one range.
 const MOST: usize = 1_000_000;
@@ -37,11 +35,7 @@ impl Numbers {
     pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         if !text.contains(':') {
-            let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
-            return values.map_err(|error: String| match with_decimal_point(text) {
-                Some(one) => format!("{error}; write {one} for one value"),
-                None => error,
-            });
+            return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
         let Span { first, last, count, log } = Span::read(text, number)?;
         let count = count.ok_or("the number of values is missing; write A:B:N")?;
@@ -101,9 +95,6 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
     };
-    if !text.contains(':') {
-        refuse_one_number(text)?;
-    }
     let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
     let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
     let units = parts.iter().any(has_unit);
@@ -127,33 +118,6 @@ pub fn all(one: ReadNumber) -> impl Fn(&str) -> Result<Numbers, String> + Clone 
 /// Reads a range A:B or A:B:N, whose ends `one` reads.
 pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
     move |text| Span::even(text, one)
-}
-
-/// Forces above 0 at which a joint turns, in N or with their unit.
-pub fn turning_loads(text: &str) -> Result<Numbers, String> {
-    let found = Numbers::read(text, |text| {
-        match of_unit(text, "N")? {
-        0.0 => Err("0 is not a turning load: any separation without contact carries it; give loads above 0, or an open separation such as 10 with --history".into()),
-        load => positive(load),
-    }
-    })?;
-    refuse_repeated(text, &found.0, "loads")?;
-    Ok(found)
-}
-
-/// Refuses a value that follows itself, at which a joint would not turn; `text` has the values.
-pub fn refuse_repeated(text: &str, values: &[f64], what: &str) -> Result<(), String> {
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    // The values of a range differ.
-    // 0 and -0 are one place.
-    let is_same = |pair: &[f64]| matches!(pair, [a, b] if b - a == 0.0);
-    let repeated = values.windows(2).position(is_same);
-    match repeated.and_then(|k| parts.get(k).zip(parts.get(k + 1))) {
-        Some((one, other)) => {
-            Err(format!("{other} follows {one}; a joint turns at {what} that differ"))
-        }
-        None => Ok(()),
-    }
 }
 
 #[cfg(test)]
@@ -224,11 +188,6 @@ mod tests {
         }
         assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
-        assert!(turning_loads("1 kN,0").is_err() && turning_loads("1kN,2kN,1kN").is_ok());
-        assert_eq!(
-            turning_loads("1kN,1kN").unwrap_err(),
-            "1kN follows 1kN; a joint turns at loads that differ"
-        );
         assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

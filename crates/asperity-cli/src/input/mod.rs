@@ -1,9 +1,9 @@
 //! Parsing of the command line: arguments, numbers, separations.
 
-pub mod ambiguous;
 pub mod args;
 pub mod blanks;
 pub mod distances;
+pub mod former;
 pub mod lists;
 pub mod numbers;
 pub mod target;

@@ -2,9 +2,7 @@
 
 use asperity::joints::coefficient_of_friction;
 use asperity::shortest_digits;
-use asperity_inputs::NO_LOAD;
-
-use crate::input::ambiguous::one_value_only;
+use asperity_inputs::{NO_LOAD, notation_hint};
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
@@ -40,7 +38,7 @@ pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
         _ => None,
     };
     let value = asperity_inputs::quantity(text, si);
-    match value.map_err(|error| other_option().or_else(|| one_value_only(text)).unwrap_or(error))? {
+    match value.map_err(|error| other_option().unwrap_or(error))? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
     }
@@ -80,9 +78,11 @@ pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
-        Err(_) => Err(one_value_only(text)
-            .or_else(|| asperity_inputs::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
-            .unwrap_or_else(|| format!("{text:?} is not a number such as 2, -0.5 or 1e-6"))),
+        Err(_) => {
+            let hint = notation_hint(text);
+            let hint = hint.unwrap_or_else(|| "is not a number such as 2, -0.5 or 1e-6".into());
+            Err(format!("{text:?} {hint}"))
+        }
     }
 }
 
@@ -91,46 +91,28 @@ pub fn friction(text: &str) -> Result<f64, String> {
     coefficient_of_friction(slope(text)?).map_err(|error| error.to_string())
 }
 
-/// A share, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
+/// A share up to 1, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
 pub fn share(text: &str) -> Result<f64, String> {
-    relative_error(text).and_then(|share| match share {
+    match relative_error(text)? {
         share if share <= 1.0 => Ok(share),
         _ if text.contains('%') => Err("a share is at most 100%".into()),
         share => {
             Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
         }
-    })
-}
-
-/// A share, or 0.
-pub fn share_or_0(text: &str) -> Result<f64, String> {
-    match number(text.trim().trim_end_matches('%').trim_end())? {
-        0.0 => Ok(0.0),
-        _ => share(text),
     }
 }
 
 /// A relative error, "1%" or "0.01".
 pub fn relative_error(text: &str) -> Result<f64, String> {
-    match (text.trim().strip_suffix('%'), one_value_only(text)) {
-        // With its sign of per cent, which changes the value.
-        (_, Some(comma)) => Err(comma),
-        (Some(percent), _) => positive_number(percent.trim()).map(|percent| percent / 100.0),
-        (None, _) => positive_number(text),
-    }
-}
-
-/// A relative error below 100 %; a plain number above 1 is ambiguous and refused.
-pub fn error_below_1(text: &str) -> Result<f64, String> {
-    match share(text)? {
-        error if error < 1.0 => Ok(error),
-        _ => Err("the error must be below 100%".into()),
+    match text.trim().strip_suffix('%') {
+        Some(percent) => number(percent).map(|percent| percent / 100.0),
+        None => number(text),
     }
 }
 
 /// A slope above 0: a number, or in per cent or degrees.
 pub fn slope(text: &str) -> Result<f64, String> {
-    match asperity_inputs::gradient(text).filter(|_| one_value_only(text).is_none()) {
+    match asperity_inputs::gradient(text).filter(|_| !text.contains(',')) {
         Some(slope) => positive(slope),
         None => positive_number(text),
     }
@@ -176,16 +158,11 @@ mod tests {
         assert_eq!(count_up_to(9)("10").unwrap_err(), "10 is not a whole number from 2 to 9");
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
-        assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);
-        assert!(
-            share("0,5%").unwrap_err().starts_with("\"0,5%\" has a decimal comma; write 0.5%,")
-        );
-        assert_eq!(error_below_1("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
-        assert_eq!([error_below_1("1%"), error_below_1("0.01")], [Ok(0.01), Ok(0.01)]);
-        assert!(error_below_1("1").is_err() && error_below_1("0").is_err());
+        assert_eq!([share("0"), share("95%")], [Ok(0.0), Ok(0.95)]);
+        assert_eq!(share("0,5%").unwrap_err(), "\"0,5\" has a decimal comma; write 0.5");
         assert_eq!([slope("8%"), slope("0.08")], [Ok(0.08), Ok(0.08)]);
         assert!(slope("0,08").is_err() && slope("-8%").is_err() && slope("steep").is_err());
-        assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
+        assert!(share("500%").is_err() && share("five").is_err());
         assert!(positive_number("0").is_err() && positive_number("-1").is_err());
     }
 }

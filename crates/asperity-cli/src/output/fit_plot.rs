@@ -5,10 +5,11 @@ use std::fmt::Write;
 use anyhow::Result;
 use asperity::fit::{Data, Fitted, Measured, Observation, Ranking};
 use asperity::short;
+use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
-use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_plot::{Axis, Curve, Figure, Panel, Scale};
 
-use crate::output::plot::label;
+use crate::output::plot::{self, label};
 use crate::scene::NamedModel;
 
 /// Points of a model's curve.
@@ -25,19 +26,17 @@ pub fn svg(
     ranking: &Ranking,
 ) -> Result<String> {
     let between = data.between(POINTS);
-    let mut csv = String::from("panel,curve,x,y\n");
+    let mut sheet = Sheet::new(&["panel", "curve", "x", "y"]);
     let mut row = |one: &Observation, curve: &str, x: f64, y: Option<f64>| {
-        let y = y.map_or(String::new(), |y| format!("{y:e}"));
-        let _ = writeln!(csv, "{},{curve},{x:e},{y}", name(one));
+        sheet.add(&[&name(one), curve], [Some(x), y]);
     };
     for one in data.iter() {
         let x = one.place().1;
         row(one, DATA, x, Some(one.value));
         if let Some(std) = one.std {
-            row(one, SPREAD, x, Some(one.value - std));
-            row(one, SPREAD, x, Some(one.value + std));
-            // The end of a bar.
-            row(one, SPREAD, x, None);
+            // Blank at the end of a bar.
+            let bar = [Some(one.value - std), Some(one.value + std), None];
+            bar.into_iter().for_each(|y| row(one, SPREAD, x, y));
         }
     }
     for fitted in &ranking.models {
@@ -102,7 +101,7 @@ pub fn svg(
     }
     let captions: Vec<String> = ranking.models.iter().map(caption).collect();
     let captions: Vec<&str> = captions.iter().map(String::as_str).collect();
-    Ok(draw(&Figure::new("", &captions, panels), &csv)?)
+    plot::drawn(&sheet, &Figure::new("", &captions, panels))
 }
 
 fn ends(values: &[f64]) -> [f64; 2] {

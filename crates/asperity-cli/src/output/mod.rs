@@ -28,12 +28,6 @@ pub fn is_standard(path: Option<&Path>) -> bool {
     path.is_none_or(|path| path == Path::new("-"))
 }
 
-/// Whether two names mean one file, which need not exist.
-pub fn is_same(one: &Path, other: &Path) -> bool {
-    let real = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path));
-    real(one).is_ok_and(|one| real(other).is_ok_and(|other| one == other))
-}
-
 /// Writes to a file, or to standard output without one or for `-`.
 pub fn write(
     path: Option<&Path>,
@@ -42,6 +36,9 @@ pub fn write(
     match path {
         Some(path) if !is_standard(Some(path)) => {
             to_file(path, data).with_context(|| format!("cannot write {}", path.display()))
+        }
+        _ if STANDARD.swap(true, Ordering::Relaxed) => {
+            bail!("standard output has one result; name a file for the other one")
         }
         _ => {
             let mut out = BufWriter::new(io::stdout().lock());
@@ -55,10 +52,12 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
     write(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Input files, which must not be overwritten.
+/// Whether something is written to standard output.
+static STANDARD: AtomicBool = AtomicBool::new(false);
+/// Files that are read or written, which must not be overwritten.
 static KEPT: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 
-/// Protects an input file from being overwritten by the output.
+/// Protects a file that is read or written from being overwritten by another output.
 pub fn keep(path: &Path) {
     if let (Ok(path), Ok(mut kept)) = (fs::canonicalize(path), KEPT.lock()) {
         kept.push(path);
@@ -70,7 +69,8 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     // A link stays, and its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
     if KEPT.lock().is_ok_and(|kept| kept.contains(&target)) {
-        return Err(io::Error::other("the output would overwrite the input; choose another name"));
+        let reason = "it would overwrite the input or another output; choose another name";
+        return Err(io::Error::other(reason));
     }
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
@@ -100,6 +100,7 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     out.flush()?;
     drop(out);
     file.persist(&target).map_err(|refused| refused.error)?;
+    keep(&target);
     Ok(())
 }
 

@@ -25,16 +25,11 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
     if !is_even(&along) {
         x.scale = Scale::fitting(&along);
     }
-    let models: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
-    let curve = |model: &&Cell| {
-        let Cell::Text(id) = model else { return None };
-        let known = Model::named();
-        let look = known.iter().position(|model| model.id() == &**id);
-        Some(Curve::new(look.unwrap_or(0), id, id))
-    };
-    let mut curves: Vec<Curve> = once(&models).iter().filter_map(curve).collect();
-    let few = table.rows.len() <= MARKED * curves.len();
-    curves.iter_mut().for_each(|curve| curve.every_point = few);
+    let known = Model::named();
+    let curves = curves(table, |_, id| {
+        let look = known.iter().position(|model| model.id() == id);
+        Curve::new(look.unwrap_or(0), id, id)
+    });
 
     let (mut panels, mut hidden) = (vec![], vec![]);
     for &quantity in &request.quantities {
@@ -46,8 +41,8 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
         if y.scale == Scale::Log {
             let k = place(table, &name)?;
             let low = |row: &&Vec<Cell>| row[k].number().is_some_and(|y| y <= 0.0);
-            let low = table.rows.iter().filter(low).filter_map(|row| curve(&&row[0]));
-            hidden.extend(low.map(|curve| format!("{quantity} of {}", curve.key)));
+            let low = table.rows.iter().filter(low);
+            hidden.extend(low.map(|row| format!("{quantity} of {}", row[0].text())));
         }
         let mut panel = Panel::new(x.clone(), y);
         panel.curve_column = "model".into();
@@ -63,6 +58,21 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
         figure.caption.push(format!("Values of 0 and below are not on logarithmic axes: {which}."));
     }
     drawn(&sorted, &figure)
+}
+
+/// The names in the first column, each once.
+pub fn names(table: &Sheet) -> Vec<String> {
+    once(&table.rows.iter().map(|row| row[0].text().to_string()).collect::<Vec<_>>())
+}
+
+/// A curve for each name in the first column; in a short table every point has a marker.
+pub fn curves(table: &Sheet, mut curve: impl FnMut(usize, &str) -> Curve) -> Vec<Curve> {
+    let names = names(table);
+    let few = table.rows.len() <= MARKED * names.len();
+    let mut curves: Vec<Curve> =
+        names.iter().enumerate().map(|(look, name)| curve(look, name)).collect();
+    curves.iter_mut().for_each(|curve| curve.every_point = few);
+    curves
 }
 
 /// A figure of the rows of a table.
@@ -82,20 +92,6 @@ pub fn against(
     curves: &[Curve],
 ) -> Result<String> {
     drawn(table, &Figure::new("", &[], panels(table, x, columns, curves)?))
-}
-
-/// [`against`] for columns of one quantity: if one spans decades, all have a logarithmic axis.
-pub fn against_alike(
-    table: &Sheet,
-    x: &Axis,
-    columns: &[(&str, &str)],
-    curves: &[Curve],
-) -> Result<String> {
-    let mut panels = panels(table, x, columns, curves)?;
-    if panels.iter().any(|panel| panel.y.scale == Scale::Log) {
-        panels.iter_mut().for_each(|panel| panel.y.scale = Scale::Log);
-    }
-    drawn(table, &Figure::new("", &[], panels))
 }
 
 /// The panels of [`against`].

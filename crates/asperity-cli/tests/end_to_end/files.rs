@@ -134,11 +134,16 @@ fn an_output_never_overwrites_its_input() {
     let run = bench.run(&format!("{CURVE} --output scene.toml"));
     assert_eq!(run.code, Some(1));
     assert!(
-        run.messages.contains("the output would overwrite the input; choose another name"),
+        run.messages.contains("would overwrite the input or another output; choose another name"),
         "{}",
         run.messages
     );
     assert_eq!(bench.read("scene.toml"), scene);
-    let run = bench.run("surface s.txt --unit um --pixel-size 2 --scene x.toml --heights x.toml");
-    assert_eq!(run.code, Some(2), "{}", run.messages);
+    for (plot, reason) in [
+        ("--plot ./q.svg --output q.svg", "would overwrite the input or another output"),
+        ("--plot -", "standard output has one result"),
+    ] {
+        let run = bench.run(&format!("{CURVE} {plot}"));
+        assert!(run.code == Some(1) && run.messages.contains(reason), "{}", run.messages);
+    }
 }

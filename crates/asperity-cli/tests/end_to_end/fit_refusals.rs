@@ -90,10 +90,6 @@ fn bad_parameters_are_refused_by_name() {
     let run = bench.run("check table.xlsx");
     let binary = "table.xlsx: the scene file cannot be read: the file is not a text file; a scene is a text in TOML, of which `asperity init`";
     assert!(run.code == Some(1) && run.messages.contains(binary), "{}", run.messages);
-    let run = bench.run("fit scene.toml data.csv");
-    let keys = "--free is missing; name the numbers to fit, for example --free asperity_height_std (of scene.toml: equivalent_modulus, poissons_ratio, hardness,";
-    assert!(run.messages.contains(keys), "{}", run.messages);
-    assert!(run.messages.contains("separation_offset, series_compliance"), "{}", run.messages);
     for usage in [
         "data.csv",
         "data.csv --free hardness=1N:2N",
@@ -104,13 +100,11 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
-        "--free hardness --target area_fraction=120% --load 1",
         "--free hardness --target aera=1e-9 --load 1",
         "--free hardness --target area=1e-9 --separation 2",
         "data.csv --free hardness --target area=1e-9 --load 1",
         "data.csv --free hardness --load 1",
         "data.csv --free hardness --plot fit.png",
-        "data.csv --free hardness --plot a.svg --output a.svg",
     ] {
         let run = bench.run(&format!("fit scene.toml {usage}"));
         assert_eq!(run.code, Some(2), "{usage}: {}", run.messages);
@@ -200,10 +194,11 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
 }
 
 #[test]
-fn a_target_above_the_nominal_area_is_refused() {
+fn a_target_above_the_nominal_area_is_not_reached() {
     let bench = Bench::new();
-    let wanted = "error: --target: area is 5 m2, above the nominal area of 1e-4 m2";
-    refused(&bench, "--free asperity_height_std --target area=5 --load 1kN", wanted);
+    let run = bench.run("fit scene.toml --free asperity_height_std --target area=5 --load 1kN");
+    let wanted = "an area of 5 m2 at a load of 1000 N cannot be reached";
+    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }
 
 #[test]

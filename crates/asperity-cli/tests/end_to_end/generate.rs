@@ -49,16 +49,6 @@ fn both_files_hold_the_heights_of_the_library() {
 }
 
 #[test]
-fn steep_surfaces_have_a_warning() {
-    let bench = Bench::new();
-    let run = bench.run(&format!("{LINE} s.npy").replace("--sq 0.3um", "--sq 30um"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("warning: the rms gradient is "), "{}", run.messages);
-    let run = bench.run(&format!("{LINE} s.npy"));
-    assert!(!run.messages.contains("warning"), "{}", run.messages);
-}
-
-#[test]
 fn what_cannot_be_made_is_refused() {
     let bench = Bench::new();
     let refused = |change: [&str; 2], code: i32, text: &str| {

@@ -57,7 +57,7 @@ fn plots_show_the_printed_data() {
         assert_eq!(svg.matches("rotate(-90").count(), points, "a panel has one upright label");
         let run = bench.run(&format!("{arguments} --plot -"));
         assert!(
-            run.code == Some(2) && run.messages.contains("--plot - uses standard output"),
+            run.code == Some(1) && run.messages.contains("standard output has one result"),
             "{}",
             run.messages
         );
@@ -88,17 +88,12 @@ fn zeros_and_few_contacts_are_reported_once() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
-    assert!(run.messages.contains("from a retreat of 1e-4 m on, values are 0"), "{}", run.messages);
-    assert_eq!(run.messages.matches("values are 0").count(), 1, "{}", run.messages);
+    assert!(run.messages.contains("contact ends at a retreat of "), "{}", run.messages);
+    let open = "the joint is open at ";
     let run = bench.run("unload scene.toml --model ke --history 2,40,0.5");
-    assert!(
-        run.messages.contains("fewer than one asperity touches on average at "),
-        "{}",
-        run.messages
-    );
-    assert!(run.messages.contains(" on way 1; at ") && run.messages.contains("values are 0"));
-    let few = bench.run("unload scene.toml --model ke --history 2,1").messages;
-    assert!(!few.contains("fewer than one"), "{few}");
+    assert_eq!(run.messages.matches(open).count(), 1, "{}", run.messages);
+    let closed = bench.run("unload scene.toml --model ke --history 2,1").messages;
+    assert!(!closed.contains(open), "{closed}");
     let run = bench.run("curve scene.toml --model ke --separation 40");
     assert_eq!(run.messages.matches("too small for f64").count(), 1, "{}", run.messages);
     for printed in ["force, area", " of force, -", " of area", "the surfaces hardly touch"] {
@@ -218,18 +213,7 @@ fn histories_turn_at_separations_and_at_loads() {
     let one = bench.run("unload scene.toml --model ke --history-load 100").messages;
     assert!(one.contains("closing to the turning point takes"), "{one}");
     let open = bench.run("unload scene.toml --model ke --history-load 100,0");
-    assert!(
-        open.code == Some(2) && open.messages.contains("0 is not a turning load"),
-        "{}",
-        open.messages
-    );
-    for (turns, wanted) in [
-        ("--history-load 1kN,1kN", "1kN follows 1kN; a joint turns at loads that differ"),
-        ("--history 1um,1um", "1um follows 1um; a joint turns at separations that differ"),
-    ] {
-        let run = bench.run(&format!("unload scene.toml --model ke {turns}"));
-        assert!(run.code == Some(2) && run.messages.contains(wanted), "{}", run.messages);
-    }
+    assert_eq!(open.code, Some(2), "{}", open.messages);
     let light = bench.run("unload scene.toml --model ke --closest 6");
     assert!(
         light

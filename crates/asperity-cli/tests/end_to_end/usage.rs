@@ -2,23 +2,6 @@
 
 use crate::bench::Bench;
 
-#[test]
-fn an_empty_model_name_leads_to_the_list_of_models() {
-    let bench = Bench::new();
-    for command in ["curve", "recommend", "check"] {
-        let mut run = bench.command();
-        let found = run.args([command, "scene.toml", "--model", "", "--load", "5"]).output();
-        let found = found.unwrap();
-        let arguments = String::from_utf8_lossy(&found.stderr);
-        assert_eq!(found.status.code(), Some(2), "{arguments}");
-        assert!(
-            arguments.contains("invalid value '' for '--model <M>': a name is empty"),
-            "{arguments}"
-        );
-        assert!(arguments.contains("`asperity list models` lists them"), "{arguments}");
-    }
-}
-
 /// What a refused command line prints first; the usage follows.
 #[test]
 fn bad_usage_ends_with_2_and_states_the_requirement() {
@@ -70,9 +53,6 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "curve scene.toml --load 5 --separation 2",
         "curve scene.toml --pressure 5 --load 2",
         "curve scene.toml --tolerance 0",
-        "curve scene.toml --plot -",
-        "curve scene.toml --output q.svg --plot ./q.svg",
-        "surface s --scales 1e-6 --output q.svg --plot q.svg",
         "curve scene.toml --format xml",
         "solve scene.toml --model ke",
         "solve scene.toml --model ke --separation 5",

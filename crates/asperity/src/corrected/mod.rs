@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::evidence::{Counted, Lacking, compile_known};
+use crate::evidence::{Counted, Lacking, compile, compile_known};
 use crate::recommended::BEM;
 use crate::{
     At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
@@ -94,7 +94,8 @@ impl Corrected {
         request: &Request,
     ) -> Result<Self, ContactError> {
         Self::check(model)?;
-        let (contact, lacking) = compile_known(model, scene, request)?;
+        let compile = |quantities: &[Quantity]| compile(model, scene, request, quantities);
+        let (contact, lacking) = compile_known(&request.quantities, &[], compile)?;
         Self::of(model, contact.into(), lacking, shape)
     }
 

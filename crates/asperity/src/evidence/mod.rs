@@ -27,7 +27,9 @@ use process::Process;
 #[cfg(feature = "evidence")]
 pub(crate) use contacts::Counted;
 #[cfg(feature = "evidence")]
-pub(crate) use of_model::{Lacking, compile, compile_known};
+pub(crate) use of_model::{Lacking, compile};
+#[cfg(feature = "evidence")]
+pub use of_model::{compile_compared, compile_known};
 
 use crate::ContactError;
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};

@@ -78,43 +78,53 @@ impl Compared {
 /// Quantities that a model does not have, and why.
 pub(crate) type Lacking = Vec<(Quantity, ContactError)>;
 
-/// Like [`compile`] for the quantities that the model has, and the others.
+/// A contact compiled for those of the quantities that the model has, and why it lacks the others;
+/// `compile` makes it for some of them. Without any, it is made for those `otherwise`.
 ///
 /// # Errors
-/// Those of the model, if it has none of the quantities.
-pub(crate) fn compile_known(
-    model: &Model,
-    scene: &Scene,
-    request: &Request,
+/// Those of the model for all quantities, if it has none and there is nothing otherwise.
+pub fn compile_known(
+    quantities: &[Quantity],
+    otherwise: &[Quantity],
+    compile: impl Fn(&[Quantity]) -> Result<Box<dyn Contact>, ContactError>,
 ) -> Result<(Box<dyn Contact>, Lacking), ContactError> {
-    let whole = match compile(model, scene, request) {
+    let whole = match compile(quantities) {
         Ok(contact) => return Ok((contact, vec![])),
         Err(whole) => whole,
     };
-    let of = |quantities: Vec<Quantity>| Request::new(quantities).within(request.tolerance);
-    let refusal = |q: &Quantity| Some((*q, model.compile(scene, &of(vec![*q])).err()?));
-    let lacking: Lacking = request.quantities.iter().filter_map(refusal).collect();
-    let mut others = request.quantities.clone();
-    others.retain(|q| !lacking.iter().any(|(lacks, _)| lacks == q));
-    if others.is_empty() {
-        return Err(whole);
+    let refusal = |q: &Quantity| Some((*q, compile(&[*q]).err()?));
+    let lacking: Lacking = quantities.iter().filter_map(refusal).collect();
+    let mut had = quantities.to_vec();
+    had.retain(|q| lacking.iter().all(|(lacks, _)| lacks != q));
+    let had = if had.is_empty() { otherwise.to_vec() } else { had };
+    match had.is_empty() {
+        true => Err(whole),
+        false => Ok((compile(&had).map_err(|_| whole)?, lacking)),
     }
-    Ok((compile(model, scene, &of(others).at(request.at.iter().copied()))?, lacking))
 }
 
-/// A model compiled for a request and, as far as it has them, for the compared quantities.
+/// A contact compiled for quantities and, as far as the model has them, for the compared ones.
+///
+/// # Errors
+/// Those of the model for the quantities alone.
+pub fn compile_compared(
+    quantities: &[Quantity],
+    compile: impl Fn(&[Quantity]) -> Result<Box<dyn Contact>, ContactError>,
+) -> Result<Box<dyn Contact>, ContactError> {
+    // Some have no contact radii or no gap.
+    let with = |k: usize| compile(&[quantities, &Compared::QUANTITIES[..k]].concat());
+    [3, 2, 1].iter().find_map(|k| with(*k).ok()).map_or_else(|| with(0), Ok)
+}
+
+/// [`compile_compared`] of a model on a scene, at the places of a request.
 pub(crate) fn compile(
     model: &Model,
     scene: &Scene,
     request: &Request,
+    quantities: &[Quantity],
 ) -> Result<Box<dyn Contact>, ContactError> {
-    let compared = Compared::QUANTITIES;
-    let with = |others: &[Quantity]| {
-        let mut all = request.quantities.clone();
-        all.extend(others.iter().filter(|quantity| !request.quantities.contains(quantity)));
-        let places = request.at.iter().copied();
-        model.compile(scene, &Request::new(all).within(request.tolerance).at(places))
-    };
-    // Some have no contact radii or no gap.
-    [3, 2, 1].iter().find_map(|k| with(&compared[..*k]).ok()).map_or_else(|| with(&[]), Ok)
+    compile_compared(quantities, |all| {
+        let all = Request::new(all.iter().copied()).within(request.tolerance);
+        model.compile(scene, &all.at(request.at.iter().copied()))
+    })
 }

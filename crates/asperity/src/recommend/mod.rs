@@ -152,7 +152,7 @@ pub fn recommend_among(
         let (field, required) = ("number of separations and loads", "at least 1");
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
-    let of_reference = compile(reference, scene, request)?;
+    let of_reference = compile(reference, scene, request, &request.quantities)?;
     let column = |quantity: &Quantity| answer(&*of_reference, *quantity, &request.at);
     let wanted: Vec<_> = request.quantities.iter().map(column).collect::<Result<_, _>>()?;
     let mut evidence = evidence_of(reference, &*of_reference, shape, request)?;
@@ -164,10 +164,13 @@ pub fn recommend_among(
     );
     let compared = |model: Model| {
         let regimes = regimes(&model, scene, request);
-        let (contact, mut lacking, mut deviations) = match compile_known(&model, scene, request) {
-            Ok((contact, lacking)) => (Some(contact), lacking, Ok(vec![])),
-            Err(error) => (None, vec![], Err(error)),
-        };
+        let (contact, mut lacking, mut deviations) =
+            match compile_known(&request.quantities, &[], |quantities| {
+                compile(&model, scene, request, quantities)
+            }) {
+                Ok((contact, lacking)) => (Some(contact), lacking, Ok(vec![])),
+                Err(error) => (None, vec![], Err(error)),
+            };
         if let (Some(contact), Ok(deviations)) = (&contact, &mut deviations) {
             let lacks = |q: &Quantity| lacking.iter().any(|(lacking, _)| lacking == q);
             let columns = request.quantities.iter().zip(&wanted);

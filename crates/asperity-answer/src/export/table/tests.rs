@@ -77,7 +77,7 @@ fn loads_and_pressures_are_ends_like_any_other() {
 #[test]
 fn the_tangent_of_the_last_node_ends_the_table() {
     let table = even(41, Interpolation::Linear);
-    let (last, end) = (table.nodes[40], table.cut_off().unwrap());
+    let (last, end) = (table.nodes[40], table.cut_off);
     let slope = last.pressure / ((end - last.separation) * 1e-6);
     assert!(end > 4.0 && (slope / last.stiffness - 1.0).abs() < 1e-9);
 }
@@ -112,7 +112,7 @@ fn scan(
     let mut worst = [0.0_f64; 2];
     for pair in table.nodes.windows(2) {
         let (x, h) = (pair[0].separation, pair[1].separation - pair[0].separation);
-        let metres = h * table.asperity_height_std;
+        let metres = h * scene.surface.asperity_height_std;
         let [(p, k), (q, l)] = [0, 1].map(|end| (pair[end].pressure, pair[end].stiffness * metres));
         for t in (0..201).map(|point| (f64::from(point) + 0.5) / 201.0) {
             // Bernstein's form of the cubic.
