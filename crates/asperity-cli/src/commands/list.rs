@@ -1,7 +1,8 @@
-//! `asperity list`: models and materials, with their sources; also `models` and `materials`.
+//! `asperity list`: models and materials, with their sources, and what findings mean; also
+//! `models` and `materials`.
 
 use anyhow::{Result, ensure};
-use asperity::{Described, Model};
+use asperity::{Code, Described, Model, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::Material;
 use clap::{Args, ValueEnum};
@@ -9,7 +10,7 @@ use clap::{Args, ValueEnum};
 use crate::input::args::OutputArgs;
 use crate::output::{self, table::Format};
 
-/// Models or materials, with their sources
+/// Models or materials, with their sources, or what warnings and notes mean
 #[derive(Debug, Args)]
 #[command(
     after_help = include_str!("../help/list.txt")
@@ -17,7 +18,7 @@ use crate::output::{self, table::Format};
 pub struct List {
     what: What,
     /// Only models of this id, or with this word in their name, authors or year; or materials with
-    /// this word in their name, or the nearest ones
+    /// this word in their name, or the nearest ones; or findings with this word in their code
     #[arg(default_value = "", hide_default_value = true)]
     word: String,
     #[command(flatten)]
@@ -28,6 +29,7 @@ pub struct List {
 enum What {
     Models,
     Materials,
+    Findings,
 }
 
 impl List {
@@ -37,6 +39,7 @@ impl List {
         let sheet = match self.what {
             What::Models => models(&self.word, narrow)?,
             What::Materials => materials(&self.word, narrow)?,
+            What::Findings => findings(&self.word, narrow)?,
         };
         self.output.write(&sheet)?;
         output::show(&sheet.findings);
@@ -136,6 +139,29 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         let (heads, row): (Vec<&str>, Vec<Cell>) = cells.into_iter().unzip();
         sheet.under(&[&heads]);
         sheet.rows.push(row);
+    }
+    Ok(sheet)
+}
+
+fn findings(word: &str, narrow: bool) -> Result<Sheet> {
+    let mut sheet = Sheet::default();
+    let found: Vec<Code> = Code::all().filter(|code| code.name.contains(word.trim())).collect();
+    let near = || nearest_hint(nearest_name(word, Code::all().map(|code| code.name)));
+    ensure!(!found.is_empty(), "no finding has the code {word:?}{}", near());
+    for Code { name, meaning, harmless, remedy } in found {
+        if narrow {
+            sheet.under(&[&["code", "meaning"]]);
+            for row in [
+                [name, meaning],
+                ["", &format!("Harmless: {harmless}")],
+                ["", &format!("To do: {remedy}")],
+            ] {
+                sheet.add(&row, [Cell::BLANK; 0]);
+            }
+        } else {
+            sheet.under(&[&["code", "meaning", "harmless", "to_do"]]);
+            sheet.add(&[name, meaning, harmless, remedy], [Cell::BLANK; 0]);
+        }
     }
     Ok(sheet)
 }
