@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::doubts::likely_unit;
 use crate::forward::Forward;
+use crate::likely_unit::likely_unit;
 use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
 use crate::solution::Solution;
