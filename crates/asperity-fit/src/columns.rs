@@ -2,6 +2,7 @@
 
 use asperity_core::{At, Datum, Quantity, Separation};
 
+use crate::doubt::plural;
 use crate::names::unknown_column;
 use crate::observation::{LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
@@ -63,8 +64,10 @@ impl<'c> Columns<'c> {
                 return refused(name, "the column is given twice".into());
             }
             if values.len() != rows {
-                let (column, found) = (name.into(), values.len());
-                return Err(FitError::Length { column, found, required: rows });
+                let found = plural(values.len(), "value");
+                return Err(FitError::Data(format!(
+                    "{name} has {found}: {rows} were required, as in the other columns"
+                )));
             }
             match name.strip_suffix(STD) {
                 _ if IGNORED.contains(&name) => {}
@@ -85,9 +88,9 @@ impl<'c> Columns<'c> {
                 true => format!("; name force_N {LOAD} if the other values were measured under it"),
                 false => String::new(),
             };
-            let needed =
-                format!("a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}");
-            return Err(FitError::NoData { missing: "load or separation", needed });
+            return Err(FitError::Data(format!(
+                "the data have no load or separation: a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}"
+            )));
         }
         match found.deviations.iter().find(|(of, _)| !has(of)) {
             Some((of, _)) => {

@@ -17,8 +17,6 @@ use crate::{FitError, Measured, Observation, Parameter};
 
 /// Residuals beyond this many standard deviations, as a root mean square, deserve a note.
 const MANY: f64 = 5.0;
-/// Beyond this many, the standard deviations are not those of the data.
-const LARGEST_RATIO: f64 = 100.0;
 /// Stiffnesses that are taken for each other: on loading, and at the start of unloading.
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::Stiffness];
@@ -43,27 +41,16 @@ impl Solution<'_> {
         found.extend_from_slice(&limits);
         found.extend(self.unreachable(is_exact));
         let outlier = contradicted_lines(self.problem, &self.found.best, &self.residuals)?;
-        let mut misfit = match is_exact {
+        let misfit = match is_exact {
             true => None,
             false => self.misfit(outlier.as_ref(), &limits)?,
         };
-        if let Some(ratio) = self.deviations() {
+        if let Some(ratio) = self.deviations().filter(|_| outlier.is_none()) {
             let [shown, chi] = [ratio, ratio * ratio].map(short);
-            let advice = outlier.as_ref().map_or_else(
-                || {
-                    "intervals are too narrow; check the standard deviations, or leave them out"
-                        .into()
-                },
-                Finding::message,
-            );
             let text = format!(
-                "the residuals are {shown} times the standard deviations (reduced chi squared {chi}); {advice}"
+                "the residuals are {shown} times the standard deviations (reduced chi squared {chi}); intervals are too narrow; check the standard deviations, or leave them out"
             );
-            if ratio > LARGEST_RATIO {
-                misfit = misfit.or_else(|| Some(doubt(MISFIT, "", ratio, text)));
-            } else if outlier.is_none() {
-                found.push(doubt(NOTES, "", ratio, text).severity(Severity::Note));
-            }
+            found.push(doubt(NOTES, "", ratio, text).severity(Severity::Note));
         }
         found.extend(outlier);
         // At a limit a number or unit is wrong, which the law of another stiffness may hide.
@@ -144,15 +131,9 @@ impl Solution<'_> {
             let limits = limits.iter().map(Finding::message);
             limits.chain([check.into()]).collect::<Vec<_>>().join("; ")
         });
-        let is_0 = |(one, value): &(&Observation, &f64)| {
-            !one.measured.is_difference() && (*value / one.value).ln().is_infinite()
-        };
-        let size = match (data.iter().zip(values).find(is_0), rms(data, values)) {
-            (Some((one, _)), _) => {
-                let (place, at) = one.place();
-                format!("without contact at {place} = {}", short(at))
-            }
-            (None, Some(rms)) if rms > LARGEST_RMS => {
+        let size = match rms(data, values) {
+            _ if far.is_infinite() => "some fitted values are 0".into(),
+            Some(rms) if rms > LARGEST_RMS => {
                 let factor = short(rms.exp());
                 format!("fitted values deviate by a factor of {factor} (root mean square)")
             }

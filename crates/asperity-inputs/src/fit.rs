@@ -17,12 +17,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
     pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
-        Data::from_table(table, self.separation_from).map_err(|mut error| {
-            if let FitError::PerArea { nominal_area, .. } = &mut error {
-                *nominal_area = Some(self.scene.nominal_area);
-            }
-            error.into()
-        })
+        Ok(Data::from_table(table, self.separation_from)?)
     }
 
     /// The free parameters, which start from the values of this scene. By default their bounds are

@@ -171,11 +171,7 @@ impl FitCommand {
                     // Errors of columns and lines are those of the data.
                     let place = match &error {
                         SceneError::Fit(
-                            FitError::Loads { .. }
-                            | FitError::Unit { .. }
-                            | FitError::Column { .. }
-                            | FitError::TooFew { .. }
-                            | FitError::NoStart { .. },
+                            FitError::Data(_) | FitError::Column { .. } | FitError::NoStart { .. },
                         ) => self.data_name(scene),
                         SceneError::Fit(FitError::Parameter { .. }) => "--free".into(),
                         _ => scene.name.clone(),
