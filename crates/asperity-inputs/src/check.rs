@@ -73,8 +73,9 @@ impl SceneFile {
         });
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The number that was given, in place of findings about the asperities that follow from it.
-        let is_wrong = |found: &Finding| of_asperities(found) && found.severity == Severity::Error;
-        if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
+        if let Some(odd) =
+            self.odd_number.clone().filter(|_| of_interface.iter().any(of_asperities))
+        {
             of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
             of_interface.push(odd);
         }

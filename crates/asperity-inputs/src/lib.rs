@@ -3,7 +3,6 @@
 // This crate takes models from the facade's registry only, and does no arithmetic on results.
 
 mod accept;
-mod bandwidth;
 mod cells;
 mod check;
 mod document;

@@ -10,7 +10,7 @@ mod lengths;
 mod surface;
 
 pub use lengths::mistaken_unit;
-pub(crate) use surface::{Given, OddNumber, likely_curvature};
+pub(crate) use surface::{other_unit, too_steep};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.

@@ -7,7 +7,6 @@ use asperity::{
 };
 
 use crate::SceneFile;
-use crate::bandwidth::{GRADIENT, MEAN_SLOPE};
 
 /// The ways to describe a surface by three numbers: the asperities themselves, those that follow
 /// from the interface as well, and those of [`Roughness`].
@@ -15,10 +14,10 @@ pub(crate) const WAYS: &[[&str; 3]; 7] = &[
     ["asperity_radius", "asperity_density", "asperity_height_std"],
     ["plasticity_index", "roughness_parameter", "asperity_height_std"],
     ["asperity_radius", "asperity_density", "surface_height_std"],
-    ["surface_height_std", MEAN_SLOPE, "asperity_density"],
+    ["surface_height_std", "mean_slope", "asperity_density"],
     ["m0", "m2", "m4"],
     ["sq", "spd", "spc"],
-    ["sq", "spd", GRADIENT],
+    ["sq", "spd", "sdq"],
 ];
 
 /// Three numbers from which the asperities of a surface follow, as in `[surface]`, in SI units.

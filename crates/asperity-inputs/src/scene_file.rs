@@ -14,7 +14,6 @@ use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
 use crate::keys::Key;
 use crate::measured::Asked;
-use crate::measurements::{SCENE_FIRST, is_measurements};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
@@ -87,34 +86,18 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };
-    read().map_err(|error| scan_instead_of_scene(path, error))
-}
-
-/// Extensions of scans, which scene files do not have.
-const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
-
-/// The error for a scan given instead of a scene file.
-fn scan_instead_of_scene(path: &Path, mut error: SceneError) -> SceneError {
-    let end = path.extension().unwrap_or_default().to_ascii_lowercase();
-    if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
-        return error;
-    }
-    let (SceneError::Syntax { reason, .. } | SceneError::Unreadable { reason, .. }) = &mut error
-    else {
-        return error;
-    };
-    let is_table = std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text));
-    *reason = if is_table {
-        format!(
-            "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
-        )
-    } else {
-        let name = path.display();
-        format!(
-            "the file looks like a scan, not like a scene in TOML ({reason}); create a scene with `asperity surface {name} --scene scene.toml`"
-        )
-    };
-    error
+    read().map_err(|mut error| {
+        if let SceneError::Syntax { reason, .. } | SceneError::Unreadable { reason, .. } = &mut error
+            && path.is_file()
+            && path.extension().is_none_or(|end| end != "toml")
+        {
+            *reason = format!(
+                "the file is no scene in TOML ({reason}); of a scan, `asperity surface {} --scene scene.toml` makes one",
+                path.display()
+            );
+        }
+        error
+    })
 }
 
 /// Reads a scene from its text; relative paths in it are relative to `directory`.

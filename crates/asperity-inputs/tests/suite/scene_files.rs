@@ -195,11 +195,11 @@ fn every_way_gives_the_surface_of_the_library() {
             slope.replace("surface_height_std = 1e-6\n", ""),
             "surface_height_std, mean_slope, asperity_density go together",
         ),
-        (format!("{SURFACE}mean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{SURFACE}mean_slope = 0.1"), "surface_height_std and asperity_density with it"),
         (format!("{iso}\nsdq = 0.1"), "surface.sdq and surface.spc"),
         (format!("{SURFACE}sdq = 0.1"), "sq and spd with it"),
         (gradient.replace("spd = \"111 1/mm2\"", ""), "sq and spd go with spc or sdq"),
-        (format!("{iso}\nmean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{iso}\nmean_slope = 0.1"), "surface_height_std and asperity_density with it"),
         // Too little roughness for so many peaks.
         (iso.replace("1 um", "1 nm"), "sq (times spd/spc) is 4.44e-5"),
     ] {
