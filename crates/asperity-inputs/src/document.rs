@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue, Error};
 use toml::{Spanned, Table, Value};
 
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
-use crate::likely::{notation_hint, plain_number};
+use crate::likely::{notation_hint, plain_number, with_decimal_point, without_thousands};
 use crate::quantity::in_si;
 use crate::{Needed, Place, SceneError};
 
@@ -82,8 +82,7 @@ impl<'a> Document<'a> {
             DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
                 Some(units) => {
                     let number = in_si(text, section_and_name(path).1, units);
-                    let found = format!("{:?}", shorten(text));
-                    let number = number.map_err(|odd| odd.error(self.place(path), found))?;
+                    let number = number.map_err(|hint| self.notation(path, text, hint))?;
                     self.stated.push(path.into());
                     Value::Float(number)
                 }
@@ -110,6 +109,18 @@ impl<'a> Document<'a> {
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
+    }
+
+    /// The error for a text that is no number with a unit.
+    fn notation(&self, path: &str, text: &str, hint: String) -> SceneError {
+        let same = with_decimal_point(text).or_else(|| without_thousands(text));
+        let is_plain = |text: &str| text.trim().parse::<f64>().is_ok();
+        let hint = match same {
+            _ if is_plain(text) => "has no unit; remove the quotes, or add a unit".into(),
+            Some(same) if is_plain(&same) => hint + " without quotes",
+            _ => hint,
+        };
+        SceneError::Notation { at: self.place(path), found: format!("{:?}", shorten(text)), hint }
     }
 
     fn float(&self, digits: &str, path: &str) -> Result<f64, SceneError> {

@@ -128,17 +128,11 @@ pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
 /// The key of a pressure on the nominal area, which scene files do not have.
 pub(crate) const PRESSURE: &str = "pressure";
 
-/// The number of a hardness: 120 of `120 HV`, `120 HV10`, `HV 120` or `HV10 120`.
+/// The number of a hardness: 120 of `120 HV`, `120 HV10` or `HV 120`.
 fn of_scale(text: &str, name: &str) -> Option<f64> {
     let (before, after) = text.trim().split_once(name)?;
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-    match before.is_empty() {
-        true => number(after).or_else(|| {
-            let (load, value) = after.split_once(' ')?;
-            number(load).and(number(value))
-        }),
-        false => number(before).filter(|_| after.is_empty() || number(after).is_some()),
-    }
+    let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
+    number.filter(|value| value.is_finite())
 }
 
 /// The gradient above which it is probably in degrees or per cent: 45 degrees.
@@ -174,35 +168,20 @@ pub(crate) fn angle_hint(gradient: f64) -> Option<String> {
     })
 }
 
-/// Units of a gradient: ratios of lengths, with their size.
-const RATIOS: [(&str, f64); 7] = [
-    ("%", 0.01),
-    ("percent", 0.01),
-    ("um/mm", 1e-3),
-    ("um/um", 1.0),
-    ("mm/m", 1e-3),
-    ("mm/mm", 1.0),
-    ("m/m", 1.0),
+/// Units of a gradient with their size, and whether they are units of an angle.
+const GRADIENTS: [(&str, f64, bool); 11] = [
+    ("%", 0.01, false),
+    ("percent", 0.01, false),
+    ("um/mm", 1e-3, false),
+    ("mm/m", 1e-3, false),
+    ("um/um", 1.0, false),
+    ("deg", PI / 180.0, true),
+    ("degrees", PI / 180.0, true),
+    ("\u{b0}", PI / 180.0, true),
+    ("rad", 1.0, true),
+    ("mrad", 1e-3, true),
+    ("grad", PI / 200.0, true),
 ];
-/// Units of an angle, with their size \[rad\].
-const ANGLES: [(&str, f64); 7] = [
-    ("deg", PI / 180.0),
-    ("degree", PI / 180.0),
-    ("degrees", PI / 180.0),
-    ("\u{b0}", PI / 180.0),
-    ("rad", 1.0),
-    ("mrad", 1e-3),
-    ("grad", PI / 200.0),
-];
-
-/// The number of a text in one of the units, times its size.
-fn in_units(text: &str, units: &[(&str, f64)]) -> Option<f64> {
-    let decimal = with_decimal_point(text);
-    let (number, power, rest) = leading(decimal.as_deref().unwrap_or(text))?;
-    let unit = plain(rest);
-    let (_, size) = units.iter().find(|(name, _)| *name == unit)?;
-    Some(scale(&number, power)? * size)
-}
 
 /// The gradient that a text states in per cent, degrees, radians or as a ratio of lengths, as a
 /// number; `None` for angles that are not between 0 and 90 degrees.
@@ -213,9 +192,15 @@ fn in_units(text: &str, units: &[(&str, f64)]) -> Option<f64> {
 /// ```
 #[must_use]
 pub fn gradient(text: &str) -> Option<f64> {
-    let angle = || in_units(text, &ANGLES).filter(|angle| (0.0..FRAC_PI_2).contains(angle));
-    let found = in_units(text, &RATIOS).or_else(|| angle().map(f64::tan));
-    found.filter(|found| found.is_finite())
+    let decimal = with_decimal_point(text);
+    let (number, rest) = leading(decimal.as_deref().unwrap_or(text))?;
+    let unit = plain(&rest);
+    let (_, size, is_angle) = GRADIENTS.iter().find(|(name, ..)| *name == unit)?;
+    let found = scale(&number, 0)? * size;
+    match is_angle {
+        true => (0.0..FRAC_PI_2).contains(&found).then(|| found.tan()),
+        false => Some(found).filter(|found| found.is_finite()),
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 use asperity::{ContactError, Dialect};
-use asperity_inputs::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
+use asperity_inputs::{Needed, SceneError, notation_hint, unit_of};
 use serde::Serialize;
 
 use crate::dialect::{Commands, said};
@@ -48,9 +48,6 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
                 return Some(format!("{text} {hint}"));
             }
             let key = at.field.rsplit('.').next()?;
-            if let Some(hint) = quantity_hint(key, text) {
-                return Some(format!("{text} {hint}"));
-            }
             let unit = unit_of(key);
             // Plain numbers are in the SI unit.
             let unit = unit.filter(|_| text.parse::<f64>().is_ok());

@@ -32,7 +32,7 @@ fn every_error_names_line_field_and_requirement() {
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
-                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or with a unit, for example",
+                "line 12: surface.asperity_height_std = \"1 parsec\" is not a number in m: write 0.2mm, for example",
             ],
         ),
         (
@@ -77,7 +77,7 @@ fn every_error_names_line_field_and_requirement() {
         ),
         (
             text("", &format!("{INTERFACE}work_of_adhesion = \"5 J\"\n"), SURFACE),
-            &["interface.work_of_adhesion is \"5 J\": a number in J/m^2 without quotes"],
+            &["interface.work_of_adhesion = \"5 J\" is not a number in J/m^2: write"],
         ),
         (text("", &bodies.repeat(3), SURFACE), &["body is a list of 3: two tables [[body]]"]),
         (text("body = 3", "", SURFACE), &["line 2: body is 3: a list (two of them"]),

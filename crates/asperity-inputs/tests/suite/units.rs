@@ -26,10 +26,18 @@ fn numbers_may_have_a_unit() {
         (
             "116e9",
             "\"116 mm\"",
-            "interface.equivalent_modulus is \"116 mm\": a number in Pa without quotes, or with a unit, for example \"210 GPa\" (units: GPa, MPa,",
+            "interface.equivalent_modulus = \"116 mm\" is not a number in Pa: write 210GPa, for example (units: GPa, MPa,",
         ),
-        ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
-        ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
+        (
+            "116e9",
+            "\"116\"",
+            "interface.equivalent_modulus = \"116\" has no unit; remove the quotes",
+        ),
+        (
+            "1.11e8",
+            "\"111 mm2\"",
+            "surface.asperity_density = \"111 mm2\" is not a number in 1/m^2",
+        ),
         (
             "0.31",
             "\"0.31\"",
@@ -276,7 +284,7 @@ fn commas_brackets_and_other_units_are_explained() {
         (
             "\"400 MPa\"",
             "\"58 ksi\"",
-            "body[1].yield_strength is \"58 ksi\": a known unit, as in \"399.9 MPa\", which is the",
+            "body[1].yield_strength = \"58 ksi\" is not a number in Pa: write 399.9MPa, which is the same",
         ),
         ("\"400 MPa\"", "\u{201c}400 MPa\u{201d}", "write straight quotes"),
         ("\"400 MPa\"", "\"4,0e8\"", "= \"4,0e8\" has a decimal comma; write 4.0e8 without quotes"),
