@@ -180,6 +180,24 @@ impl<'a> Document<'a> {
         found.map(Some).map_err(|error| self.wrong(path, error.message()))
     }
 
+    /// The keys of a section over those of `base`, as one of the types of the library.
+    pub(crate) fn read_over<T: DeserializeOwned>(
+        &self,
+        section: &str,
+        names: &[&str],
+        mut base: Table,
+    ) -> Result<T, SceneError> {
+        for name in names {
+            let path = joined(section, name);
+            let Some(value) = self.value(&path) else { continue };
+            base.insert((*name).into(), value.clone());
+            // Of the keys so far each is valid.
+            let read = base.clone().try_into::<T>();
+            read.map_err(|error| self.wrong(&path, error.message()))?;
+        }
+        base.try_into().map_err(|error| self.wrong(section, error.message()))
+    }
+
     /// [`get`](Self::get), or the default of the type.
     pub(crate) fn get_or_default<T: DeserializeOwned + Default>(
         &self,

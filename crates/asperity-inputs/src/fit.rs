@@ -8,7 +8,6 @@ use asperity::fit::{
 };
 use asperity::{At, Findings, Interface, Model, Quantity, short};
 
-use crate::free::other_unit;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input, unit_of_free};
 
 impl SceneFile {
@@ -72,11 +71,6 @@ impl SceneFile {
             let give = "the scene gives no value above 0 to start from: give bounds,";
             return Err(refused(&free.name, format!("{give} {}=low:high", free.name)));
         };
-        // What a rig adds has no value in the scene to compare with.
-        let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
-        if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
-            return Err(refused(&free.name, reason));
-        }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)

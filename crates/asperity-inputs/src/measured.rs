@@ -52,7 +52,7 @@ struct Scan {
 impl Scan {
     /// The scan as its keys prepare it.
     fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let (path, options) = (document.path(&self.path), &self.keys.options);
+        let (path, options) = (document.path(&self.path), &self.keys.options());
         let read = match document.handed(&self.at, &self.path)? {
             Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
             None => read(&path, options),
@@ -149,7 +149,7 @@ pub(crate) fn measured(
         [first, rest @ ..] => (first, rest.first()),
     };
     let two = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
-    let alignment = MeasuredKeys::read(document, "surface")?.aligned;
+    let alignment = MeasuredKeys::read(document, "surface")?.alignment();
     let is_pair = second.is_some() || other.is_some();
     if alignment.is_some() && second.is_none() {
         let needed = "two scans, files or a file and counterface.file,";

@@ -122,16 +122,8 @@ impl ModelOptions {
     ) -> Result<Self, SceneError> {
         let known = keys_of("options");
         document.check_keys(section, &known)?;
-        let mut all = Table::try_from(self).unwrap_or_default();
-        for name in known {
-            let path = joined(section, name);
-            let Some(value) = document.value(&path) else { continue };
-            all.insert(name.into(), value.clone());
-            // Of the options so far each is valid.
-            let read = all.clone().try_into::<Self>();
-            read.map_err(|error| document.wrong(&path, error.message()))?;
-        }
-        let options: Self = all.try_into().unwrap_or_default();
+        let so_far = Table::try_from(self).unwrap_or_default();
+        let options: Self = document.read_over(section, &known, so_far)?;
         options.check(document, section)?;
         Ok(options)
     }

@@ -91,9 +91,9 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
             && path.is_file()
             && path.extension().is_none_or(|end| end != "toml")
         {
-            *reason = format!(
-                "the file is no scene in TOML ({reason}); of a scan, `asperity surface {} --scene scene.toml` makes one",
-                path.display()
+            let name = path.display();
+            *reason += &format!(
+                "; a scene is a file in TOML, which `asperity surface {name} --scene scene.toml` makes of a scan"
             );
         }
         error
