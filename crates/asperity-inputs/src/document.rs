@@ -15,7 +15,7 @@ use toml::{Spanned, Table, Value};
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
 use crate::likely::{notation_hint, plain_number, with_decimal_point, without_thousands};
 use crate::quantity::in_si;
-use crate::{Needed, Place, SceneError};
+use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
@@ -222,21 +222,20 @@ impl<'a> Document<'a> {
         }
         let needed = match expected {
             "f64" => match text.and_then(|text| plain_number(name, text)) {
-                Some(number) => number.into(),
-                None => Needed::Number(meaning),
+                Some(number) => number,
+                None => format!("a plain number ({meaning}),"),
             },
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {
-                format!("a list ({meaning}), each written [[body]],").into()
+                format!("a list ({meaning}), each written [[body]],")
             }
-            "a sequence" => format!("a list ({meaning})").into(),
-            "path string" => format!("the path of a file, in quotes ({meaning}),").into(),
+            "a sequence" => format!("a list ({meaning})"),
+            "path string" => format!("the path of a file, in quotes ({meaning}),"),
             "string only" => "a name in quotes".into(),
-            names => names.replace('`', "\"").into(),
+            names => names.replace('`', "\""),
         };
-        let allowed = needed.to_string();
         // A number in quotes is an example, not a name.
-        let names = allowed.split('"').skip(1).step_by(2);
+        let names = needed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
         let near = nearest_name(found.trim_matches('"'), names);
         let near = near.map(Into::into);
@@ -370,7 +369,7 @@ fn other_notation(line: &str) -> Option<String> {
 }
 
 /// Advice for a spreadsheet that was given as a table.
-pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv";
+pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv in UTF-8";
 
 /// The text of a file; `place` gives its place in an error, and `advice` the remedy for a file that
 /// is no text.
@@ -381,31 +380,22 @@ pub(crate) fn read_text(
 ) -> Result<String, SceneError> {
     let mut bytes = vec![];
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    let is_text = |text: &String| !text.contains(|c: char| matches!(c, '\0'..='\u{8}'));
     let reason = match read {
         Err(error) => error.to_string(),
-        Ok(_) if is_binary(&bytes) => format!("the file is not a text file; {advice}"),
         Ok(count) if count as u64 > MOST_BYTES => {
             format!("more than {MOST_BYTES} bytes; leave out rows or digits")
         }
-        Ok(_) => match String::from_utf8(bytes) {
-            // Text in UTF-16 has zeros.
-            Ok(mut text) if !text.contains('\0') => {
+        Ok(_) => match String::from_utf8(bytes).ok().filter(is_text) {
+            Some(mut text) => {
                 // The end of a text in DOS.
                 text.truncate(text.trim_end_matches('\u{1a}').len());
                 return Ok(text);
             }
-            _ => "the text is not in UTF-8; save it as UTF-8".into(),
+            None => format!("the file is not a text file in UTF-8; {advice}"),
         },
     };
     Err(SceneError::Unreadable { at: Box::new(place()), reason })
-}
-
-/// Whether bytes are no text in UTF-8, UTF-16 or an 8-bit encoding: archives, as spreadsheets are,
-/// and other files with control characters.
-fn is_binary(bytes: &[u8]) -> bool {
-    let is_control = |byte: &u8| matches!(byte, 1..=8 | 14..=25 | 28..=31);
-    let is_utf_16 = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
-    !is_utf_16 && bytes.iter().take(4096).any(is_control)
 }
 
 /// The first 60 characters of a text.

@@ -38,32 +38,6 @@ impl fmt::Display for Place {
     }
 }
 
-/// The value that a field needs.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Needed {
-    /// A plain number, for a key with this meaning.
-    Number(&'static str),
-    /// Another value, in words.
-    Other(String),
-}
-
-impl fmt::Display for Needed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(meaning) => {
-                write!(f, "a number in SI units, without quotes ({meaning}),")
-            }
-            Self::Other(words) => f.write_str(words),
-        }
-    }
-}
-
-impl<T: Into<String>> From<T> for Needed {
-    fn from(words: T) -> Self {
-        Self::Other(words.into())
-    }
-}
-
 /// An error in a scene file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -112,7 +86,7 @@ pub enum SceneError {
         /// The most similar name allowed, if there is one.
         near: Option<String>,
         /// The value needed.
-        needed: Needed,
+        needed: String,
     },
     /// A number that is written in another notation, with a decimal comma for example.
     #[error("{at} = {found} {hint}")]

@@ -189,15 +189,7 @@ impl SceneFile {
             let ([low, high], name) = (estimate.bounds.map(short), &free.name);
             let unit = &estimate.unit;
             let gap = if unit.is_empty() { "" } else { " " };
-            let how = match Role::of(name) {
-                Role::SeparationOffset => "30 asperity_height_std beyond the readings",
-                Role::Scene if key_of_input(name) == "poissons_ratio" => {
-                    "a factor 30 either way, at most to its limit of 0.5"
-                }
-                Role::Scene if name == "skewness" => "all skewnesses that the model of heights has",
-                _ => "a factor 30 either way",
-            };
-            Some(format!("{name} is varied from {low} to {high}{gap}{unit}, {how}"))
+            Some(format!("{name} is varied from {low} to {high}{gap}{unit} by default"))
         };
         usual.filter_map(note).collect()
     }

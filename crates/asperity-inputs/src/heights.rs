@@ -68,18 +68,12 @@ fn inline_heights(
     densities: &[f64],
 ) -> Result<TabulatedHeights, SceneError> {
     let at = "surface.heights";
-    let refused = |found: String, needed: &str| {
-        let needed = needed.into();
-        SceneError::Value { at: document.place(at), found, near: None, needed }
-    };
-    if heights.len() != densities.len() {
+    if heights.len() != densities.len() || heights.len() > MOST_POINTS {
         let found =
             format!("a table of {} heights and {} densities", heights.len(), densities.len());
-        return Err(refused(found, "one density for each height"));
-    }
-    if heights.len() > MOST_POINTS {
-        let found = format!("a table of {} points", heights.len());
-        return Err(refused(found, &format!("at most {MOST_POINTS}")));
+        let needed = format!("one density for each height, at most {MOST_POINTS},");
+        let at = document.place(at);
+        return Err(SceneError::Value { at, found, near: None, needed });
     }
     let points: Vec<(f64, f64)> = heights.iter().copied().zip(densities.iter().copied()).collect();
     TabulatedHeights::new("table", &points).map_err(|source| match source {

@@ -8,7 +8,7 @@ use asperity::{
     nearest_name,
 };
 
-use crate::keys::{BODY, Field, INTERFACE, Key, SURFACE};
+use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
 use crate::{Roughness, SceneError, SceneFile};
 
 /// A number of a scene that can be read and replaced.
@@ -105,27 +105,9 @@ impl SceneFile {
     /// The error about a name that is no input of this scene.
     fn unknown(&self, name: &str, known: &[(String, SceneInput)]) -> SceneError {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
-        let reason = match name {
-            "m0" | "m2" | "m4" => "; m0, m2 and m4 need a surface that is given by them",
-            "sq" | "spd" | "spc" | "sdq" => {
-                "; sq, spd and spc need a surface that is given by them (sdq in the place of spc)"
-            }
-            "surface_height_std" => "; surface_height_std needs a surface that is given by it",
-            "mean_plane_offset" => "; mean_plane_offset needs a scene that gives it",
-            "skewness" => "; skewness needs heights that are given by it",
-            YOUNGS_MODULUS if !self.bodies.is_empty() => {
-                let of_body =
-                    |(body, k): (&Body, _)| format!("{:e} Pa of body {k}", body.youngs_modulus);
-                let moduli: Vec<String> = self.bodies.iter().zip(1..).map(of_body).collect();
-                let give = "give body1_youngs_modulus or body2_youngs_modulus";
-                let reason = format!("is {}: {give}", moduli.join(" and "));
-                return SceneError::Input { name: name.into(), reason };
-            }
-            YOUNGS_MODULUS | "body1_youngs_modulus" | "body2_youngs_modulus" => {
-                "; Young's modulus needs a scene that is given by its bodies"
-            }
-            _ => "",
-        };
+        // Of another way to describe the surface, or of bodies that the scene does not have.
+        let is_key = KEYS.iter().any(|key| key.name == key_of_input(name)) || name == "skewness";
+        let reason = is_key.then(|| format!("; {name} needs a scene that is given by it"));
         let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
         // What tells the input from the name that was meant.
         let difference = synonym.and_then(|(key, differs)| {
@@ -134,7 +116,7 @@ impl SceneFile {
         });
         let synonym = synonym.map(|(key, _)| key);
         let near = nearest_hint(synonym.or_else(|| nearest_name(name, names.iter().copied())));
-        let (known, reason) = (names.join(", "), difference.unwrap_or(reason.into()));
+        let (known, reason) = (names.join(", "), difference.or(reason).unwrap_or_default());
         let reason =
             format!("is not an input of this scene{near}: one of {known} was required{reason}");
         SceneError::Input { name: name.into(), reason }
@@ -296,7 +278,7 @@ mod tests {
         assert!(file.with_inputs([(inputs[0], 7.0)]).is_err());
         let plain = parse(template(), Path::new(".")).unwrap();
         let refused = plain.inputs(["skewness"]).unwrap_err().to_string();
-        assert!(refused.ends_with("; skewness needs heights that are given by it"), "{refused}");
+        assert!(refused.ends_with("; skewness needs a scene that is given by it"), "{refused}");
     }
 
     #[test]
@@ -310,7 +292,7 @@ mod tests {
         let inverse = refused(&["electrical_conductivity"]);
         assert!(inverse.contains("(the nearest is \"electrical_resistivity\")"), "{inverse}");
         assert!(inverse.ends_with("; electrical_resistivity is 1/conductivity, in ohm m"));
-        assert!(refused(&["m0"]).ends_with("; m0, m2 and m4 need a surface that is given by them"));
+        assert!(refused(&["m0"]).ends_with("; m0 needs a scene that is given by it"));
         let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
         assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);
         let wanted = "hardness is that of the interface, which follows from its bodies once body1_youngs_modulus is given: use body1_hardness or body2_hardness";

@@ -50,7 +50,7 @@ fn body(document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
                     at: document.place(&path("material")),
                     found: format!("{:?}", shorten(&id)),
                     near: near.map(Into::into),
-                    needed: needed.into(),
+                    needed,
                 }
             })?
         }

@@ -34,7 +34,7 @@ mod write;
 
 pub use check::Measured;
 pub use document::HandedFiles;
-pub use error::{Needed, Place, SceneError};
+pub use error::{Place, SceneError};
 pub use free::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use asperity::{
     Body, ContactError, Findings, Interface, ProfileMoments, Scene, Surface, TabulatedHeights,
+    positive,
 };
 
 use crate::SceneFile;
@@ -119,19 +120,8 @@ impl Roughness {
 
 /// Sdq over √π is the mean absolute slope of profiles of an isotropic Gaussian surface.
 fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
-    let made = Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd);
-    made.map_err(|error| match error {
-        ContactError::OutOfRange { field, value, required } => {
-            let (field, value) = match field {
-                "surface_height_std" => ("sq", value),
-                "asperity_density" => ("spd", value),
-                "mean_slope" => ("sdq", sdq),
-                other => (other, value),
-            };
-            ContactError::OutOfRange { field, value, required }
-        }
-        error => error,
-    })
+    let (sq, spd, sdq) = (positive("sq", sq)?, positive("spd", spd)?, positive("sdq", sdq)?);
+    Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd)
 }
 
 impl SceneFile {

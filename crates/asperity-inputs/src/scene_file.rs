@@ -227,11 +227,8 @@ fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'st
             "a table whose heights are measured from the mean plane of the surface (the mean of this table is 0: its heights are measured from their own mean)",
         ),
         _ if scene.mean_plane_offset.is_some() => None,
-        (HeightDistribution::Exponential, _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of exponential heights is unknown)",
-        ),
-        (HeightDistribution::Weibull(_), _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed heights is unknown)",
+        (HeightDistribution::Exponential | HeightDistribution::Weibull(_), _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of such heights is unknown)",
         ),
         _ => None,
     }

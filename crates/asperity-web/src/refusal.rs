@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 use asperity::{ContactError, Dialect};
-use asperity_inputs::{Needed, SceneError, notation_hint, unit_of};
+use asperity_inputs::{SceneError, notation_hint, unit_of};
 use serde::Serialize;
 
 use crate::dialect::{Commands, said};
@@ -53,11 +53,6 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
             let unit = unit.filter(|_| text.parse::<f64>().is_ok());
             let unit = unit.map(|unit| format!(" {unit}"));
             let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
-            // The form has no quotes.
-            let needed = match needed {
-                Needed::Number(meaning) => format!("a number ({meaning})"),
-                Needed::Other(words) => words.clone(),
-            };
             let [unit, near] = [unit, near].map(Option::unwrap_or_default);
             format!("{text}{unit}{near}: {needed} was required")
         }

@@ -85,10 +85,11 @@ fn bad_parameters_are_refused_by_name() {
     insta::assert_snapshot!(all);
     refused(&bench, "none.csv --free hardness", "none.csv: the data cannot be read");
     std::fs::write(bench.path("table.xlsx"), b"PK\x03\x04\x14\x00\x06\x00").unwrap();
-    let binary = "table.xlsx: the data cannot be read: the file is not a text file; save the sheet";
+    let binary =
+        "table.xlsx: the data cannot be read: the file is not a text file in UTF-8; save the sheet";
     refused(&bench, "table.xlsx --free hardness", binary);
     let run = bench.run("check table.xlsx");
-    let binary = "table.xlsx: the scene file cannot be read: the file is not a text file; a scene is a text in TOML, of which `asperity init`";
+    let binary = "table.xlsx: the scene file cannot be read: the file is not a text file in UTF-8; a scene is a text in TOML, of which `asperity init`";
     assert!(run.code == Some(1) && run.messages.contains(binary), "{}", run.messages);
     let run = bench.run("fit scene.toml data.csv");
     let keys = "--free is missing; name the numbers to fit, for example --free asperity_height_std (of scene.toml: equivalent_modulus, poissons_ratio, hardness,";
