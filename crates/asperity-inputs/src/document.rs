@@ -144,12 +144,7 @@ impl<'a> Document<'a> {
 
     /// The number of a key.
     pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
-        match self.value(path) {
-            None => Ok(None),
-            Some(Value::Float(number)) => Ok(Some(*number)),
-            Some(Value::Integer(number)) => Ok(Some(*number as f64)),
-            Some(_) => Err(self.wrong(path, "f64")),
-        }
+        self.get(path)
     }
 
     /// The number of a key that a scene must have.
@@ -196,14 +191,6 @@ impl<'a> Document<'a> {
             read.map_err(|error| self.wrong(&path, error.message()))?;
         }
         base.try_into().map_err(|error| self.wrong(section, error.message()))
-    }
-
-    /// [`get`](Self::get), or the default of the type.
-    pub(crate) fn get_or_default<T: DeserializeOwned + Default>(
-        &self,
-        path: &str,
-    ) -> Result<T, SceneError> {
-        Ok(self.get(path)?.unwrap_or_default())
     }
 
     /// The error for a value of the wrong kind, by the message of serde, whose end is what was

@@ -9,7 +9,7 @@ use asperity::{
 };
 
 use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
-use crate::{Roughness, SceneError, SceneFile};
+use crate::{SceneError, SceneFile};
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +48,7 @@ impl SceneFile {
     /// `plasticity_index` and `roughness_parameter`, from which radius and density follow.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
-        let keys = self.roughness.iter().flat_map(|roughness| roughness.keys().iter().zip(0..));
+        let keys = self.roughness.iter().flat_map(|roughness| roughness.way.keys().iter().zip(0..));
         let described = keys.map(|(name, place)| (*name, Input::Roughness(place)));
         let of_body = |body: usize| {
             let name = move |key: &str| format!("body{}_{key}", body + 1);
@@ -131,7 +131,7 @@ impl SceneFile {
             Input::Surface(Field { get, .. }) => get(&scene.surface),
             Input::Body(place, Field { get, .. }) => self.bodies.get(place).and_then(get),
             Input::Bodies(Field { get, .. }) => self.bodies.first().and_then(get),
-            Input::Roughness(place) => self.roughness?.numbers().get(place).copied(),
+            Input::Roughness(place) => self.roughness?.numbers.get(place).copied(),
             Input::NominalArea => Some(scene.nominal_area),
             Input::PlasticityIndex => scene.plasticity_index().ok(),
             Input::RoughnessParameter => Some(scene.surface.roughness_parameter()),
@@ -162,7 +162,7 @@ impl SceneFile {
                     bodies.iter_mut().for_each(|body| set(body, *value))
                 }
                 Input::Roughness(place) => {
-                    let numbers = roughness.iter_mut().flat_map(Roughness::numbers_mut);
+                    let numbers = roughness.iter_mut().flat_map(|roughness| &mut roughness.numbers);
                     numbers.skip(*place).take(1).for_each(|number| *number = *value);
                 }
                 _ => {}

@@ -45,7 +45,7 @@ pub use likely::{
 pub use materials::{Material, materials, materials_like};
 pub use measurements::read_measurements;
 pub use models::LeftOut;
-pub use numbers::{Roughness, interface_of};
+pub use numbers::{Roughness, Way, interface_of};
 pub use options::{Asperities, ModelOptions};
 pub use quantity::{NO_LOAD, converted, is_unit, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};

@@ -23,80 +23,61 @@ pub(crate) const WAYS: &[[&str; 3]; 7] = &[
 
 /// Three numbers from which the asperities of a surface follow, as in `[surface]`, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Roughness {
-    /// Radius and density of the asperities, and the standard deviation of the surface heights.
-    SurfaceStd([f64; 3]),
-    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
-    /// density of the asperities.
-    MeanSlope([f64; 3]),
-    /// Spectral moments of profiles: m0, m2 and m4.
-    Moments([f64; 3]),
-    /// Parameters of ISO 25178: Sq, Spd and Spc.
-    Iso25178([f64; 3]),
-    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
-    Gradient([f64; 3]),
+pub struct Roughness {
+    /// What they are.
+    pub way: Way,
+    /// The numbers, in the order of the keys.
+    pub numbers: [f64; 3],
 }
 
-impl Roughness {
+/// What three numbers of a surface are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Radius and density of the asperities, and the standard deviation of the surface heights.
+    SurfaceStd,
+    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
+    /// density of the asperities.
+    MeanSlope,
+    /// Spectral moments of profiles: m0, m2 and m4.
+    Moments,
+    /// Parameters of ISO 25178: Sq, Spd and Spc.
+    Iso25178,
+    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
+    Gradient,
+}
+
+impl Way {
+    const ALL: [Self; 5] =
+        [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
+
     /// The keys of the numbers.
     #[must_use]
-    pub fn keys(&self) -> &'static [&'static str; 3] {
-        let [.., surface_std, mean_slope, moments, iso, gradient] = WAYS;
-        match self {
-            Self::SurfaceStd(_) => surface_std,
-            Self::MeanSlope(_) => mean_slope,
-            Self::Moments(_) => moments,
-            Self::Iso25178(_) => iso,
-            Self::Gradient(_) => gradient,
-        }
-    }
-
-    /// The numbers, in the order of the keys.
-    #[must_use]
-    pub fn numbers(&self) -> [f64; 3] {
-        let mut same = *self;
-        *same.numbers_mut()
-    }
-
-    /// The same kind of description with other numbers.
-    #[must_use]
-    pub fn with(mut self, numbers: [f64; 3]) -> Self {
-        *self.numbers_mut() = numbers;
-        self
-    }
-
-    pub(crate) fn numbers_mut(&mut self) -> &mut [f64; 3] {
-        match self {
-            Self::SurfaceStd(numbers)
-            | Self::MeanSlope(numbers)
-            | Self::Moments(numbers)
-            | Self::Iso25178(numbers)
-            | Self::Gradient(numbers) => numbers,
-        }
+    pub fn keys(self) -> &'static [&'static str; 3] {
+        let [_, _, keys @ ..] = WAYS;
+        &keys[self as usize]
     }
 
     /// The description by the numbers of these keys; `None` for asperities and dimensionless
     /// numbers.
-    pub(crate) fn of(keys: [&str; 3], numbers: [f64; 3]) -> Option<Self> {
-        let kinds =
-            [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
-        kinds.into_iter().map(|kind| kind(numbers)).find(|kind| *kind.keys() == keys)
+    pub(crate) fn of(keys: [&str; 3]) -> Option<Self> {
+        Self::ALL.into_iter().find(|way| *way.keys() == keys)
     }
+}
 
+impl Roughness {
     /// The spectral moments of profiles of an isotropic Gaussian surface with these numbers.
     ///
     /// # Errors
     /// Those of [`surface`](Self::surface).
     pub fn moments(&self) -> Result<ProfileMoments, ContactError> {
         let surface = self.surface()?;
-        Ok(match *self {
-            Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
-            Self::SurfaceStd([.., std])
-            | Self::MeanSlope([std, ..])
-            | Self::Iso25178([std, ..])
-            | Self::Gradient([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
-        })
+        let [first, second, third] = self.numbers;
+        let std = match self.way {
+            Way::Moments => return Ok(ProfileMoments { m0: first, m2: second, m4: third }),
+            Way::SurfaceStd => third,
+            _ => first,
+        };
+        Ok(ProfileMoments { m0: std * std, ..surface.moments() })
     }
 
     /// The surface with these asperities.
@@ -104,14 +85,13 @@ impl Roughness {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn surface(&self) -> Result<Surface, ContactError> {
-        let surface = match *self {
-            Self::SurfaceStd([radius, density, std]) => {
-                Surface::from_surface_std(radius, density, std)
-            }
-            Self::MeanSlope([std, slope, density]) => Surface::from_mean_slope(std, slope, density),
-            Self::Moments([m0, m2, m4]) => Surface::from_moments(&ProfileMoments { m0, m2, m4 }),
-            Self::Iso25178([sq, spd, spc]) => Surface::from_iso25178(sq, spd, spc),
-            Self::Gradient([sq, spd, sdq]) => from_gradient(sq, spd, sdq),
+        let [a, b, c] = self.numbers;
+        let surface = match self.way {
+            Way::SurfaceStd => Surface::from_surface_std(a, b, c),
+            Way::MeanSlope => Surface::from_mean_slope(a, b, c),
+            Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
+            Way::Iso25178 => Surface::from_iso25178(a, b, c),
+            Way::Gradient => from_gradient(a, b, c),
         }?;
         surface.check()?;
         Ok(surface)
@@ -184,7 +164,7 @@ impl SceneFile {
     pub fn with_roughness(&self, roughness: Roughness) -> Result<Self, ContactError> {
         let made =
             self.with_numbers(self.scene.interface, roughness.surface()?, self.scene.nominal_area)?;
-        Ok(Self { roughness: Some(roughness), follows_from: roughness.keys(), ..made })
+        Ok(Self { roughness: Some(roughness), follows_from: roughness.way.keys(), ..made })
     }
 }
 

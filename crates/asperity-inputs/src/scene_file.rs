@@ -146,11 +146,11 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
     if !document.has("surface") {
         return Err(document.missing("surface", Key::meaning("", "surface")));
     }
-    let accept: Vec<String> = document.get_or_default("accept")?;
+    let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
     accept::check(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;
-    let heights: HeightsKey = document.get_or_default("surface.heights")?;
-    let separation_from: Datum = document.get_or_default("surface.separation_from")?;
+    let heights: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
+    let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let mean_plane_offset = document.number("surface.mean_plane_offset")?;
     if let Some(asperities) = document.get("surface.asperities")? {
         if document.has("options.asperities") {

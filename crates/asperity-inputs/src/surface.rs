@@ -8,7 +8,7 @@ use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
 use crate::likely::{likely_angle, other_unit, too_steep};
 use crate::measured::{Asked, measured};
 use crate::numbers::WAYS;
-use crate::{Roughness, SceneError, SceneFile};
+use crate::{Roughness, SceneError, SceneFile, Way};
 
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
@@ -72,8 +72,6 @@ struct Numbers {
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
     follows_from: &'static [&'static str],
-    /// A warning of a slope in degrees or per cent.
-    unit: Option<Finding>,
     /// The number that explains findings about the asperities.
     odd: Option<Finding>,
 }
@@ -82,11 +80,6 @@ impl Numbers {
     fn moments(&self) -> ProfileMoments {
         let given = self.roughness.and_then(|roughness| roughness.moments().ok());
         given.unwrap_or_else(|| self.surface.moments())
-    }
-
-    /// Whether the moments follow from other numbers.
-    fn assumes_gaussian(&self) -> bool {
-        !matches!(self.roughness, Some(Roughness::Moments(_)))
     }
 }
 
@@ -100,7 +93,8 @@ pub(crate) fn surface(
     measured_std: Option<f64>,
     asked: Asked,
 ) -> Result<(SceneFile, Vec<Finding>), SceneError> {
-    let of = |section, std| numbers(document, section, &pair.interface, std);
+    let mut notes = vec![];
+    let mut of = |section, std| numbers(document, section, &pair.interface, std, &mut notes);
     let first = of("surface", measured_std)?;
     let is_pair = document.has(COUNTERFACE);
     let second = if is_pair { of(COUNTERFACE, None)? } else { None };
@@ -109,26 +103,14 @@ pub(crate) fn surface(
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
-    let sections = [("surface", &first), (COUNTERFACE, &second)];
-    let assumed = sections
-        .into_iter()
-        .filter(|(_, numbers)| is_pair && numbers.as_ref().is_some_and(Numbers::assumes_gaussian));
-    let note = |(section, _)| {
-        Finding::note("gaussian-moments", section, f64::NAN)
-            .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
-            .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
-            .from_origin(document.place(section).to_string())
-    };
-    let units = [&first, &second].into_iter().flatten().filter_map(|n| n.unit.clone());
-    let notes: Vec<Finding> = units.chain(assumed.map(note)).collect();
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
-            let odd = first.odd.clone().or_else(|| second.odd.clone());
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
-            let roughness = Roughness::Moments([m0, m2, m4]);
+            let roughness = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
             let surface = roughness.surface().map_err(document.refused("surface"))?;
-            let follows_from = roughness.keys();
-            Numbers { surface, follows_from, roughness: Some(roughness), unit: None, odd }
+            let follows_from = roughness.way.keys();
+            let odd = first.odd.or(second.odd);
+            Numbers { surface, follows_from, roughness: Some(roughness), odd }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -149,9 +131,10 @@ pub(crate) fn surface(
 /// measured one.
 fn numbers(
     document: &Document<'_>,
-    section: &str,
+    section: &'static str,
     interface: &Interface,
     measured_std: Option<f64>,
+    notes: &mut Vec<Finding>,
 ) -> Result<Option<(Numbers, &'static str)>, SceneError> {
     let at = |key: &str| format!("{section}.{key}");
     let (way, key) = way(document, section)?;
@@ -168,7 +151,7 @@ fn numbers(
             document.missing(&at(key), how)
         })?;
     }
-    let roughness = Roughness::of(keys, values);
+    let roughness = Way::of(keys).map(|way| Roughness { way, numbers: values });
     let refused = document.refused(section);
     let made = |[a, b, c]: [f64; 3]| match roughness {
         Some(roughness) => roughness.surface(),
@@ -178,14 +161,6 @@ fn numbers(
     let given = keys.into_iter().zip(values);
     let slope = given.clone().find_map(|(key, value)| {
         likely_angle(key, value).filter(|_| ["sdq", "mean_slope"].contains(&key))
-    });
-    // Of two surfaces, each warning has its place.
-    let slope = slope.map(|found| match document.has(COUNTERFACE) {
-        true => {
-            let place = document.place(&at(&found.field)).to_string();
-            found.within(section).from_origin(place)
-        }
-        false => found,
     });
     // Asperities are described by their own findings.
     let is_plain = is_asperities || slope.is_some() || values.iter().any(|value| *value <= 0.0);
@@ -210,6 +185,26 @@ fn numbers(
         let fact = format!("{} = {} {hint}", document.place(&at(key)), short(value));
         Finding::error("unusual-size", key, value).fact(fact)
     });
+    // Of two surfaces, each finding has its place.
+    if document.has(COUNTERFACE) {
+        let place = |path: &str| document.place(path).to_string();
+        notes.extend(slope.map(|found| {
+            let place = place(&at(&found.field));
+            found.within(section).from_origin(place)
+        }));
+        if roughness.is_none_or(|roughness| roughness.way != Way::Moments) {
+            notes.push(gaussian_moments(section).from_origin(place(section)));
+        }
+    } else {
+        notes.extend(slope);
+    }
     let follows_from = if is_asperities { &[] } else { way };
-    Ok(Some((Numbers { surface, roughness, follows_from, unit: slope, odd }, key)))
+    Ok(Some((Numbers { surface, roughness, follows_from, odd }, key)))
+}
+
+/// The note on moments that follow from other numbers.
+fn gaussian_moments(section: &'static str) -> Finding {
+    Finding::note("gaussian-moments", section, f64::NAN)
+        .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
+        .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
 }

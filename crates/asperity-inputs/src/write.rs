@@ -182,7 +182,7 @@ impl SceneFile {
             (Some(keys), _) => keys.clone(),
             // Other numbers of the same kind.
             (None, Some(kind)) if kind.surface().is_ok_and(|made| made == scene.surface) => {
-                let numbers = kind.keys().iter().zip(kind.numbers());
+                let numbers = kind.way.keys().iter().zip(kind.numbers);
                 numbers.map(|(key, number)| ((*key).into(), number.into())).collect()
             }
             (None, _) => Table::try_from(scene.surface).unwrap_or_default(),

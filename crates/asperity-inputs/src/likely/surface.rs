@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use asperity::short;
 
-use crate::Roughness;
 use crate::keys::Key;
 use crate::likely::angle_hint;
+use crate::{Roughness, Way};
 
 /// Keys, the range of their numbers on rough surfaces in SI units, and the units that are taken for
 /// these, likeliest first.
@@ -37,15 +37,15 @@ pub(crate) fn other_unit(key: &str, value: f64) -> Option<String> {
 /// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,
 /// and what is wrong with it: m0 m4/m2² = 12 √3 π Spd (Sq/Sdq)² is at least 1.5.
 pub(crate) fn too_steep(roughness: &Roughness) -> Option<(&'static str, f64, String)> {
-    let [sq, density, slope, factor] = match *roughness {
-        Roughness::Gradient([sq, spd, sdq]) => [sq, spd, sdq, PI.sqrt()],
-        Roughness::MeanSlope([std, slope, density]) => [std, density, slope, 1.0],
+    let [std, second, third] = roughness.numbers;
+    let most = |density: f64| (8.0 * 3f64.sqrt() * density).sqrt() * std;
+    let (key, slope, most, formula) = match roughness.way {
+        Way::Gradient => ("sdq", third, PI.sqrt() * most(second), "6.598 sq sqrt(spd)"),
+        Way::MeanSlope => {
+            let formula = "3.722 surface_height_std sqrt(asperity_density)";
+            ("mean_slope", second, most(third), formula)
+        }
         _ => return None,
-    };
-    let most = factor * (8.0 * 3f64.sqrt() * density).sqrt() * sq;
-    let (key, formula) = match factor > 1.0 {
-        true => ("sdq", "6.598 sq sqrt(spd)"),
-        false => ("mean_slope", "3.722 surface_height_std sqrt(asperity_density)"),
     };
     let required = "was required, as of every isotropic Gaussian surface";
     let steep = || format!("is too steep: at most {formula} = {} {required}", short(most));
