@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::document::shorten;
 use crate::likely::{notation_hint, without_thousands};
-use crate::{Place, SceneError, is_unit};
+use crate::{Place, SceneError};
 
 /// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.
 /// Where semicolons or tabs separate the cells of the header, numbers may have decimal commas.
@@ -41,22 +41,27 @@ impl<'t> Cells<'t> {
                 needed,
             ));
         }
+        if table.head.len() == 1 && top.trim().contains([' ', '\t']) {
+            let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
+            return Err(table.syntax(line, reason.into()));
+        }
         for (line, row) in lines {
-            let (row, columns) = (table.row(top, row).map(|()| cells(row)), table.head.len());
-            let row = row.and_then(|row| match row.len() {
-                count if count == columns => Ok(row),
-                count => {
-                    let hint = match delimiter {
-                        ',' if count > columns => "; numbers with decimal commas are read where semicolons or tabs separate the columns",
-                        _ => "",
-                    };
-                    Err(format!(
-                        "{count} cells under a header of {columns} columns: one cell for each column was required{hint}"
-                    ))
+            let (row, columns) = (cells(row), table.head.len());
+            let hint = match row.len() {
+                count if count == columns => {
+                    table.rows.push((line, row));
+                    continue;
                 }
-            });
-            let row = row.map_err(|reason| table.syntax(line, reason))?;
-            table.rows.push((line, row));
+                count if count > columns && delimiter == ',' => {
+                    "; numbers with decimal commas are read where semicolons or tabs separate the columns"
+                }
+                _ => "",
+            };
+            let reason = format!(
+                "{} cells under a header of {columns} columns: one cell for each column was required{hint}",
+                row.len()
+            );
+            return Err(table.syntax(line, reason));
         }
         match table.rows.is_empty() {
             true => Err(SceneError::Syntax {
@@ -76,22 +81,6 @@ impl<'t> Cells<'t> {
     /// The error about a line.
     pub(crate) fn syntax(&self, line: usize, reason: String) -> SceneError {
         SceneError::Syntax { at: self.place(line, "CSV"), reason }
-    }
-
-    /// Refuses a first row without delimiters, and one of units.
-    fn row(&self, head: &str, row: &str) -> Result<(), String> {
-        let count = |line: &str| line.split_whitespace().count();
-        if self.head.len() == 1 && count(head) > 1 && count(head) == count(row) {
-            let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
-            return Err(reason.into());
-        }
-        let cells = row.split([',', ';', '\t']);
-        let cells = cells.map(|cell| cell.trim().trim_matches(['[', ']', '(', ')']));
-        let mut cells = cells.filter(|cell| !cell.is_empty() && *cell != "-").peekable();
-        match self.rows.is_empty() && cells.peek().is_some() && cells.all(is_unit) {
-            true => Err("the row has units; remove it, and give the values in SI units".into()),
-            false => Ok(()),
-        }
     }
 
     /// A number; its comma is a decimal comma where commas do not separate cells.

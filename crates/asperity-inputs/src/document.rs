@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue, Error};
 use toml::{Spanned, Table, Value};
 
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
-use crate::likely::{notation_hint, plain_number, with_decimal_point, without_thousands};
+use crate::likely::{notation_hint, number_hint};
 use crate::quantity::in_si;
 use crate::{Place, SceneError};
 
@@ -81,8 +81,12 @@ impl<'a> Document<'a> {
         Ok(match value {
             DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
                 Some(units) => {
-                    let number = in_si(text, section_and_name(path).1, units);
-                    let number = number.map_err(|hint| self.notation(path, text, hint))?;
+                    let key = section_and_name(path).1;
+                    let number = in_si(text, key, units).map_err(|hint| {
+                        let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
+                        let hint = number_hint(key, text).unwrap_or(hint);
+                        SceneError::Notation { at, found, hint }
+                    })?;
                     self.stated.push(path.into());
                     Value::Float(number)
                 }
@@ -109,18 +113,6 @@ impl<'a> Document<'a> {
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
-    }
-
-    /// The error for a text that is no number with a unit.
-    fn notation(&self, path: &str, text: &str, hint: String) -> SceneError {
-        let same = with_decimal_point(text).or_else(|| without_thousands(text));
-        let is_plain = |text: &str| text.trim().parse::<f64>().is_ok();
-        let hint = match same {
-            _ if is_plain(text) => "has no unit; remove the quotes, or add a unit".into(),
-            Some(same) if is_plain(&same) => hint + " without quotes",
-            _ => hint,
-        };
-        SceneError::Notation { at: self.place(path), found: format!("{:?}", shorten(text)), hint }
     }
 
     fn float(&self, digits: &str, path: &str) -> Result<f64, SceneError> {
@@ -203,15 +195,12 @@ impl<'a> Document<'a> {
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         let text = found.strip_prefix('"').and_then(|found| found.strip_suffix('"'));
-        let length = text.filter(|_| expected.starts_with("a length "));
-        if let Some(hint) = length.and_then(notation_hint) {
+        let number = text.filter(|_| expected == "f64" || expected.starts_with("a length "));
+        if let Some(hint) = number.and_then(|text| number_hint(name, text)) {
             return SceneError::Notation { at: self.place(path), found, hint };
         }
         let needed = match expected {
-            "f64" => match text.and_then(|text| plain_number(name, text)) {
-                Some(number) => number,
-                None => format!("a plain number ({meaning}),"),
-            },
+            "f64" => format!("a plain number ({meaning}),"),
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {
                 format!("a list ({meaning}), each written [[body]],")

@@ -8,6 +8,7 @@ use asperity::fit::{
 };
 use asperity::{At, Findings, Interface, Model, Quantity, short};
 
+use crate::free::other_unit;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input, unit_of_free};
 
 impl SceneFile {
@@ -71,6 +72,11 @@ impl SceneFile {
             let give = "the scene gives no value above 0 to start from: give bounds,";
             return Err(refused(&free.name, format!("{give} {}=low:high", free.name)));
         };
+        // What a rig adds has no value in the scene to compare with.
+        let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
+        if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
+            return Err(refused(&free.name, reason));
+        }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
@@ -110,15 +116,6 @@ impl SceneFile {
         free: &[Free],
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, SceneError> {
-        if free.iter().all(|free| free.name != "nominal_area") {
-            data.check_loads(self.scene.nominal_area)?;
-        } else if data.has_both_loads() {
-            return Err(FitError::Column {
-                column: "load_N and pressure_Pa".into(),
-                reason: "leave one of the two columns out, as nominal_area is free".into(),
-            }
-            .into());
-        }
         let parameters = self.free_parameters(free, data)?;
         let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);
         let inputs = self.inputs(of_scene.map(|one| one.name.as_str()))?;

@@ -1,8 +1,13 @@
 //! Free parameters as they are typed: `name=low:high`.
 
 use asperity::fit::Role;
+use asperity::short;
 
+use crate::quantity::UNITS;
 use crate::{key_of_input, quantity, quantity_of, unit_of};
+
+/// Bounds that are farther from the scene's value than this factor may be in another unit.
+const FAR: f64 = 100.0;
 
 /// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
 /// with its bounds in SI units if they are given.
@@ -21,6 +26,8 @@ pub struct Free {
     pub name: String,
     /// The smallest and the largest value.
     pub bounds: Option<[f64; 2]>,
+    /// Whether the bounds were given with a unit, so that they are in no other.
+    pub has_unit: bool,
 }
 
 impl std::str::FromStr for Free {
@@ -34,7 +41,9 @@ impl std::str::FromStr for Free {
             let example = "write name or name=low:high, for example hardness=1GPa:4GPa";
             return Err(format!("a free parameter has no name: {example}"));
         }
-        let Some(bounds) = bounds else { return Ok(Self { name: name.into(), bounds: None }) };
+        let Some(bounds) = bounds else {
+            return Ok(Self { name: name.into(), bounds: None, has_unit: false });
+        };
         let refused = |reason: String| format!("{name}: {reason}");
         let number = |text: &str| match Role::of(name) {
             Role::Scene => quantity_of(key_of_input(name), text),
@@ -58,7 +67,8 @@ impl std::str::FromStr for Free {
             }
         }
         let bounds = Some([number(low).map_err(refused)?, number(high).map_err(refused)?]);
-        Ok(Self { name: name.into(), bounds })
+        let has_unit = plain.iter().any(Result::is_err);
+        Ok(Self { name: name.into(), bounds, has_unit })
     }
 }
 
@@ -70,4 +80,19 @@ pub fn unit_of_free(name: &str) -> Option<&'static str> {
         Role::SeriesCompliance => Some("m/N"),
         _ => unit_of(key_of_input(name)),
     }
+}
+
+/// The reason against bounds far from the scene's value that are near it in another unit.
+pub(crate) fn other_unit(name: &str, start: f64, [low, high]: [f64; 2]) -> Option<String> {
+    let is_far = low > FAR * start || FAR * high < start;
+    let (si, _, units) = UNITS.into_iter().find(|(si, ..)| Some(*si) == unit_of_free(name))?;
+    let size = |power: i32| 10f64.powi(power);
+    let holds = |power: i32| (low * size(power)..=high * size(power)).contains(&start);
+    let (unit, power) = units.iter().filter(|_| is_far).find(|(_, power)| holds(*power))?;
+    // 1/mm2 behind a number is /mm2.
+    let behind = unit.trim_start_matches('1');
+    let [low, high, meant, start] = [low, high, low * size(*power), start].map(short);
+    Some(format!(
+        "the bounds {low} and {high} look like {unit}; {low} {unit} is {meant} {si}, and the scene has {start} {si}: write {name}={low}{behind}:{high}{behind}"
+    ))
 }

@@ -47,7 +47,7 @@ pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use numbers::{Roughness, Way, interface_of};
 pub use options::{Asperities, ModelOptions};
-pub use quantity::{NO_LOAD, converted, is_unit, quantity, quantity_of, unit_of};
+pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed, parse_handed_scan};
 pub use template::{template, template_on};

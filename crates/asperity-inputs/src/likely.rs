@@ -94,15 +94,18 @@ pub fn notation_hint(text: &str) -> Option<String> {
     })
 }
 
-/// The number needed instead of a text, of a key without a unit.
-pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
-    let given = with_decimal_point(text).unwrap_or(text.into());
-    let is_slope = ["sdq", "mean_slope"].contains(&name);
-    if let Some(slope) = gradient(text).filter(|_| is_slope).map(short) {
-        return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
+/// How to write a number of a key that is given as a text without a unit that the key has.
+pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
+    let is_number = |text: &str| text.trim().parse::<f64>().is_ok_and(f64::is_finite);
+    if is_number(text) {
+        return Some("is a number in quotes; remove these".into());
     }
-    let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
-    is_number.then(|| format!("the number {given} without quotes"))
+    if let Some(slope) = gradient(text).filter(|_| ["sdq", "mean_slope"].contains(&key)) {
+        return Some(format!("is a slope; write {} without quotes", short(slope)));
+    }
+    let same = with_decimal_point(text).or_else(|| without_thousands(text))?;
+    let end = if is_number(&same) { " without quotes" } else { "" };
+    Some(notation_hint(text)? + end)
 }
 
 /// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on

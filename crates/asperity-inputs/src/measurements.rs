@@ -134,8 +134,8 @@ mod tests {
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
             ("load_N,area_m2\n1,2,\n", ":2: CSV: 3 cells under a header of 2 columns"),
             ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number was required"),
-            ("load_N area_m2\n1 2\n", ":2: CSV: blanks separate the columns; separate them by"),
-            ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: CSV: the row has units; remove it"),
+            ("load_N area_m2\n1 2\n", ":1: CSV: blanks separate the columns; separate them by"),
+            ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: load_N is \"[kN]\": a number was required"),
             ("load_N,area_m2\n", ": CSV: no row of values under the header"),
             (
                 "load_N,area_m2\n1,500'000.0\n",

@@ -82,15 +82,6 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     }))
 }
 
-/// Whether a text is a unit of one of the quantities, or the name of a scale: kN, W/(m K), psi, HV.
-#[must_use]
-pub fn is_unit(text: &str) -> bool {
-    let unit = plain(text);
-    let decimal = UNITS.iter().flat_map(|(.., units)| units.iter().map(|(name, _)| *name));
-    let others = OTHER_UNITS.iter().map(|(_, name, ..)| *name).chain(["%", "HV"]);
-    decimal.chain(others).any(|known| known == unit)
-}
-
 /// A number in a unit that [`quantity`](crate::quantity) does not read, in one that it does.
 ///
 /// ```

@@ -80,23 +80,20 @@ pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, Sc
 
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
+    let advice = format!(
+        "`asperity init` writes a scene, and `asperity surface {} --scene scene.toml` makes one of a scan",
+        path.display()
+    );
     let read = || {
-        let advice = "a scene is a text in TOML, of which `asperity init` writes an example";
-        let text = read_text(path, advice, named)?;
+        let text = read_text(path, &advice, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };
-    read().map_err(|mut error| {
-        if let SceneError::Syntax { reason, .. } | SceneError::Unreadable { reason, .. } = &mut error
-            && path.is_file()
-            && path.extension().is_none_or(|end| end != "toml")
-        {
-            let name = path.display();
-            *reason += &format!(
-                "; a scene is a file in TOML, which `asperity surface {name} --scene scene.toml` makes of a scan"
-            );
+    read().map_err(|error| match error {
+        SceneError::Syntax { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
+            SceneError::Syntax { at, reason: format!("{reason}; {advice}") }
         }
-        error
+        error => error,
     })
 }
 

@@ -44,7 +44,7 @@ pub(crate) fn fit<'py>(
     let data = file.data(&table).map_err(value_error)?;
     let free = free.into_iter().map(|free| match free {
         FreeBounds::Text(text) => text.parse().map_err(value_error),
-        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds }),
+        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds, has_unit: false }),
     });
     let free: Vec<Free> = free.collect::<PyResult<_>>()?;
     let (mut fitted, mut findings): (Vec<Fitted>, Vec<_>) = (vec![], vec![]);

@@ -52,9 +52,8 @@ fn data_and_scene_in_each_others_place_are_named() {
     let bench = Bench::new();
     bench.write("data.csv", AREAS);
     let run = bench.run("fit data.csv scene.toml --free hardness");
-    let wanted = "the file looks like measurements, not like a scene in TOML";
+    let wanted = "`asperity init` writes a scene, and ";
     assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
-    assert!(run.messages.ends_with("; give the scene first, then the measurements\n"));
     let wanted =
         "scene.toml: CSV: the file looks like a scene, not like measurements; give the scene";
     refused(&bench, "scene.toml --free hardness", wanted);

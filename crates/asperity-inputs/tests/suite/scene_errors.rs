@@ -57,11 +57,11 @@ fn every_error_names_line_field_and_requirement() {
         (text("", bodies, SURFACE), &["body[2] is missing", "rigid_counterface = true"]),
         (
             text("rigid_counterface = true", &two.replace("0.7", "0.3"), SURFACE),
-            &["line 2: rigid_counterface and body (line 3) exclude each other: one [[body]]"],
+            &["line 3: body is a list of 2: two tables [[body]] alone, or one with rigid"],
         ),
         (
             text("rigid_counterface = true", INTERFACE, SURFACE),
-            &["line 2: rigid_counterface and interface (line 3) exclude each other"],
+            &["line 3: interface and rigid_counterface (line 2) exclude each other"],
         ),
         (
             text("rigid_counterface = 1", bodies, SURFACE),
@@ -79,7 +79,7 @@ fn every_error_names_line_field_and_requirement() {
             text("", &format!("{INTERFACE}work_of_adhesion = \"5 J\"\n"), SURFACE),
             &["interface.work_of_adhesion = \"5 J\" is not a number in J/m^2: write"],
         ),
-        (text("", &bodies.repeat(3), SURFACE), &["body is a list of 3: two tables [[body]]"]),
+        (text("", &bodies.repeat(3), SURFACE), &["body is a list of 3: two tables [[body]] alone"]),
         (text("body = 3", "", SURFACE), &["line 2: body is 3: a list (two of them"]),
         (
             text("", &format!("{INTERFACE}{bodies}"), SURFACE),

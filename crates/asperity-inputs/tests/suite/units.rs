@@ -31,7 +31,7 @@ fn numbers_may_have_a_unit() {
         (
             "116e9",
             "\"116\"",
-            "interface.equivalent_modulus = \"116\" has no unit; remove the quotes",
+            "interface.equivalent_modulus = \"116\" is a number in quotes; remove these",
         ),
         (
             "1.11e8",
@@ -41,7 +41,7 @@ fn numbers_may_have_a_unit() {
         (
             "0.31",
             "\"0.31\"",
-            "interface.poissons_ratio is \"0.31\": the number 0.31 without quotes was",
+            "interface.poissons_ratio = \"0.31\" is a number in quotes; remove these",
         ),
     ] {
         let found = message(&text("", INTERFACE, SURFACE).replace(from, to));
