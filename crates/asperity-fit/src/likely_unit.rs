@@ -15,6 +15,10 @@ const EXPLAINED: f64 = 0.3;
 /// Units explain the data alike whose misfits differ by less than this factor, or are this small.
 const ALIKE: f64 = 1.5;
 const ACCURACY: f64 = 1e-6;
+/// Evaluations for a free parameter after which a unit is left out if it is farther than so many
+/// times the largest distance that explains the data.
+const FEW_STEPS: usize = 15;
+const NEARLY: f64 = 3.0;
 
 /// A column in another unit.
 struct Rescaled {
@@ -71,13 +75,18 @@ impl Rescaled {
 pub(crate) fn likely_unit(problem: &Problem<'_>, far: f64) -> Result<Option<String>, FitError> {
     let most = if far.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * far) };
     let given = problem.start();
-    let refitted = |other: &Problem<'_>| match search(other, 1, PATIENCE) {
+    let searched = |other: &Problem<'_>, patience| match search(other, 1, patience) {
         Err(error @ FitError::Interrupted) => Err(error),
         found => Ok(found.ok().and_then(|found| {
             let best = found.best.coordinates;
             let change: Vec<f64> = best.iter().zip(&given).map(|(a, b)| a - b).collect();
             Some((distance(other.data, &other.predicted(&best).ok()?), squares(&change)))
         })),
+    };
+    // Most units are far off after few steps.
+    let refitted = |other: &Problem<'_>| match searched(other, FEW_STEPS)? {
+        Some((distance, _)) if distance < NEARLY * most => searched(other, PATIENCE),
+        _ => Ok(None),
     };
     let mut found = vec![];
     for unit in Rescaled::all(problem.data) {

@@ -19,8 +19,6 @@ use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
-/// Lists inside this many sections have no places for their items.
-const DEEPEST: usize = 2;
 
 /// Files that a scene may name, by name: their bytes.
 pub type HandedFiles = BTreeMap<String, Vec<u8>>;
@@ -78,6 +76,8 @@ impl<'a> Document<'a> {
     }
 
     fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
+        // Digits beyond the largest number are infinite, which every range excludes.
+        let float = |digits: &str| Value::Float(digits.parse().unwrap_or(f64::INFINITY));
         Ok(match value {
             DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
                 Some(units) => {
@@ -92,33 +92,21 @@ impl<'a> Document<'a> {
                 }
                 None => Value::String(text.clone().into_owned()),
             },
-            DeValue::Integer(digits) => {
-                match i64::from_str_radix(digits.as_str(), digits.radix()) {
-                    Ok(number) => Value::Integer(number),
-                    Err(_) => Value::Float(self.float(digits.as_str(), path)?),
-                }
-            }
-            DeValue::Float(digits) => Value::Float(self.float(digits.as_str(), path)?),
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .map_or_else(|_| float(digits.as_str()), Value::Integer),
+            DeValue::Float(digits) => float(digits.as_str()),
             DeValue::Boolean(value) => Value::Boolean(*value),
             DeValue::Datetime(value) => Value::Datetime(*value),
             DeValue::Array(items) => {
                 let item = |(item, k): (&Spanned<DeValue<'_>>, i32)| {
                     let item_path = format!("{path}[{k}]");
-                    if path.matches('.').count() < DEEPEST {
-                        self.places.insert(item_path.clone(), [item.span(), item.span()]);
-                    }
+                    self.places.insert(item_path.clone(), [item.span(), item.span()]);
                     self.read_value(item.get_ref(), &item_path)
                 };
                 Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
-    }
-
-    fn float(&self, digits: &str, path: &str) -> Result<f64, SceneError> {
-        let is_number = |number: &f64| number.is_finite() || digits.contains(['i', 'n']);
-        let number = digits.parse().ok().filter(is_number);
-        number.ok_or_else(|| self.wrong(path, "a number of at most 1.8e308"))
     }
 
     /// The value of a key.

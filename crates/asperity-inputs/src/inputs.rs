@@ -212,17 +212,10 @@ impl SceneFile {
 /// The error about a number that another one replaces; a number of the interface that bodies have
 /// as well is given there.
 fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
-    let of_body = |known: &&str| known.starts_with("body") && known.ends_with(&format!("_{name}"));
-    let instead: Vec<&str> = known.iter().map(|(known, _)| &**known).filter(of_body).collect();
-    let reason = match instead[..] {
-        [_, ..] if !by.ends_with(name) => {
-            let instead = instead.join(" or ");
-            format!(
-                "is that of the interface, which follows from its bodies once {by} is given: use {instead}"
-            )
-        }
-        _ => format!("is given beside {by}, which determines it: leave {name} out"),
-    };
+    let own = format!("body1_{name}");
+    let has_own = known.iter().any(|(known, _)| *known == own) && !by.ends_with(name);
+    let instead = if has_own { format!(", or give {own}") } else { String::new() };
+    let reason = format!("is given beside {by}, which determines it: leave {name} out{instead}");
     SceneError::Input { name: name.into(), reason }
 }
 
@@ -295,7 +288,7 @@ mod tests {
         assert!(refused(&["m0"]).ends_with("; m0 needs a scene that is given by it"));
         let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
         assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);
-        let wanted = "hardness is that of the interface, which follows from its bodies once body1_youngs_modulus is given: use body1_hardness or body2_hardness";
+        let wanted = "hardness is given beside body1_youngs_modulus, which determines it: leave hardness out, or give body1_hardness";
         assert_eq!(refused(&["hardness", "body1_youngs_modulus"]), wanted);
         let wanted =
             "hardness is given beside body1_hardness, which determines it: leave hardness out";

@@ -213,14 +213,6 @@ fn bounds_with_a_unit_are_in_no_other() {
 }
 
 #[test]
-fn a_free_nominal_area_takes_loads_or_pressures() {
-    let bench = Bench::new();
-    bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e6,5e-8\n");
-    let wanted = "error: data.csv: load_N and pressure_Pa: leave one of the two columns out, as nominal_area is free";
-    refused(&bench, "data.csv --free nominal_area", wanted);
-}
-
-#[test]
 fn data_that_a_model_does_not_have_are_named_by_their_file() {
     let bench = Bench::new();
     bench.write("data.csv", "load_N,thermal_conductance_W_per_K\n10,5\n100,50\n");

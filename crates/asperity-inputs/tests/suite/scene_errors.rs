@@ -47,7 +47,7 @@ fn every_error_names_line_field_and_requirement() {
         ),
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "1e999")),
-            &["line 12: surface.asperity_height_std is 1e999: a number of at most 1.8e308"],
+            &["line 12: surface.asperity_height_std is inf: a finite number above 0"],
         ),
         (
             text("", &INTERFACE.replace("0.31", "0.6"), SURFACE),
