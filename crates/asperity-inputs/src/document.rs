@@ -188,7 +188,7 @@ impl<'a> Document<'a> {
             return SceneError::Notation { at: self.place(path), found, hint };
         }
         let needed = match expected {
-            "f64" => format!("a plain number ({meaning}),"),
+            "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {
                 format!("a list ({meaning}), each written [[body]],")
@@ -257,7 +257,7 @@ impl<'a> Document<'a> {
         let reason = error.message().replace('\n', ", ");
         let advice = other_notation(found).unwrap_or_default();
         let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
-        SceneError::Syntax { at, reason }
+        SceneError::Refused { at, reason }
     }
 
     fn at(&self, field: &str, offset: usize) -> Box<Place> {

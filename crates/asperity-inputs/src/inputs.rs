@@ -107,7 +107,8 @@ impl SceneFile {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
         // Of another way to describe the surface, or of bodies that the scene does not have.
         let is_key = KEYS.iter().any(|key| key.name == key_of_input(name)) || name == "skewness";
-        let reason = is_key.then(|| format!("; {name} needs a scene that is given by it"));
+        let is_absent = is_key && names.iter().all(|known| key_of_input(known) != name);
+        let reason = is_absent.then(|| format!("; {name} needs a scene that is given by it"));
         let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
         // What tells the input from the name that was meant.
         let difference = synonym.and_then(|(key, differs)| {

@@ -85,7 +85,7 @@ impl Scan {
             TopographyError::TooManyMissing { .. } => option("max_missing"),
             _ => document.place(&self.at),
         };
-        SceneError::Measured { at, reason: format!("{}: {error}", self.path.display()) }
+        SceneError::Refused { at, reason: format!("{}: {error}", self.path.display()) }
     }
 }
 
@@ -160,7 +160,7 @@ pub(crate) fn measured(
             true => reason.to_string(),
             false => format!("{}: {reason}", first.path.display()),
         };
-        SceneError::Measured { at: document.place(at), reason }
+        SceneError::Refused { at: document.place(at), reason }
     };
     let from = |at: &str| {
         let at = document.place(at).to_string();

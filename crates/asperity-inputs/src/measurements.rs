@@ -20,7 +20,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let text = read_text(path, SAVE_AS_CSV, || place("the data"))?;
     if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
         let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
-        return Err(SceneError::Syntax { at: place("CSV").into(), reason: reason.into() });
+        return Err(SceneError::Refused { at: place("CSV").into(), reason: reason.into() });
     }
     let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
     let table = Cells::read(&text, path, needed)?;

@@ -20,7 +20,7 @@ impl SceneFile {
     /// from the spectrum of that scan.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
+    /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; those of
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_with(&self.options, id)
@@ -38,7 +38,7 @@ impl SceneFile {
                 match &self.no_asperities {
                     Some(reason) if model.validity().asperities => {
                         let at = Place::field("surface.file").into();
-                        Err(SceneError::Measured { at, reason: reason.clone() })
+                        Err(SceneError::Refused { at, reason: reason.clone() })
                     }
                     _ => Ok(model),
                 }

@@ -150,7 +150,7 @@ impl ModelOptions {
     /// The model of an id, with these options.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a similar id and all ids.
+    /// [`SceneError::Refused`] for an unknown id, with a similar id and all ids.
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_beside(|| None, id)
     }
@@ -166,7 +166,7 @@ impl ModelOptions {
         let jg = |hardness| Model::known(JacksonGreen { hardness });
         let known: Model = id
             .parse()
-            .map_err(|source| SceneError::Contact { at: Place::field("model").into(), source })?;
+            .map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))?;
         let model = match known.equal().id() {
             "jg" => jg(self.jg_hardness),
             "jg-cosine" => jg(GeometricHardness::Cosine),

@@ -90,8 +90,8 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
         scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };
     read().map_err(|error| match error {
-        SceneError::Syntax { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
-            SceneError::Syntax { at, reason: format!("{reason}; {advice}") }
+        SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
+            SceneError::Refused { at, reason: format!("{reason}; {advice}") }
         }
         error => error,
     })

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 use asperity::{ContactError, Dialect};
-use asperity_inputs::{SceneError, notation_hint, unit_of};
+use asperity_inputs::{SceneError, unit_of};
 use serde::Serialize;
 
 use crate::dialect::{Commands, said};
@@ -44,9 +44,6 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
     Some(match error {
         SceneError::Value { at, near, needed, .. } => {
             let text = typed.get(&at.field)?;
-            if let Some(hint) = notation_hint(text) {
-                return Some(format!("{text} {hint}"));
-            }
             let key = at.field.rsplit('.').next()?;
             let unit = unit_of(key);
             // Plain numbers are in the SI unit.
@@ -56,9 +53,12 @@ fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option
             let [unit, near] = [unit, near].map(Option::unwrap_or_default);
             format!("{text}{unit}{near}: {needed} was required")
         }
-        SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),
+        // The form has no quotes.
+        SceneError::Notation { at, hint, .. } => {
+            format!("{} {}", typed.get(&at.field)?, hint.trim_end_matches(" without quotes"))
+        }
         SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
-        SceneError::Measured { reason, .. } | SceneError::Unreadable { reason, .. } => {
+        SceneError::Refused { reason, .. } | SceneError::Unreadable { reason, .. } => {
             reason.clone()
         }
         _ => return None,
@@ -69,14 +69,12 @@ impl Refusal {
     fn of_scene(error: &SceneError) -> Self {
         let (SceneError::Unreadable { at, .. }
         | SceneError::Unwritable { at, .. }
-        | SceneError::Syntax { at, .. }
         | SceneError::UnknownKey { at, .. }
         | SceneError::Value { at, .. }
         | SceneError::Notation { at, .. }
         | SceneError::Missing { at, .. }
         | SceneError::Conflict { at, .. }
-        | SceneError::Measured { at, .. }
-        | SceneError::Contact { at, .. }) = error
+        | SceneError::Refused { at, .. }) = error
         else {
             return Self::new(error);
         };

@@ -101,7 +101,6 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free hardness=1GPa",
         "data.csv --free hardness=0.1:5GPa",
         "data.csv --free hardness=1GPa:5e9",
-        "data.csv --free hardness=1e400:1e401",
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
