@@ -65,15 +65,9 @@ impl Solution<'_> {
                 ),
                 None => continue,
             };
-            let name = match one.measured {
-                Measured::Quantity(quantity) => quantity.to_string().replace('-', " "),
-                Measured::Separation => "separation".into(),
-            };
-            let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-            let value = with_unit(one.value, one.measured.unit());
-            let text =
-                format!("{article} {name} of {value} at {} cannot be reached{reason}", one.at);
-            found.push(doubt(UNREACHABLE, &one.measured.column(), one.value, text));
+            let (column, value) = (one.measured.column(), short(one.value));
+            let text = format!("{column} = {value} at {} cannot be reached{reason}", one.at);
+            found.push(doubt(UNREACHABLE, &column, one.value, text));
         }
         found
     }

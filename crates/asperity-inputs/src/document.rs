@@ -76,12 +76,12 @@ impl<'a> Document<'a> {
     }
 
     fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
+        let (section, key) = section_and_name(path);
         // Digits beyond the largest number are infinite, which every range excludes.
         let float = |digits: &str| Value::Float(digits.parse().unwrap_or(f64::INFINITY));
         Ok(match value {
-            DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
+            DeValue::String(text) => match Key::find(section, key).and_then(Key::units) {
                 Some(units) => {
-                    let key = section_and_name(path).1;
                     let number = in_si(text, key, units).map_err(|hint| {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
                         let hint = number_hint(key, text).unwrap_or(hint);
@@ -129,8 +129,7 @@ impl<'a> Document<'a> {
 
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        let (section, name) = section_and_name(path);
-        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(section, name)))
+        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(path)))
     }
 
     /// Sets the numbers of a section that are given.
@@ -176,8 +175,7 @@ impl<'a> Document<'a> {
     /// The error for a value of the wrong kind, by the message of serde, whose end is what was
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
-        let (section, name) = section_and_name(path);
-        let meaning = Key::meaning(section, name);
+        let (name, meaning) = (section_and_name(path).1, Key::meaning(path));
         let span = self.places.get(path).map(|[_, value]| value.clone());
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");

@@ -1,9 +1,8 @@
 //! Free parameters as they are typed: `name=low:high`.
 
 use asperity::fit::Role;
-use asperity::short;
+use asperity::{UNITS, short};
 
-use crate::quantity::UNITS;
 use crate::{key_of_input, quantity, quantity_of, unit_of};
 
 /// Bounds that are farther from the scene's value than this factor may be in another unit.

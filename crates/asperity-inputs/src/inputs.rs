@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::iter::once;
 
 use asperity::{
-    Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_hint,
-    nearest_name,
+    Body, ContactError, HeightDistribution, Interface, Scene, Surface, WeibullHeights,
+    nearest_hint, nearest_name,
 };
 
 use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
-use crate::{SceneError, SceneFile};
+use crate::{SceneError, SceneFile, interface_of};
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy)]
@@ -170,11 +170,17 @@ impl SceneFile {
             }
         }
         let mut made = Cow::Borrowed(self);
+        let Scene { surface, nominal_area, .. } = self.scene;
         if bodies != self.bodies {
-            made = Cow::Owned(made.with_bodies(bodies)?);
+            let interface = self.with_pair(interface_of(&bodies)?);
+            let other = self.with_numbers(interface, surface, nominal_area)?;
+            made = Cow::Owned(Self { bodies, ..other });
         }
-        if let Some(roughness) = roughness.filter(|_| roughness != self.roughness) {
-            made = Cow::Owned(made.with_roughness(roughness)?);
+        if let Some(other) = roughness.filter(|_| roughness != self.roughness) {
+            let follows_from = other.way.keys();
+            let interface = made.scene.interface;
+            let of_surface = made.with_numbers(interface, other.surface()?, nominal_area)?;
+            made = Cow::Owned(Self { roughness, follows_from, ..of_surface });
         }
         let file = &*made;
         let mut scene = file.scene.clone();

@@ -49,7 +49,7 @@ pub use numbers::{Roughness, Way, interface_of};
 pub use options::{Asperities, ModelOptions};
 pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
-pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed, parse_handed_scan};
+pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};
 /// The value of an option.
 pub use toml::Value as OptionValue;

@@ -52,8 +52,10 @@ impl SceneFile {
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
-        let hardening = self.scene.interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
-        let more = self.adhesive_models().into_iter().chain(hardening);
+        let interface = &self.scene.interface;
+        let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
+        let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
+        let more = adhesive.into_iter().chain(hardening);
         let more = more.map(|model| self.options.on_surface(model));
         for model in self.options.models().into_iter().chain(more) {
             match self.refusal(&model) {
@@ -101,11 +103,5 @@ impl SceneFile {
             }
         }
         (models, left_out)
-    }
-
-    /// The models with adhesion, if the scene has a work of adhesion.
-    #[must_use]
-    pub fn adhesive_models(&self) -> Vec<Model> {
-        self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
     }
 }

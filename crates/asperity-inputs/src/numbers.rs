@@ -139,32 +139,10 @@ impl SceneFile {
     }
 
     /// An interface with the properties of this pair that do not follow from the bodies.
-    fn with_pair(&self, mut of_bodies: Interface) -> Interface {
+    pub(crate) fn with_pair(&self, mut of_bodies: Interface) -> Interface {
         of_bodies.work_of_adhesion = self.scene.interface.work_of_adhesion;
         of_bodies.pressure_factor = self.scene.interface.pressure_factor;
         of_bodies
-    }
-
-    /// [`with_numbers`](Self::with_numbers) for other bodies, one of them on a rigid counterface;
-    /// the work of adhesion and the pressure factor stay.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the field that is out of range, or another number of bodies than 1
-    /// or 2.
-    pub fn with_bodies(&self, bodies: Vec<Body>) -> Result<Self, ContactError> {
-        let interface = self.with_pair(interface_of(&bodies)?);
-        let made = self.with_numbers(interface, self.scene.surface, self.scene.nominal_area)?;
-        Ok(Self { bodies, ..made })
-    }
-
-    /// [`with_numbers`](Self::with_numbers) for a surface that follows from other numbers.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the field that is out of range.
-    pub fn with_roughness(&self, roughness: Roughness) -> Result<Self, ContactError> {
-        let made =
-            self.with_numbers(self.scene.interface, roughness.surface()?, self.scene.nominal_area)?;
-        Ok(Self { roughness: Some(roughness), follows_from: roughness.way.keys(), ..made })
     }
 }
 

@@ -1,7 +1,6 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
-pub(crate) use asperity::{OTHER_UNITS, UNITS, Units};
-use asperity::{nearest_hint, plain_unit as plain};
+use asperity::{OTHER_UNITS, UNITS, Units, nearest_hint, plain_unit as plain};
 
 use crate::keys::Key;
 use crate::likely::{PRESSURE, hardness, notation_hint};

@@ -12,7 +12,6 @@ use asperity_topography::Topography;
 use crate::document::{Document, Files, HandedFiles, read_text};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
-use crate::keys::Key;
 use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
@@ -127,22 +126,10 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// [`parse_handed`] as [`load_scan`] reads, for boundary elements alone.
-///
-/// # Errors
-/// Those of [`parse_handed`], except that of a scan without asperities.
-pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
-    let asked = Asked::Scan { periodic: false };
-    scene_file(&Document::new(None, Files::Handed(files), text)?, asked)
-}
-
 fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
     let mut options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
-    if !document.has("surface") {
-        return Err(document.missing("surface", Key::meaning("", "surface")));
-    }
     let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
     accept::check(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;

@@ -7,7 +7,7 @@ use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::Document;
-use crate::keys::{Key, keys_of};
+use crate::keys::{Key, joined, keys_of};
 use crate::{Place, SceneError, SceneFile, parse, template, write_heights};
 
 /// A scene file as read, whose keys are written again if the scene has not changed.
@@ -261,7 +261,7 @@ fn lines(section: &str, table: &Table) -> String {
     let line = |name: &str| {
         let value = table.get(name)?;
         let meaning = match value {
-            Value::Float(_) | Value::Integer(_) => Key::meaning(section, name),
+            Value::Float(_) | Value::Integer(_) => Key::meaning(&joined(section, name)),
             _ => "",
         };
         let gap = if meaning.is_empty() { "" } else { "  # " };

@@ -74,7 +74,7 @@ fn one_target_answers_the_inverse_question_or_says_why_not() {
     let run = ask("0.1%");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     assert!(run.messages.contains("no model reaches the target"), "{}", run.messages);
-    let why = "warning: ke: an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
+    let why = "warning: ke: area_fraction = 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
     assert!(run.messages.contains(why), "{}", run.messages);
 }
 

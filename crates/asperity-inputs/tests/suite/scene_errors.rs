@@ -192,7 +192,7 @@ fn every_error_names_line_field_and_requirement() {
         (String::new(), &["line 1: nominal_area is missing: m^2, the apparent area of contact"]),
         (format!("{INTERFACE}{SURFACE}"), &["line 1: nominal_area is missing: m^2, the app"]),
         ("[surface]\nm0 = 1".into(), &["line 1: nominal_area is missing"]),
-        ("nominal_area = 1".into(), &["line 1: surface is missing: the rough surface, in exactly"]),
+        ("nominal_area = 1".into(), &["line 1: interface is missing: either"]),
         (
             text("", INTERFACE, SURFACE).replace("3e-5", "0"),
             &["line 1: nominal_area is 0.0: a finite number above 0"],
