@@ -108,8 +108,8 @@ pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     Some(notation_hint(text)? + end)
 }
 
-/// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on
-/// the nominal area, behind the text in a message; `None` for other texts and keys.
+/// How a hardness such as `120 HV` is given instead for a key of scene files, behind the text in a
+/// message; `None` for other texts and keys.
 pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
     let contact = hardness_of_vickers(of_scale(&text.to_uppercase(), "HV")?);
     let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
@@ -121,15 +121,9 @@ pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
         "yield_strength" => format!(
             "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
         ),
-        PRESSURE => {
-            "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
-        }
         _ => return None,
     })
 }
-
-/// The key of a pressure on the nominal area, which scene files do not have.
-pub(crate) const PRESSURE: &str = "pressure";
 
 /// The number of a hardness: 120 of `120 HV`, `120 HV10` or `HV 120`.
 fn of_scale(text: &str, name: &str) -> Option<f64> {
@@ -323,7 +317,6 @@ mod tests {
         assert!(vickers("hardness").starts_with(wanted));
         let strength = vickers("yield_strength");
         assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
-        assert!(vickers(PRESSURE).starts_with("is a hardness, not a pressure on the nominal"));
         assert_eq!(hardness("120 MPa", "hardness"), None);
     }
 }
