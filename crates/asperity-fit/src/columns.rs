@@ -107,6 +107,12 @@ impl<'c> Columns<'c> {
         self.number(&format!("{column}{STD}"), row)
     }
 
+    /// The load and the pressure of a row that has both.
+    pub(crate) fn both_loads(&self, row: usize) -> Result<Option<[f64; 2]>, FitError> {
+        let [load, pressure] = [LOAD, PRESSURE].map(|column| self.number(column, row));
+        Ok(load?.zip(pressure?).map(<[f64; 2]>::from))
+    }
+
     /// Appends the measured values of a row.
     pub(crate) fn observations(
         &self,
@@ -114,7 +120,7 @@ impl<'c> Columns<'c> {
         from: Datum,
         found: &mut Vec<Observation>,
     ) -> Result<(), FitError> {
-        // Beside a load, a pressure is not read.
+        // Beside a load, a pressure is only compared with it.
         let has_loads = self.columns.iter().any(|(column, _)| *column == LOAD);
         let carrier = if has_loads { LOAD } else { PRESSURE };
         let load = self.number(carrier, row)?;

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use asperity_core::{At, Datum};
+use asperity_core::{At, Datum, short};
 
 use crate::columns::Columns;
 use crate::observation::{MeasuredTable, Observation, Position};
@@ -26,7 +26,13 @@ pub struct Data {
     from: Datum,
     /// The lines of the rows in their file.
     lines: Vec<usize>,
+    /// Rows with a load and a pressure.
+    both_loads: Vec<(usize, [f64; 2])>,
 }
+
+/// Loads and pressures times the nominal area may differ by this much, relative, as both may be
+/// rounded.
+const SAME_LOAD: f64 = 0.01;
 
 impl Deref for Data {
     type Target = [Observation];
@@ -42,7 +48,8 @@ impl Data {
     /// (`area_m2`, `unloading_stiffness_N_per_m`), each with `<column>_std` if known. A cell may be
     /// empty.
     ///
-    /// `pressure_Pa` beside `load_N`, `separation_over_sigma` and `model` are ignored.
+    /// `pressure_Pa` beside `load_N` is compared with it by [`check_loads`](Self::check_loads);
+    /// `separation_over_sigma` and `model` are ignored.
     /// Separations have no relative error: without `separation_m_std`, a separation beside a load
     /// is compared by the load at that separation.
     ///
@@ -59,8 +66,9 @@ impl Data {
     pub fn from_table(table: &MeasuredTable, from: Datum) -> Result<Self, FitError> {
         let lines = table.lines.clone();
         let table = Columns::read(table)?;
-        let mut observations = vec![];
+        let (mut observations, mut both_loads) = (vec![], vec![]);
         for row in 0..table.rows {
+            both_loads.extend(table.both_loads(row)?.map(|both| (row, both)));
             table.observations(row, from, &mut observations)?;
         }
         if observations.is_empty() {
@@ -81,7 +89,27 @@ impl Data {
                 position.name
             )));
         }
-        Ok(Self { observations, from, lines })
+        Ok(Self { observations, from, lines, both_loads })
+    }
+
+    /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
+    ///
+    /// # Errors
+    /// [`FitError::Data`] for the first row whose load differs from the pressure times the area by
+    /// more than 1 %.
+    pub fn check_loads(&self, nominal_area: f64) -> Result<(), FitError> {
+        for (row, [load, pressure]) in &self.both_loads {
+            let here = pressure * nominal_area;
+            if (here / load - 1.0).abs() > SAME_LOAD {
+                let position = Position::of(&self.lines, *row);
+                let [load, pressure, area, here] =
+                    [*load, *pressure, nominal_area, here].map(short);
+                return Err(FitError::Data(format!(
+                    "{position}: load_N = {load} and pressure_Pa = {pressure} contradict each other: on the nominal area of {area} m2 this pressure is a load of {here} N; leave one of the two columns out, or correct the area"
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// Whether standard deviations are given.
@@ -122,7 +150,7 @@ impl Data {
     /// Other observations of the same table.
     pub(crate) fn with(&self, observations: Vec<Observation>) -> Self {
         let lines = self.lines.clone();
-        Self { observations, from: self.from, lines }
+        Self { observations, from: self.from, lines, both_loads: vec![] }
     }
 
     /// The line of an observation, or its row.

@@ -116,6 +116,9 @@ impl SceneFile {
         free: &[Free],
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, SceneError> {
+        if free.iter().all(|free| free.name != "nominal_area") {
+            data.check_loads(self.scene.nominal_area)?;
+        }
         let parameters = self.free_parameters(free, data)?;
         let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);
         let inputs = self.inputs(of_scene.map(|one| one.name.as_str()))?;

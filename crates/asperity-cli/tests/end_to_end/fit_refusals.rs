@@ -130,6 +130,14 @@ fn a_model_without_the_quantity_is_left_out_among_others() {
 }
 
 #[test]
+fn loads_and_pressures_of_one_row_must_agree() {
+    let bench = Bench::new();
+    bench.write("data.csv", "load_N,pressure_Pa,area_m2\n10,1e5,5e-9\n100,1e5,5e-8\n");
+    let wanted = "error: data.csv: line 3: load_N = 100 and pressure_Pa = 1e5 contradict each other: on the nominal area of 1e-4 m2 this pressure is a load of 10 N;";
+    refused(&bench, "data.csv --free asperity_height_std", wanted);
+}
+
+#[test]
 fn data_in_another_unit_are_an_error_with_the_unit() {
     let bench = Bench::new();
     let rows = stiffness_rows(&bench);

@@ -84,6 +84,18 @@ fn one_value_and_one_parameter_answer_the_inverse_question() {
 }
 
 #[test]
+fn loads_and_pressures_of_a_row_must_agree() {
+    let columns = [("load_N", 100.0), ("pressure_Pa", 1e6), ("area_m2", 4e-8)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    let data = data(&columns);
+    assert_eq!(data.check_loads(1e-4), Ok(()));
+    assert_eq!(data.check_loads(1.004e-4), Ok(()), "rounded");
+    let refused = data.check_loads(5e-5).unwrap_err().to_string();
+    let wanted = "row 1: load_N = 100 and pressure_Pa = 1e6 contradict each other: on the nominal area of 5e-5 m2 this pressure is a load of 50 N; leave one of the two columns out, or correct the area";
+    assert_eq!(refused, wanted);
+}
+
+#[test]
 fn a_fit_ends_where_its_caller_says() {
     let data = data(&columns(&GreenwoodWilliamson, &LOADS, &[Quantity::Tangent]));
     let scene = varied(&[2]);
