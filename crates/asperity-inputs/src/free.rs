@@ -49,14 +49,9 @@ impl std::str::FromStr for Free {
             _ => quantity(text, unit_of_free(name).unwrap_or_default()),
         };
         let Some((low, high)) = bounds.split_once(':') else {
-            return Err(refused(match number(bounds) {
-                Ok(_) => format!(
-                    "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
-                ),
-                Err(_) => {
-                    format!("{bounds:?} are no bounds: write {name}=low:high, with decimal points")
-                }
-            }));
+            return Err(refused(format!(
+                "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
+            )));
         };
         // 0 needs no unit.
         let plain = [low, high].map(|text| text.trim().parse::<f64>());
