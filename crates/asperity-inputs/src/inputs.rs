@@ -107,7 +107,8 @@ impl SceneFile {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
         // Of another way to describe the surface, or of bodies that the scene does not have.
         let is_key = KEYS.iter().any(|key| key.name == key_of_input(name)) || name == "skewness";
-        let is_absent = is_key && names.iter().all(|known| key_of_input(known) != name);
+        let of_body = names.iter().copied().find(|known| key_of_input(known) == name);
+        let is_absent = is_key && of_body.is_none();
         let reason = is_absent.then(|| format!("; {name} needs a scene that is given by it"));
         let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
         // What tells the input from the name that was meant.
@@ -116,7 +117,8 @@ impl SceneFile {
             Some(format!("; {key} {}", differs.trim_end_matches("; ")))
         });
         let synonym = synonym.map(|(key, _)| key);
-        let near = nearest_hint(synonym.or_else(|| nearest_name(name, names.iter().copied())));
+        let near = synonym.or(of_body).or_else(|| nearest_name(name, names.iter().copied()));
+        let near = nearest_hint(near);
         let (known, reason) = (names.join(", "), difference.or(reason).unwrap_or_default());
         let reason =
             format!("is not an input of this scene{near}: one of {known} was required{reason}");
