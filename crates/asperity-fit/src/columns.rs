@@ -2,6 +2,7 @@
 
 use asperity_core::{At, Datum, Quantity, Separation};
 
+use crate::doubt::plural;
 use crate::names::unknown_column;
 use crate::observation::{LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
@@ -36,15 +37,11 @@ fn quantity(name: &str) -> Option<Quantity> {
     Quantity::ALL.into_iter().find(|quantity| quantity.column() == name)
 }
 
-/// The name of a column and its numbers.
-type Values<'c> = (&'c str, &'c [Option<f64>]);
-
-/// The columns of a table by their meaning.
+/// The columns of a table that a fit reads.
 pub(crate) struct Columns<'c> {
     pub(crate) rows: usize,
     lines: &'c [usize],
-    values: Vec<Values<'c>>,
-    deviations: Vec<Values<'c>>,
+    columns: Vec<(&'c str, &'c [Option<f64>])>,
 }
 
 impl<'c> Columns<'c> {
@@ -56,65 +53,58 @@ impl<'c> Columns<'c> {
         if rows > MOST {
             return refused("the data", format!("{rows} rows: at most {MOST} were required"));
         }
-        let mut found = Self { rows, lines, values: vec![], deviations: vec![] };
+        let mut found = Self { rows, lines, columns: vec![] };
         for (place, (name, values)) in columns.iter().enumerate() {
             let name = name.trim();
             if columns[..place].iter().any(|(other, _)| other.trim() == name) {
                 return refused(name, "the column is given twice".into());
             }
             if values.len() != rows {
-                let (column, found) = (name.into(), values.len());
-                return Err(FitError::Length { column, found, required: rows });
+                let found = plural(values.len(), "value");
+                return Err(FitError::Data(format!(
+                    "{name} has {found}: {rows} were required, as in the other columns"
+                )));
             }
-            match name.strip_suffix(STD) {
-                _ if IGNORED.contains(&name) => {}
-                None => {
-                    check(name)?;
-                    found.values.push((name, values));
+            if !IGNORED.contains(&name) {
+                match name.strip_suffix(STD) {
+                    None => check(name)?,
+                    Some(of) => check(of).map_err(|error| of_deviation(error, name))?,
                 }
-                Some(of) => {
-                    check(of).map_err(|error| of_deviation(error, name))?;
-                    found.deviations.push((of, values));
-                }
+                found.columns.push((name, values));
             }
         }
-        let has = |name: &str| found.values.iter().any(|(known, _)| *known == name);
+        let has = |name: &str| found.columns.iter().any(|(known, _)| *known == name);
         if !PLACES.into_iter().any(has) {
             // At separations, a load is what was measured.
             let renamed = match has("force_N") {
                 true => format!("; name force_N {LOAD} if the other values were measured under it"),
                 false => String::new(),
             };
-            let needed =
-                format!("a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}");
-            return Err(FitError::NoData { missing: "load or separation", needed });
+            return Err(FitError::Data(format!(
+                "the data have no load or separation: a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}"
+            )));
         }
-        match found.deviations.iter().find(|(of, _)| !has(of)) {
-            Some((of, _)) => {
-                refused(&format!("{of}{STD}"), "the column of its values is missing".into())
-            }
+        let is_alone = |name: &&str| name.strip_suffix(STD).is_some_and(|of| !has(of));
+        match found.columns.iter().map(|(name, _)| *name).find(is_alone) {
+            Some(name) => refused(name, "the column of its values is missing".into()),
             None => Ok(found),
         }
     }
 
     /// The value of a row, if it is given.
     fn number(&self, column: &str, row: usize) -> Result<Option<f64>, FitError> {
-        match value_of(&self.values, column, row) {
-            Some(value) if !value.is_finite() => {
-                self.refused(column, row, value, "a finite number")
-            }
-            value => Ok(value),
-        }
+        let values = self.columns.iter().find(|(known, _)| *known == column);
+        let (value, required) = match values.and_then(|(_, values)| values[row]) {
+            Some(value) if !value.is_finite() => (value, "a finite number"),
+            Some(value) if column.ends_with(STD) && value <= 0.0 => (value, "a number above 0"),
+            value => return Ok(value),
+        };
+        self.refused(column, row, value, required)
     }
 
     /// The standard deviation of a row's value.
     fn std(&self, column: &str, row: usize) -> Result<Option<f64>, FitError> {
-        let (value, required) = match value_of(&self.deviations, column, row) {
-            Some(value) if !value.is_finite() => (value, "a finite number"),
-            Some(value) if value <= 0.0 => (value, "a number above 0"),
-            value => return Ok(value),
-        };
-        self.refused(&format!("{column}{STD}"), row, value, required)
+        self.number(&format!("{column}{STD}"), row)
     }
 
     /// The load and the pressure of a row that has both.
@@ -131,7 +121,7 @@ impl<'c> Columns<'c> {
         found: &mut Vec<Observation>,
     ) -> Result<(), FitError> {
         // Beside a load, a pressure is only compared with it.
-        let has_loads = self.values.iter().any(|(column, _)| *column == LOAD);
+        let has_loads = self.columns.iter().any(|(column, _)| *column == LOAD);
         let carrier = if has_loads { LOAD } else { PRESSURE };
         let load = self.number(carrier, row)?;
         if let Some(value) = load.filter(|value| *value <= 0.0) {
@@ -142,9 +132,9 @@ impl<'c> Columns<'c> {
         let reading = |value| At::from(Separation { from, ..Separation::metres(value) });
         let at = load.map(under).or(separation.map(reading));
         let new = |at, measured, value, std| Observation { row: row + 1, at, measured, value, std };
-        for (column, _) in self.values.iter().filter(|(column, _)| !PLACES.contains(column)) {
-            let number = quantity(column).zip(self.number(column, row)?);
-            let Some((quantity, value)) = number else { continue };
+        let quantities = self.columns.iter().filter(|(column, _)| !PLACES.contains(column));
+        for (column, quantity) in quantities.filter_map(|(name, _)| Some((name, quantity(name)?))) {
+            let Some(value) = self.number(column, row)? else { continue };
             let std = self.std(column, row)?;
             let is_load = matches!(quantity, Quantity::Force | Quantity::Pressure);
             let required = match at {
@@ -187,10 +177,6 @@ impl<'c> Columns<'c> {
         let required = required.into();
         Err(FitError::Value { position, column, value, required })
     }
-}
-
-fn value_of(columns: &[Values<'_>], name: &str, row: usize) -> Option<f64> {
-    columns.iter().find(|(known, _)| *known == name).and_then(|(_, values)| values[row])
 }
 
 /// An error of the column of a standard deviation, by its own name.

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use asperity_core::{At, Datum};
+use asperity_core::{At, Datum, short};
 
 use crate::columns::Columns;
 use crate::observation::{MeasuredTable, Observation, Position};
@@ -72,8 +72,8 @@ impl Data {
             table.observations(row, from, &mut observations)?;
         }
         if observations.is_empty() {
-            let needed = "a column of a quantity with a value was required, for example area_m2";
-            return Err(FitError::NoData { missing: "measured quantity", needed: needed.into() });
+            let reason = "the data have no measured quantity: a column of a quantity with a value was required, for example area_m2";
+            return Err(FitError::Data(reason.into()));
         }
         if let Some(known) = observations.iter().find(|one| one.std.is_some())
             && let Some(unknown) = observations.iter().find(|one| one.std.is_none())
@@ -84,7 +84,10 @@ impl Data {
                 true => other.to_string(),
                 false => format!("{} of {other}", known.measured.column()),
             };
-            return Err(FitError::NoStd { position, column, known });
+            return Err(FitError::Data(format!(
+                "{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {}, or in none",
+                position.name
+            )));
         }
         Ok(Self { observations, from, lines, both_loads })
     }
@@ -92,24 +95,21 @@ impl Data {
     /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
     ///
     /// # Errors
-    /// [`FitError::Loads`] for the first row whose load differs from the pressure times the area by
+    /// [`FitError::Data`] for the first row whose load differs from the pressure times the area by
     /// more than 1 %.
     pub fn check_loads(&self, nominal_area: f64) -> Result<(), FitError> {
-        let agree =
-            |[load, pressure]: [f64; 2]| (pressure * nominal_area / load - 1.0).abs() <= SAME_LOAD;
-        match self.both_loads.iter().find(|(_, both)| !agree(*both)) {
-            Some((row, [load, pressure])) => {
+        for (row, [load, pressure]) in &self.both_loads {
+            let here = pressure * nominal_area;
+            if (here / load - 1.0).abs() > SAME_LOAD {
                 let position = Position::of(&self.lines, *row);
-                Err(FitError::Loads { position, load: *load, pressure: *pressure, nominal_area })
+                let [load, pressure, area, here] =
+                    [*load, *pressure, nominal_area, here].map(short);
+                return Err(FitError::Data(format!(
+                    "{position}: load_N = {load} and pressure_Pa = {pressure} contradict each other: on the nominal area of {area} m2 this pressure is a load of {here} N; leave one of the two columns out, or correct the area"
+                )));
             }
-            None => Ok(()),
         }
-    }
-
-    /// Whether a row has a load and a pressure.
-    #[must_use]
-    pub fn has_both_loads(&self) -> bool {
-        !self.both_loads.is_empty()
+        Ok(())
     }
 
     /// Whether standard deviations are given.

@@ -101,6 +101,11 @@ pub(crate) fn rounded(value: f64) -> String {
     short(format!("{value:.1e}").parse().unwrap_or(value))
 }
 
+/// A number of things: `1 value`, `2 values`.
+pub(crate) fn plural(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Names in a sentence.
 pub(crate) fn list(names: &[&str]) -> String {
     match names {

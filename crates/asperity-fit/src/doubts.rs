@@ -7,26 +7,16 @@ use crate::distance::{LARGEST_DEVIATIONS, LARGEST_RMS, distance, rms};
 use crate::doubt::{
     Doubts, MISFIT, NOT_CONVERGED, NOTES, OTHER_COLUMN, UNDETERMINED, doubt, rounded,
 };
-use crate::likely_unit::likely_units;
-use crate::observation::STD;
+use crate::likely_unit::likely_unit;
 use crate::outlier::contradicted_lines;
-use crate::problem::Problem;
+use crate::problem::squares;
 use crate::ranking::bic;
 use crate::solution::Solution;
 use crate::spread::Spread;
 use crate::{FitError, Measured, Observation, Parameter};
 
-/// Another unit explains the misfit if it leaves less than this share of it, and less than this
-/// share of the largest with which data count as described.
-const SHARE: f64 = 0.2;
-const EXPLAINED: f64 = 0.3;
-/// Other units explain few contacts if they leave less than this share of the misfit: of fits with
-/// contacts in some rows, and of those without.
-const SHARE_OF_FEW: [f64; 2] = [0.5, 1.5];
 /// Residuals beyond this many standard deviations, as a root mean square, deserve a note.
 const MANY: f64 = 5.0;
-/// Beyond this many, the standard deviations are not those of the data.
-const LARGEST_RATIO: f64 = 100.0;
 /// Stiffnesses that are taken for each other: on loading, and at the start of unloading.
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::Stiffness];
@@ -40,9 +30,8 @@ const CLEAR: f64 = 10.0;
 const PATIENCE: usize = 60;
 
 impl Solution<'_> {
-    /// All doubts. A reason is not searched for where another one is known: standard deviations in
-    /// per cent before an outlier, an outlier before a unit, and another stiffness only of data
-    /// that are described.
+    /// All doubts. A reason is not searched for where another one is known: an outlier before a
+    /// unit, and another stiffness only of data that are described.
     pub(crate) fn doubts(&self) -> Result<Doubts, FitError> {
         let data = self.problem.data;
         // As many parameters as values: each value is reached, or named as unreachable.
@@ -51,29 +40,17 @@ impl Solution<'_> {
         let mut found = self.of_parameters(&limits);
         found.extend_from_slice(&limits);
         found.extend(self.unreachable(is_exact));
-        let (ratio, per_cent) = self.deviations();
-        let outlier = match per_cent {
-            Some(_) => None,
-            None => contradicted_lines(self.problem, &self.found.best, &self.residuals)?,
-        };
-        let known = per_cent.or_else(|| outlier.as_ref().map(Finding::message));
-        let mut misfit = match is_exact {
+        let outlier = contradicted_lines(self.problem, &self.found.best, &self.residuals)?;
+        let misfit = match is_exact {
             true => None,
             false => self.misfit(outlier.as_ref(), &limits)?,
         };
-        if let Some(ratio) = ratio {
+        if let Some(ratio) = self.deviations().filter(|_| outlier.is_none()) {
             let [shown, chi] = [ratio, ratio * ratio].map(short);
-            let advice = known.as_deref().unwrap_or(
-                "intervals are too narrow; check the standard deviations, or leave them out",
-            );
             let text = format!(
-                "the residuals are {shown} times the standard deviations (reduced chi squared {chi}); {advice}"
+                "the residuals are {shown} times the standard deviations (reduced chi squared {chi}); intervals are too narrow; check the standard deviations, or leave them out"
             );
-            if ratio > LARGEST_RATIO {
-                misfit = misfit.or_else(|| Some(doubt(MISFIT, "", ratio, text)));
-            } else if outlier.is_none() {
-                found.push(doubt(NOTES, "", ratio, text).severity(Severity::Note));
-            }
+            found.push(doubt(NOTES, "", ratio, text).severity(Severity::Note));
         }
         found.extend(outlier);
         // At a limit a number or unit is wrong, which the law of another stiffness may hide.
@@ -126,30 +103,11 @@ impl Solution<'_> {
         each.collect::<Vec<_>>().join(", ")
     }
 
-    /// The ratio of residuals to standard deviations if it is large; and a sentence if these look
-    /// like per cent.
-    fn deviations(&self) -> (Option<f64>, Option<String>) {
-        let data = self.problem.data;
-        let ratio = |in_percent: bool| {
-            let square = |(one, value): (&Observation, &f64)| {
-                let std = one.std? * if in_percent { 0.01 * one.value.abs() } else { 1.0 };
-                Some(((value - one.value) / std).powi(2))
-            };
-            let sum: f64 = data.iter().zip(&self.values).filter_map(square).sum();
-            (sum / self.freedom as f64).sqrt()
-        };
-        let here = ratio(false);
-        if self.freedom == 0 || !data.has_std() || !(here > MANY && here.is_finite()) {
-            return (None, None);
-        }
-        let is_per_cent = (1.0 / MANY..MANY).contains(&ratio(true));
-        let first = data.first().and_then(|one| Some((one, one.std?))).filter(|_| is_per_cent);
-        let sentence = first.map(|(one, std)| {
-            let [given, value, meant] = [std, one.value, 0.01 * std * one.value.abs()].map(short);
-            let column = one.measured.column();
-            format!("{column}{STD} = {given} looks like per cent of the value; {given} % of {value} is {meant}")
-        });
-        (Some(here), sentence)
+    /// The ratio of residuals to standard deviations, if it is large.
+    fn deviations(&self) -> Option<f64> {
+        let ratio = (squares(&self.residuals) / self.freedom as f64).sqrt();
+        let is_known = self.freedom > 0 && self.problem.data.has_std();
+        (is_known && ratio > MANY && ratio.is_finite()).then_some(ratio)
     }
 
     /// Data that are not described by the fitted values, with the line or the unit that explains
@@ -162,7 +120,7 @@ impl Solution<'_> {
         let (data, values) = (self.problem.data, &self.values);
         let far = distance(data, values);
         if far <= 1.0 {
-            return self.few_contacts(far);
+            return Ok(None);
         }
         let known = match outlier {
             Some(outlier) => Some(outlier.message()),
@@ -173,15 +131,9 @@ impl Solution<'_> {
             let limits = limits.iter().map(Finding::message);
             limits.chain([check.into()]).collect::<Vec<_>>().join("; ")
         });
-        let is_0 = |(one, value): &(&Observation, &f64)| {
-            !one.measured.is_difference() && (*value / one.value).ln().is_infinite()
-        };
-        let size = match (data.iter().zip(values).find(is_0), rms(data, values)) {
-            (Some((one, _)), _) => {
-                let (place, at) = one.place();
-                format!("without contact at {place} = {}", short(at))
-            }
-            (None, Some(rms)) if rms > LARGEST_RMS => {
+        let size = match rms(data, values) {
+            _ if far.is_infinite() => "some fitted values are 0".into(),
+            Some(rms) if rms > LARGEST_RMS => {
                 let factor = short(rms.exp());
                 format!("fitted values deviate by a factor of {factor} (root mean square)")
             }
@@ -192,28 +144,6 @@ impl Solution<'_> {
         };
         let text = format!("no values within the bounds describe the data: {size}; {advice}");
         Ok(Some(doubt(MISFIT, "", far, text)))
-    }
-
-    /// A fit with less than one contact in some row, if other units explain it.
-    fn few_contacts(&self, far: f64) -> Result<Option<Finding>, FitError> {
-        let (problem, at) = (self.problem, &self.found.best.coordinates);
-        let counts = problem.contacts(at).unwrap_or_default();
-        let fewest = problem.data.iter().zip(&counts).min_by(|a, b| a.1.total_cmp(b.1));
-        let Some((one, count)) = fewest.filter(|(_, count)| **count < 1.0) else {
-            return Ok(None);
-        };
-        let without = counts.iter().all(|count| *count < 1.0);
-        let units = likely_units(problem, far * SHARE_OF_FEW[usize::from(without)], false)?;
-        Ok(units.map(|units| {
-            let (place, at) = one.place();
-            let text = format!(
-                "the fit has {} contacts at {place} = {} ({}), where at least one was required; {units}",
-                short(*count),
-                short(at),
-                problem.data.position(one)
-            );
-            doubt(MISFIT, "contacts", *count, text)
-        }))
     }
 
     /// A column of stiffnesses whose values are rather those of another one.
@@ -256,26 +186,4 @@ fn without_interval(parameter: &Parameter) -> Finding {
     let text =
         format!("{name} is not determined: 95 % intervals include all values from {from} to {to}");
     doubt(UNDETERMINED, name, f64::NAN, text)
-}
-
-/// The columns and units that explain data at this distance from a fit.
-pub(crate) fn likely_unit(problem: &Problem<'_>, far: f64) -> Result<Option<String>, FitError> {
-    let most = if far.is_infinite() { 1.0 } else { EXPLAINED.min(SHARE * far) };
-    match falls_where_fits_rise(problem) {
-        true => Ok(None),
-        false => likely_units(problem, most, true),
-    }
-}
-
-/// Whether measured values fall where those of the start rise, or rise where they fall: a factor
-/// changes neither.
-fn falls_where_fits_rise(problem: &Problem<'_>) -> bool {
-    let Ok(values) = problem.predicted(&problem.start()) else { return false };
-    let of = |(one, value): (&Observation, f64)| [one.value.ln(), value.ln()];
-    let logs: Vec<[f64; 2]> = problem.data.iter().zip(values).map(of).collect();
-    // Of quantities of one kind, so that their levels mean nothing.
-    let one_kind = problem.data.iter().all(|one| one.measured == problem.data[0].measured);
-    let mean = |k: usize| logs.iter().map(|pair| pair[k]).sum::<f64>() / logs.len() as f64;
-    let means = [mean(0), mean(1)];
-    one_kind && logs.iter().map(|[a, b]| (a - means[0]) * (b - means[1])).sum::<f64>() < 0.0
 }

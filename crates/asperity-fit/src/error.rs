@@ -18,31 +18,6 @@ pub enum FitError {
         /// All known names.
         known: String,
     },
-    /// A column in another unit than the one of its name.
-    #[error("column {name:?} is in {unit}: name it {column} and multiply its values by {}", short(*.factor))]
-    ColumnUnit {
-        /// The name of the column.
-        name: String,
-        /// The column in its SI unit.
-        column: String,
-        /// The unit of the name.
-        unit: &'static str,
-        /// The unit in SI units.
-        factor: f64,
-    },
-    /// A stiffness per nominal area.
-    #[error(
-        "column {name:?} is per nominal area: name it {column} and multiply its values, in N/m per m2, by the nominal area{}",
-        .nominal_area.map_or(String::new(), |area| format!(" of {} m2", short(area)))
-    )]
-    PerArea {
-        /// The name of the column.
-        name: String,
-        /// The column of the stiffness.
-        column: String,
-        /// The nominal area \[m²\], if it is known.
-        nominal_area: Option<f64>,
-    },
     /// Columns that do not make a table of measurements.
     #[error("{column}: {reason}")]
     Column {
@@ -63,66 +38,9 @@ pub enum FitError {
         /// The numbers accepted.
         required: String,
     },
-    /// A column that is shorter than others.
-    #[error(
-        "{column} has {found} {}: {required} were required, as in the other columns",
-        if *.found == 1 { "value" } else { "values" }
-    )]
-    Length {
-        /// The column.
-        column: String,
-        /// The number of its values.
-        found: usize,
-        /// The number of values of other columns.
-        required: usize,
-    },
-    /// A value without a standard deviation beside others that have one.
-    #[error(
-        "{position} has no standard deviation of {column}, but {known} has one: give {column}_std in every {}, or in none",
-        .position.name
-    )]
-    NoStd {
-        /// The line in its file, or the row, both counted from 1: `line 5`.
-        position: Position,
-        /// The column.
-        column: String,
-        /// The value that has one, `line 2` or `area_m2 of line 2`.
-        known: String,
-    },
-    /// A load and a pressure of one row that contradict each other.
-    #[error(
-        "{position}: load_N = {} and pressure_Pa = {} contradict each other: on the nominal area of {} m2 this pressure is a load of {} N; leave one of the two columns out, or correct the area",
-        short(*.load), short(*.pressure), short(*.nominal_area), short(.pressure * .nominal_area)
-    )]
-    Loads {
-        /// The line in its file, or the row, both counted from 1: `line 5`.
-        position: Position,
-        /// The load \[N\].
-        load: f64,
-        /// The pressure \[Pa\].
-        pressure: f64,
-        /// The nominal area \[m²\].
-        nominal_area: f64,
-    },
-    /// Data without a load or separation, or without a quantity.
-    #[error("the data have no {missing}: {needed}")]
-    NoData {
-        /// The missing part.
-        missing: &'static str,
-        /// The columns that are accepted.
-        needed: String,
-    },
-    /// Fewer data than parameters.
-    #[error(
-        "{data} measured {} for {parameters} free parameters: at least as many values as free parameters were required",
-        if *.data == 1 { "value" } else { "values" }
-    )]
-    TooFew {
-        /// The number of measured values.
-        data: usize,
-        /// The number of free parameters.
-        parameters: usize,
-    },
+    /// Data that contradict each other, or are too few, or are given in another unit.
+    #[error("{0}")]
+    Data(String),
     /// Bounds or a start that no fit can use.
     #[error("{parameter}: {reason}")]
     Parameter {
@@ -138,14 +56,6 @@ pub enum FitError {
         model: String,
         /// The reason at the start.
         reason: ContactError,
-    },
-    /// A model gives the data in another unit only.
-    #[error("{model} has no value for the data within the bounds; {likely}")]
-    Unit {
-        /// The model's id.
-        model: String,
-        /// The columns and the units that explain the data.
-        likely: String,
     },
     /// The caller stopped the fit.
     #[error("interrupted")]

@@ -6,8 +6,9 @@ use std::ops::ControlFlow;
 use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::doubts::likely_unit;
+use crate::doubt::plural;
 use crate::forward::Forward;
+use crate::likely_unit::likely_unit;
 use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
 use crate::solution::Solution;
@@ -60,7 +61,7 @@ impl<'f> Fit<'f> {
     ///
     /// # Errors
     /// [`FitError::Parameter`] for a parameter that is given twice or for none,
-    /// [`FitError::TooFew`] data.
+    /// [`FitError::Data`] for too few.
     pub fn new(
         data: &'f Data,
         parameters: Vec<Parameter>,
@@ -78,7 +79,10 @@ impl<'f> Fit<'f> {
             }
         }
         if data.len() < parameters.len() {
-            return Err(FitError::TooFew { data: data.len(), parameters: parameters.len() });
+            let (values, free) = (plural(data.len(), "measured value"), parameters.len());
+            return Err(FitError::Data(format!(
+                "{values} for {free} free parameters: at least as many values as free parameters were required"
+            )));
         }
         Ok(Self { data, parameters, scene, more_starts: 3 })
     }
@@ -94,7 +98,7 @@ impl<'f> Fit<'f> {
     /// Fits a model; `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
-    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Unit`] if
+    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Data`] if
     /// it has them in another unit of a column, and [`FitError::Interrupted`].
     pub fn run_with(
         &self,
@@ -121,8 +125,10 @@ impl<'f> Fit<'f> {
         let mut found = match search(&problem, self.more_starts, PATIENCE) {
             Err(error @ FitError::NoStart { .. }) => {
                 let unit = likely_unit(&problem, f64::INFINITY)?;
-                let unlike = |likely| FitError::Unit { model: model.id().into(), likely };
-                return Err(unit.map_or(error, unlike));
+                let unlike = |unit| {
+                    format!("{} has no value for the data within the bounds; {unit}", model.id())
+                };
+                return Err(unit.map_or(error, |unit| FitError::Data(unlike(unit))));
             }
             found => found?,
         };

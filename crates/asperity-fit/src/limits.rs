@@ -23,30 +23,24 @@ impl Solution<'_> {
         let at = &self.found.best.coordinates;
         let mut found = vec![];
         for (place, parameter) in self.problem.parameters.iter().enumerate() {
-            let ([low, high], name) = (parameter.range(), &parameter.name);
-            let middle = at[place];
-            for (bound, step, kind, side) in
-                [(low, -1.0, "lower", "below"), (high, 1.0, "upper", "above")]
-            {
-                if (middle - bound).abs() < AT_BOUND * (high - low) {
-                    let value = parameter.value(bound);
-                    let text =
-                        format!("{name} is at its {kind} bound of {}", parameter.shown(value));
-                    found.push(doubt(LIMITS, name, value, text));
-                    continue;
-                }
+            let ([low, high], name, middle) = (parameter.range(), &parameter.name, at[place]);
+            let shown = |coordinate: f64| parameter.shown(parameter.value(coordinate));
+            for (bound, kind, side) in [(low, "lower", "below"), (high, "upper", "above")] {
                 let beyond = |distance: f64| {
                     let mut moved = at.clone();
-                    moved[place] = (middle + step * distance).clamp(low, high);
+                    let step = if bound > middle { distance } else { -distance };
+                    moved[place] = (middle + step).clamp(low, high);
                     self.problem.predicted(&moved).err()
                 };
-                if let Some(near) = beyond(AT_END * (high - low)) {
-                    let value = parameter.value(middle);
+                let text = if (middle - bound).abs() < AT_BOUND * (high - low) {
+                    format!("{name} is at its {kind} bound of {}", shown(bound))
+                } else if let Some(near) = beyond(AT_END * (high - low)) {
                     let reason = plain(&beyond(BEYOND).unwrap_or(near));
-                    let text =
-                        format!("{name} stops at {}: {side} it, {reason}", parameter.shown(value));
-                    found.push(doubt(LIMITS, name, value, text));
-                }
+                    format!("{name} stops at {}: {side} it, {reason}", shown(middle))
+                } else {
+                    continue;
+                };
+                found.push(doubt(LIMITS, name, parameter.value(middle), text));
             }
         }
         found
@@ -71,15 +65,9 @@ impl Solution<'_> {
                 ),
                 None => continue,
             };
-            let name = match one.measured {
-                Measured::Quantity(quantity) => quantity.to_string().replace('-', " "),
-                Measured::Separation => "separation".into(),
-            };
-            let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-            let value = with_unit(one.value, one.measured.unit());
-            let text =
-                format!("{article} {name} of {value} at {} cannot be reached{reason}", one.at);
-            found.push(doubt(UNREACHABLE, &one.measured.column(), one.value, text));
+            let (column, value) = (one.measured.column(), short(one.value));
+            let text = format!("{column} = {value} at {} cannot be reached{reason}", one.at);
+            found.push(doubt(UNREACHABLE, &column, one.value, text));
         }
         found
     }

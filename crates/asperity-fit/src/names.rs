@@ -70,29 +70,30 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
             return column(which_stiffness(named.factor));
         }
         None if usual == STIFFNESS => return column(which_stiffness(1.0)),
+        Some(Named { column, unit, factor }) if is_other(*factor) => {
+            let factor = short(*factor);
+            return FitError::Data(format!(
+                "column {name:?} is in {unit}: name it {column} and multiply its values by {factor}"
+            ));
+        }
         _ => {}
     }
     if let Some(column) = per_area(&name, &known) {
-        return FitError::PerArea { name, column: column.into(), nominal_area: None };
+        return FitError::Data(format!(
+            "column {name:?} is per nominal area: name it {column} and multiply its values, in N/m per m2, by the nominal area"
+        ));
     }
-    let near = match named {
-        Some(Named { column, unit, factor }) if is_other(factor) => {
-            return FitError::ColumnUnit { name, column: column.into(), unit, factor };
-        }
-        // Its own unit, written in another way.
-        Some(named) => Some(named.column),
-        None => {
-            let columns = || known.iter().map(|known| known.column.as_str());
-            let begun = |behind: &str| {
-                let begin = format!("{usual}{behind}");
-                columns().find(|column| usual.len() > 2 && column.starts_with(&begin))
-            };
-            // A name without its unit is nearest to the column that it begins.
-            begun("_").or_else(|| nearest_name(&name, columns())).or_else(|| begun(""))
-        }
+    let columns = || known.iter().map(|known| known.column.as_str());
+    let begun = |behind: &str| {
+        let begin = format!("{usual}{behind}");
+        columns().find(|column| usual.len() > 2 && column.starts_with(&begin))
     };
-    let columns: Vec<&str> = known.iter().map(|known| known.column.as_str()).collect();
-    FitError::UnknownColumn { near: near.map(Into::into), known: columns.join(", "), name }
+    // Its own unit, written in another way; a name without its unit is nearest to the column that
+    // it begins.
+    let near = named.map(|named| named.column).or_else(|| begun("_"));
+    let near = near.or_else(|| nearest_name(&name, columns())).or_else(|| begun(""));
+    let (near, known) = (near.map(Into::into), columns().collect::<Vec<_>>().join(", "));
+    FitError::UnknownColumn { near, known, name }
 }
 
 fn is_other(factor: f64) -> bool {

@@ -4,7 +4,6 @@ use asperity_core::{Finding, short};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::doubt::{OUTLIER, doubt, rounded};
-use crate::likely_unit::unit_of_value;
 use crate::problem::{Minimum, Problem};
 use crate::{FitError, Observation};
 
@@ -125,24 +124,17 @@ fn without(
 impl Without {
     fn finding(&self, problem: &Problem<'_>) -> Finding {
         let (data, lines) = (problem.data, &self.lines);
-        let (mut named, mut sizes, mut units) = (vec![], vec![], vec![]);
+        let (mut named, mut sizes) = (vec![], vec![]);
         for (one, residual) in lines {
             let ([(place, _, at), (column, ..)], far) = (one.columns(), residual.abs());
             let [value, at] = [one.value, at].map(short);
             named.push(format!("{} ({column} = {value} at {place} = {at})", data.position(one)));
             // Residuals of shares and logarithms are differences.
-            let (size, predicted) = match (one.std, one.measured.is_difference()) {
-                (Some(std), _) => {
-                    (format!("{} standard deviations", rounded(far)), one.value + residual * std)
-                }
-                (None, true) => (rounded(far), one.value + residual),
-                (None, false) => {
-                    let size = format!("a factor of {}", rounded(far.exp()));
-                    (size, one.value * residual.exp())
-                }
-            };
-            sizes.push(size);
-            units.extend(unit_of_value(one, predicted));
+            sizes.push(match (one.std, one.measured.is_difference()) {
+                (Some(_), _) => format!("{} standard deviations", rounded(far)),
+                (None, true) => rounded(far),
+                (None, false) => format!("a factor of {}", rounded(far.exp())),
+            });
         }
         let agree = self.misfit.max(ACCURACY);
         let agree = match data.has_std() {
@@ -154,13 +146,12 @@ impl Without {
             1 => ["deviates", "check or remove it"],
             _ => ["deviate", "check or remove them"],
         };
-        let advice = if units.len() == lines.len() { units.join("; ") } else { remove.into() };
         let [named, sizes] = [named, sizes].map(|texts| texts.join(" and "));
         let (column, far) = lines.first().map_or((String::new(), f64::NAN), |(one, residual)| {
             (one.measured.column(), *residual)
         });
         let text = format!(
-            "{named} {deviate} by {sizes} from a fit to the other {}s, which agree within {agree} (root mean square); {advice}",
+            "{named} {deviate} by {sizes} from a fit to the other {}s, which agree within {agree} (root mean square); {remove}",
             data.row_name()
         );
         doubt(OUTLIER, &column, far, text)

@@ -4,13 +4,13 @@ use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactError, ContactModel, Quantity, Scene};
+use asperity_core::{ContactError, ContactModel, Scene};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::forward::{Forward, Rig};
-use crate::{Data, FitError, Measured, Observation, Parameter, Role};
+use crate::{Data, FitError, Observation, Parameter, Role};
 
 /// Step of the differences, as a coordinate: errors of 1e-10 from the third derivative and 1e-9
 /// from values good to 1e-14.
@@ -68,18 +68,6 @@ impl Problem<'_> {
         let data = self.data.with(self.data.iter().filter_map(change).collect());
         let forward = Forward::new(self.model, &data).ok()?;
         Some(solve(&Problem { data: &data, forward: &forward, ..*self }))
-    }
-
-    /// The number of contacts in each row; `None` for models that do not count them.
-    pub(crate) fn contacts(&self, coordinates: &[f64]) -> Option<Vec<f64>> {
-        let measured = Measured::Quantity(Quantity::Contacts);
-        let counted = |one: &Observation| Some(Observation { measured, std: None, ..*one });
-        self.with(counted, |other| other.predicted(coordinates).ok())?
-    }
-
-    /// Whether there is a contact in every row, or the model does not count them.
-    pub(crate) fn has_contacts(&self, coordinates: &[f64]) -> bool {
-        self.contacts(coordinates).is_none_or(|counts| counts.iter().all(|count| *count >= 1.0))
     }
 
     /// The scene and the rig at coordinates.

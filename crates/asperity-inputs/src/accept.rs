@@ -15,8 +15,7 @@ pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), Sc
         at: document.place("accept"),
         found: format!("{unknown:?}"),
         near: nearest_name(unknown, codes()).map(Into::into),
-        needed: format!("a code of a warning or note ({})", codes().collect::<Vec<_>>().join(", "))
-            .into(),
+        needed: format!("a code of a warning or note ({})", codes().collect::<Vec<_>>().join(", ")),
     })
 }
 

@@ -1,40 +1,122 @@
-//! Cells of a csv: its delimiter, its numbers, and how else to write those that are refused.
+//! Tables of numbers in a csv: the header, the rows, and how else to write what is refused.
+
+use std::path::Path;
 
 use crate::document::shorten;
+use crate::likely::{notation_hint, without_thousands};
+use crate::{Place, SceneError};
 
-/// The beginning of a text in quotes, with its narrow blanks as they are.
-pub(crate) fn quoted(text: &str) -> String {
-    format!("\"{}\"", shorten(text).replace(char::is_control, " "))
+/// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.
+/// Where semicolons or tabs separate the cells of the header, numbers may have decimal commas.
+pub(crate) struct Cells<'t> {
+    /// The line of the header.
+    pub(crate) line: usize,
+    /// The names of the columns.
+    pub(crate) head: Vec<&'t str>,
+    /// The line and the cells of each row, one for each column.
+    pub(crate) rows: Vec<(usize, Vec<&'t str>)>,
+    path: &'t Path,
+    delimiter: char,
 }
 
-/// A number with a point where other cells have decimal commas: 1.500 may be 1,5 or 1500.
-pub(crate) const BESIDE_COMMAS: &str = "has a point where other cells have decimal commas; write a comma, or no separator of thousands";
-
-/// Advice for a row with more cells than columns.
-pub(crate) fn delimiter_hint(delimiter: u8) -> &'static str {
-    match delimiter {
-        b',' => {
-            "; numbers with decimal commas are read where semicolons or tabs separate the columns"
+impl<'t> Cells<'t> {
+    /// The cells of a text; a header is `needed` like this.
+    pub(crate) fn read(text: &'t str, path: &'t Path, needed: &str) -> Result<Self, SceneError> {
+        // Of Excel, which begins with a mark, and of R, which writes names in quotes.
+        let lines = (1..).zip(text.trim_start_matches('\u{feff}').lines());
+        let mut lines = lines.filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
+        let (line, top) = lines.next().unwrap_or((1, ""));
+        let delimiter = [';', '\t'].into_iter().find(|other| top.contains(*other)).unwrap_or(',');
+        let cells = |line: &'t str| -> Vec<&str> {
+            line.split(delimiter).map(|cell| cell.trim().trim_matches('"').trim()).collect()
+        };
+        let mut table = Self { line, head: cells(top), rows: vec![], path, delimiter };
+        let is_value =
+            |name: &&str| table.number(name).is_some() || without_thousands(name).is_some();
+        if top.is_empty() || table.head.iter().all(is_value) {
+            let found = table.head.join(",");
+            return Err(SceneError::value(
+                table.place(line, "the header"),
+                shorten(&found),
+                needed,
+            ));
         }
-        _ => "",
+        if table.head.len() == 1 && top.trim().contains([' ', '\t']) {
+            let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
+            return Err(table.syntax(line, reason.into()));
+        }
+        for (line, row) in lines {
+            let (row, columns) = (cells(row), table.head.len());
+            let hint = match row.len() {
+                count if count == columns => {
+                    table.rows.push((line, row));
+                    continue;
+                }
+                count if count > columns && delimiter == ',' => {
+                    "; numbers with decimal commas are read where semicolons or tabs separate the columns"
+                }
+                _ => "",
+            };
+            let reason = format!(
+                "{} cells under a header of {columns} columns: one cell for each column was required{hint}",
+                row.len()
+            );
+            return Err(table.syntax(line, reason));
+        }
+        match table.rows.is_empty() {
+            true => Err(SceneError::Refused {
+                at: Box::new(Place { line: None, ..*table.place(line, "CSV") }),
+                reason: "no row of values under the header".into(),
+            }),
+            false => Ok(table),
+        }
     }
-}
 
-/// The delimiter of the header, the first line that is no comment.
-pub(crate) fn delimiter(text: &str) -> u8 {
-    let head = text.lines().find(|line| !line.is_empty() && !line.starts_with('#'));
-    let has = |delimiter: char| head.is_some_and(|head| head.contains(delimiter));
-    match (has(';'), has('\t')) {
-        (true, _) => b';',
-        (_, true) => b'\t',
-        _ => b',',
+    /// The place of a cell.
+    pub(crate) fn place(&self, line: usize, field: &str) -> Box<Place> {
+        let (file, field) = (Some(self.path.to_path_buf()), field.into());
+        Box::new(Place { file, line: Some(line), field })
     }
-}
 
-/// A number; its comma is a decimal comma where commas do not separate cells.
-pub(crate) fn number(text: &str, delimiter: u8) -> Option<f64> {
-    text.parse().ok().or_else(|| {
-        let is_decimal = delimiter != b',' && text.matches(',').count() == 1 && !text.contains('.');
-        is_decimal.then(|| text.replace(',', ".").parse().ok()).flatten()
-    })
+    /// The error about a line.
+    pub(crate) fn syntax(&self, line: usize, reason: String) -> SceneError {
+        SceneError::Refused { at: self.place(line, "CSV"), reason }
+    }
+
+    /// A number; its comma is a decimal comma where commas do not separate cells.
+    fn number(&self, text: &str) -> Option<f64> {
+        text.parse().ok().or_else(|| {
+            let is_decimal = self.delimiter != ',' && text.matches(',').count() == 1;
+            let decimal = text.replace(',', ".").parse().ok();
+            decimal.filter(|_| is_decimal && !text.contains('.'))
+        })
+    }
+
+    /// The numbers of a column; `odd` is the advice about a text in a column that nobody reads.
+    pub(crate) fn column(
+        &self,
+        k: usize,
+        odd: Option<&str>,
+    ) -> Result<Vec<Option<f64>>, SceneError> {
+        let is_decimal = |cell: &&str| cell.contains(',') && self.number(cell).is_some();
+        let has_commas = self.rows.iter().flat_map(|(_, row)| row).any(is_decimal);
+        let number = |(line, row): &(usize, Vec<&str>)| {
+            let (given, at) = (row[k], self.place(*line, self.head[k]));
+            let found = format!("\"{}\"", shorten(given).replace(char::is_control, " "));
+            // 1.500 may be 1,5 or 1500.
+            let commas = "has a point where other cells have decimal commas; write a comma, or no separator of thousands";
+            let hint = match self.number(given) {
+                _ if given.is_empty() => return Ok(None),
+                _ if has_commas && given.contains('.') => commas.into(),
+                Some(value) if value.is_finite() => return Ok(Some(value)),
+                Some(_) => return Err(SceneError::value(at, shorten(given), "a finite number")),
+                None => match notation_hint(given).or(odd.map(Into::into)) {
+                    Some(hint) => hint,
+                    None => return Err(SceneError::value(at, shorten(given), "a number")),
+                },
+            };
+            Err(SceneError::Notation { at, found, hint })
+        };
+        self.rows.iter().map(number).collect()
+    }
 }

@@ -73,10 +73,11 @@ impl SceneFile {
         });
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The number that was given, in place of findings about the asperities that follow from it.
-        let is_wrong = |found: &Finding| of_asperities(found) && found.severity == Severity::Error;
-        if let Some(odd) = self.odd_number.clone().filter(|_| of_interface.iter().any(is_wrong)) {
+        let asperities = of_interface.iter().filter(|found| of_asperities(found));
+        let worst = asperities.map(|found| found.severity).min();
+        if let Some((odd, worst)) = self.odd_number.clone().zip(worst) {
             of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
-            of_interface.push(odd);
+            of_interface.push(odd.severity(worst));
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let found =

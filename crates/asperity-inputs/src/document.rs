@@ -13,14 +13,12 @@ use toml::de::{DeTable, DeValue, Error};
 use toml::{Spanned, Table, Value};
 
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
-use crate::likely::{notation_hint, plain_number};
+use crate::likely::{notation_hint, number_hint};
 use crate::quantity::in_si;
-use crate::{Needed, Place, SceneError};
+use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
-/// Lists inside this many sections have no places for their items.
-const DEEPEST: usize = 2;
 
 /// Files that a scene may name, by name: their bytes.
 pub type HandedFiles = BTreeMap<String, Vec<u8>>;
@@ -78,44 +76,37 @@ impl<'a> Document<'a> {
     }
 
     fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
+        let (section, key) = section_and_name(path);
+        // Digits beyond the largest number are infinite, which every range excludes.
+        let float = |digits: &str| Value::Float(digits.parse().unwrap_or(f64::INFINITY));
         Ok(match value {
-            DeValue::String(text) => match Key::of_path(path).and_then(Key::units) {
+            DeValue::String(text) => match Key::find(section, key).and_then(Key::units) {
                 Some(units) => {
-                    let number = in_si(text, section_and_name(path).1, units);
-                    let found = format!("{:?}", shorten(text));
-                    let number = number.map_err(|odd| odd.error(self.place(path), found))?;
+                    let number = in_si(text, key, units).map_err(|hint| {
+                        let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
+                        let hint = number_hint(key, text).unwrap_or(hint);
+                        SceneError::Notation { at, found, hint }
+                    })?;
                     self.stated.push(path.into());
                     Value::Float(number)
                 }
                 None => Value::String(text.clone().into_owned()),
             },
-            DeValue::Integer(digits) => {
-                match i64::from_str_radix(digits.as_str(), digits.radix()) {
-                    Ok(number) => Value::Integer(number),
-                    Err(_) => Value::Float(self.float(digits.as_str(), path)?),
-                }
-            }
-            DeValue::Float(digits) => Value::Float(self.float(digits.as_str(), path)?),
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .map_or_else(|_| float(digits.as_str()), Value::Integer),
+            DeValue::Float(digits) => float(digits.as_str()),
             DeValue::Boolean(value) => Value::Boolean(*value),
             DeValue::Datetime(value) => Value::Datetime(*value),
             DeValue::Array(items) => {
                 let item = |(item, k): (&Spanned<DeValue<'_>>, i32)| {
                     let item_path = format!("{path}[{k}]");
-                    if path.matches('.').count() < DEEPEST {
-                        self.places.insert(item_path.clone(), [item.span(), item.span()]);
-                    }
+                    self.places.insert(item_path.clone(), [item.span(), item.span()]);
                     self.read_value(item.get_ref(), &item_path)
                 };
                 Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
-    }
-
-    fn float(&self, digits: &str, path: &str) -> Result<f64, SceneError> {
-        let is_number = |number: &f64| number.is_finite() || digits.contains(['i', 'n']);
-        let number = digits.parse().ok().filter(is_number);
-        number.ok_or_else(|| self.wrong(path, "a number of at most 1.8e308"))
     }
 
     /// The value of a key.
@@ -133,18 +124,12 @@ impl<'a> Document<'a> {
 
     /// The number of a key.
     pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
-        match self.value(path) {
-            None => Ok(None),
-            Some(Value::Float(number)) => Ok(Some(*number)),
-            Some(Value::Integer(number)) => Ok(Some(*number as f64)),
-            Some(_) => Err(self.wrong(path, "f64")),
-        }
+        self.get(path)
     }
 
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        let (section, name) = section_and_name(path);
-        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(section, name)))
+        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(path)))
     }
 
     /// Sets the numbers of a section that are given.
@@ -169,45 +154,50 @@ impl<'a> Document<'a> {
         found.map(Some).map_err(|error| self.wrong(path, error.message()))
     }
 
-    /// [`get`](Self::get), or the default of the type.
-    pub(crate) fn get_or_default<T: DeserializeOwned + Default>(
+    /// The keys of a section over those of `base`, as one of the types of the library.
+    pub(crate) fn read_over<T: DeserializeOwned>(
         &self,
-        path: &str,
+        section: &str,
+        names: &[&str],
+        mut base: Table,
     ) -> Result<T, SceneError> {
-        Ok(self.get(path)?.unwrap_or_default())
+        for name in names {
+            let path = joined(section, name);
+            let Some(value) = self.value(&path) else { continue };
+            base.insert((*name).into(), value.clone());
+            // Of the keys so far each is valid.
+            let read = base.clone().try_into::<T>();
+            read.map_err(|error| self.wrong(&path, error.message()))?;
+        }
+        base.try_into().map_err(|error| self.wrong(section, error.message()))
     }
 
     /// The error for a value of the wrong kind, by the message of serde, whose end is what was
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
-        let (section, name) = section_and_name(path);
-        let meaning = Key::meaning(section, name);
+        let (name, meaning) = (section_and_name(path).1, Key::meaning(path));
         let span = self.places.get(path).map(|[_, value]| value.clone());
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         let text = found.strip_prefix('"').and_then(|found| found.strip_suffix('"'));
-        let length = text.filter(|_| expected.starts_with("a length "));
-        if let Some(hint) = length.and_then(notation_hint) {
+        let number = text.filter(|_| expected == "f64" || expected.starts_with("a length "));
+        if let Some(hint) = number.and_then(|text| number_hint(name, text)) {
             return SceneError::Notation { at: self.place(path), found, hint };
         }
         let needed = match expected {
-            "f64" => match text.and_then(|text| plain_number(name, text)) {
-                Some(number) => number.into(),
-                None => Needed::Number(meaning),
-            },
+            "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {
-                format!("a list ({meaning}), each written [[body]],").into()
+                format!("a list ({meaning}), each written [[body]],")
             }
-            "a sequence" => format!("a list ({meaning})").into(),
-            "path string" => format!("the path of a file, in quotes ({meaning}),").into(),
+            "a sequence" => format!("a list ({meaning})"),
+            "path string" => format!("the path of a file, in quotes ({meaning}),"),
             "string only" => "a name in quotes".into(),
-            names => names.replace('`', "\"").into(),
+            names => names.replace('`', "\""),
         };
-        let allowed = needed.to_string();
         // A number in quotes is an example, not a name.
-        let names = allowed.split('"').skip(1).step_by(2);
+        let names = needed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
         let near = nearest_name(found.trim_matches('"'), names);
         let near = near.map(Into::into);
@@ -265,7 +255,7 @@ impl<'a> Document<'a> {
         let reason = error.message().replace('\n', ", ");
         let advice = other_notation(found).unwrap_or_default();
         let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
-        SceneError::Syntax { at, reason }
+        SceneError::Refused { at, reason }
     }
 
     fn at(&self, field: &str, offset: usize) -> Box<Place> {
@@ -341,7 +331,7 @@ fn other_notation(line: &str) -> Option<String> {
 }
 
 /// Advice for a spreadsheet that was given as a table.
-pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv";
+pub(crate) const SAVE_AS_CSV: &str = "save the sheet as csv in UTF-8";
 
 /// The text of a file; `place` gives its place in an error, and `advice` the remedy for a file that
 /// is no text.
@@ -352,31 +342,22 @@ pub(crate) fn read_text(
 ) -> Result<String, SceneError> {
     let mut bytes = vec![];
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    let is_text = |text: &String| !text.contains(|c: char| matches!(c, '\0'..='\u{8}'));
     let reason = match read {
         Err(error) => error.to_string(),
-        Ok(_) if is_binary(&bytes) => format!("the file is not a text file; {advice}"),
         Ok(count) if count as u64 > MOST_BYTES => {
             format!("more than {MOST_BYTES} bytes; leave out rows or digits")
         }
-        Ok(_) => match String::from_utf8(bytes) {
-            // Text in UTF-16 has zeros.
-            Ok(mut text) if !text.contains('\0') => {
+        Ok(_) => match String::from_utf8(bytes).ok().filter(is_text) {
+            Some(mut text) => {
                 // The end of a text in DOS.
                 text.truncate(text.trim_end_matches('\u{1a}').len());
                 return Ok(text);
             }
-            _ => "the text is not in UTF-8; save it as UTF-8".into(),
+            None => format!("the file is not a text file in UTF-8; {advice}"),
         },
     };
     Err(SceneError::Unreadable { at: Box::new(place()), reason })
-}
-
-/// Whether bytes are no text in UTF-8, UTF-16 or an 8-bit encoding: archives, as spreadsheets are,
-/// and other files with control characters.
-fn is_binary(bytes: &[u8]) -> bool {
-    let is_control = |byte: &u8| matches!(byte, 1..=8 | 14..=25 | 28..=31);
-    let is_utf_16 = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
-    !is_utf_16 && bytes.iter().take(4096).any(is_control)
 }
 
 /// The first 60 characters of a text.

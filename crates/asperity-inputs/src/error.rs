@@ -38,32 +38,6 @@ impl fmt::Display for Place {
     }
 }
 
-/// The value that a field needs.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Needed {
-    /// A plain number, for a key with this meaning.
-    Number(&'static str),
-    /// Another value, in words.
-    Other(String),
-}
-
-impl fmt::Display for Needed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(meaning) => {
-                write!(f, "a number in SI units, without quotes ({meaning}),")
-            }
-            Self::Other(words) => f.write_str(words),
-        }
-    }
-}
-
-impl<T: Into<String>> From<T> for Needed {
-    fn from(words: T) -> Self {
-        Self::Other(words.into())
-    }
-}
-
 /// An error in a scene file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -84,12 +58,12 @@ pub enum SceneError {
         /// The reason, from the system for files.
         reason: String,
     },
-    /// The text is not TOML, or not CSV.
+    /// A text that is not TOML or CSV, a surface without asperities, a scene without a model.
     #[error("{at}: {reason}")]
-    Syntax {
-        /// The place.
+    Refused {
+        /// The place, or the field that names the file.
         at: Box<Place>,
-        /// The reason from the parser.
+        /// The reason from the parser or from the library.
         reason: String,
     },
     /// A key that its section does not have.
@@ -112,7 +86,7 @@ pub enum SceneError {
         /// The most similar name allowed, if there is one.
         near: Option<String>,
         /// The value needed.
-        needed: Needed,
+        needed: String,
     },
     /// A number that is written in another notation, with a decimal comma for example.
     #[error("{at} = {found} {hint}")]
@@ -142,14 +116,6 @@ pub enum SceneError {
         /// The value needed.
         needed: String,
     },
-    /// A measured surface could not be read, or has no asperities.
-    #[error("{at}: {reason}")]
-    Measured {
-        /// The field that names its file.
-        at: Box<Place>,
-        /// The file, the value found and the value required.
-        reason: String,
-    },
     /// A name that is no number of this scene, or a number that another one determines.
     #[error("{name} {reason}")]
     Input {
@@ -161,14 +127,6 @@ pub enum SceneError {
     /// Data or free parameters of a fit are refused, or it was interrupted.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// The library refuses the scene.
-    #[error("{at}: {source}")]
-    Contact {
-        /// The section.
-        at: Box<Place>,
-        /// The reason from the library.
-        source: ContactError,
-    },
 }
 
 fn place_without_file(place: &Place) -> String {
@@ -191,7 +149,7 @@ impl SceneError {
             ContactError::Missing { field, reason } => {
                 Self::Missing { at: at(field), needed: AsWritten.say(&reason) }
             }
-            source => Self::Contact { at: at(""), source },
+            source => Self::Refused { at: at(""), reason: source.to_string() },
         }
     }
 }

@@ -17,12 +17,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
     pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
-        Data::from_table(table, self.separation_from).map_err(|mut error| {
-            if let FitError::PerArea { nominal_area, .. } = &mut error {
-                *nominal_area = Some(self.scene.nominal_area);
-            }
-            error.into()
-        })
+        Ok(Data::from_table(table, self.separation_from)?)
     }
 
     /// The free parameters, which start from the values of this scene. By default their bounds are
@@ -123,12 +118,6 @@ impl SceneFile {
     ) -> Result<Fitted, SceneError> {
         if free.iter().all(|free| free.name != "nominal_area") {
             data.check_loads(self.scene.nominal_area)?;
-        } else if data.has_both_loads() {
-            return Err(FitError::Column {
-                column: "load_N and pressure_Pa".into(),
-                reason: "leave one of the two columns out, as nominal_area is free".into(),
-            }
-            .into());
         }
         let parameters = self.free_parameters(free, data)?;
         let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);
@@ -200,15 +189,7 @@ impl SceneFile {
             let ([low, high], name) = (estimate.bounds.map(short), &free.name);
             let unit = &estimate.unit;
             let gap = if unit.is_empty() { "" } else { " " };
-            let how = match Role::of(name) {
-                Role::SeparationOffset => "30 asperity_height_std beyond the readings",
-                Role::Scene if key_of_input(name) == "poissons_ratio" => {
-                    "a factor 30 either way, at most to its limit of 0.5"
-                }
-                Role::Scene if name == "skewness" => "all skewnesses that the model of heights has",
-                _ => "a factor 30 either way",
-            };
-            Some(format!("{name} is varied from {low} to {high}{gap}{unit}, {how}"))
+            Some(format!("{name} is varied from {low} to {high}{gap}{unit} by default"))
         };
         usual.filter_map(note).collect()
     }

@@ -1,9 +1,8 @@
 //! Free parameters as they are typed: `name=low:high`.
 
 use asperity::fit::Role;
-use asperity::short;
+use asperity::{UNITS, short};
 
-use crate::quantity::UNITS;
 use crate::{key_of_input, quantity, quantity_of, unit_of};
 
 /// Bounds that are farther from the scene's value than this factor may be in another unit.
@@ -41,41 +40,28 @@ impl std::str::FromStr for Free {
             let example = "write name or name=low:high, for example hardness=1GPa:4GPa";
             return Err(format!("a free parameter has no name: {example}"));
         }
+        let Some(bounds) = bounds else {
+            return Ok(Self { name: name.into(), bounds: None, has_unit: false });
+        };
+        let refused = |reason: String| format!("{name}: {reason}");
         let number = |text: &str| match Role::of(name) {
-            Role::SeparationOffset => quantity(text, "m"),
-            Role::SeriesCompliance => quantity(text, "m/N"),
-            _ => quantity_of(key_of_input(name), text),
+            Role::Scene => quantity_of(key_of_input(name), text),
+            _ => quantity(text, unit_of_free(name).unwrap_or_default()),
         };
-        let number = |text: &str| match number(text)? {
-            value if value.is_finite() => Ok(value),
-            _ => Err(format!("{text} is not finite")),
-        };
-        let mut has_unit = false;
-        let bounds = bounds.map(|bounds| match bounds.split_once(':') {
-            Some((low, high)) => {
-                // 0 needs no unit.
-                let plain = |text: &str| text.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
-                let (bounds, plain) = ([number(low)?, number(high)?], [plain(low), plain(high)]);
-                let unit = [low, high].map(|text| text.trim().parse::<f64>().is_err());
-                has_unit = unit.contains(&true);
-                match (plain, unit) {
-                    ([true, _], [_, true]) => {
-                        Err(format!("{low} has no unit; give both bounds a unit"))
-                    }
-                    ([_, true], [true, _]) => {
-                        Err(format!("{high} has no unit; give both bounds a unit"))
-                    }
-                    _ => Ok(bounds),
-                }
-            }
-            None if number(bounds).is_ok() => Err(format!(
+        let Some((low, high)) = bounds.split_once(':') else {
+            return Err(refused(format!(
                 "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
-            )),
-            None => {
-                Err(format!("{bounds:?} are no bounds: write {name}=low:high, with decimal points"))
+            )));
+        };
+        // 0 needs no unit.
+        let plain = [low, high].map(|text| text.trim().parse::<f64>());
+        for (text, at, other) in [(low, &plain[0], &plain[1]), (high, &plain[1], &plain[0])] {
+            if other.is_err() && at.as_ref().is_ok_and(|value| *value != 0.0) {
+                return Err(refused(format!("{text} has no unit; give both bounds a unit")));
             }
-        });
-        let bounds = bounds.transpose().map_err(|error| format!("{name}: {error}"))?;
+        }
+        let bounds = Some([number(low).map_err(refused)?, number(high).map_err(refused)?]);
+        let has_unit = plain.iter().any(Result::is_err);
         Ok(Self { name: name.into(), bounds, has_unit })
     }
 }
@@ -92,19 +78,15 @@ pub fn unit_of_free(name: &str) -> Option<&'static str> {
 
 /// The reason against bounds far from the scene's value that are near it in another unit.
 pub(crate) fn other_unit(name: &str, start: f64, [low, high]: [f64; 2]) -> Option<String> {
-    let is_far = start > 0.0 && low > 0.0 && (low > FAR * start || FAR * high < start);
+    let is_far = low > FAR * start || FAR * high < start;
     let (si, _, units) = UNITS.into_iter().find(|(si, ..)| Some(*si) == unit_of_free(name))?;
-    let holds = |power: i32| {
-        let factor = 10f64.powi(power);
-        (low * factor..=high * factor).contains(&start)
-    };
+    let size = |power: i32| 10f64.powi(power);
+    let holds = |power: i32| (low * size(power)..=high * size(power)).contains(&start);
     let (unit, power) = units.iter().filter(|_| is_far).find(|(_, power)| holds(*power))?;
-    let [bottom, top] = [low, high].map(short);
     // 1/mm2 behind a number is /mm2.
     let behind = unit.trim_start_matches('1');
+    let [low, high, meant, start] = [low, high, low * size(*power), start].map(short);
     Some(format!(
-        "the bounds {bottom} and {top} look like {unit}; {bottom} {unit} is {} {si}, and the scene has {} {si}: write {name}={bottom}{behind}:{top}{behind}",
-        short(low * 10f64.powi(*power)),
-        short(start)
+        "the bounds {low} and {high} look like {unit}; {low} {unit} is {meant} {si}, and the scene has {start} {si}: write {name}={low}{behind}:{high}{behind}"
     ))
 }

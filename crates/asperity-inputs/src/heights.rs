@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity::{ContactError, Finding, TabulatedHeights};
 use serde::Deserialize;
 
+use crate::cells::Cells;
 use crate::document::{Document, SAVE_AS_CSV, read_text, shorten};
 use crate::{Place, SceneError};
 
@@ -67,18 +68,12 @@ fn inline_heights(
     densities: &[f64],
 ) -> Result<TabulatedHeights, SceneError> {
     let at = "surface.heights";
-    let refused = |found: String, needed: &str| {
-        let needed = needed.into();
-        SceneError::Value { at: document.place(at), found, near: None, needed }
-    };
-    if heights.len() != densities.len() {
+    if heights.len() != densities.len() || heights.len() > MOST_POINTS {
         let found =
             format!("a table of {} heights and {} densities", heights.len(), densities.len());
-        return Err(refused(found, "one density for each height"));
-    }
-    if heights.len() > MOST_POINTS {
-        let found = format!("a table of {} points", heights.len());
-        return Err(refused(found, &format!("at most {MOST_POINTS}")));
+        let needed = format!("one density for each height, at most {MOST_POINTS},");
+        let at = document.place(at);
+        return Err(SceneError::Value { at, found, near: None, needed });
     }
     let points: Vec<(f64, f64)> = heights.iter().copied().zip(densities.iter().copied()).collect();
     TabulatedHeights::new("table", &points).map_err(|source| match source {
@@ -104,47 +99,33 @@ fn read_heights(document: &Document<'_>, file: &Path) -> Result<TabulatedHeights
     table(&text, &path)
 }
 
-/// The table of a CSV text: two numbers per line below the header; empty lines and lines that begin
-/// with # are skipped.
+/// The table of a CSV text with two columns of numbers.
 fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
-    let place = |line: Option<usize>, field: &str| {
-        Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
-    };
-    let wrong = |line: usize, field: &str, found: &str, needed: &str| {
-        SceneError::value(place(Some(line), field), shorten(found), needed)
-    };
-    // Of Excel, which begins with a mark, and of R, which writes names in quotes.
-    let cell = |cell: &str| cell.trim().trim_matches('"').to_string();
-    let lines = text.trim_start_matches('\u{feff}').lines().zip(1..);
-    let lines = lines.filter(|(line, _)| !line.trim().is_empty() && !line.starts_with('#'));
-    let mut rows = lines.map(|(line, k)| (k, line.split(',').map(cell).collect::<Vec<_>>()));
-    let (line, header) = rows.next().unwrap_or((1, vec![]));
-    if header != HEADER {
-        return Err(wrong(line, "the header", &header.join(","), NEEDED));
+    let cells = Cells::read(text, path, NEEDED)?;
+    let Cells { head, rows, .. } = &cells;
+    if head[..] != HEADER {
+        let at = cells.place(cells.line, "the header");
+        return Err(SceneError::value(at, shorten(&head.join(",")), NEEDED));
     }
-    let (mut points, mut lines) = (vec![], vec![]);
-    for (line, cells) in rows {
-        if points.len() == MOST_POINTS {
-            let reason = format!("there are more than {MOST_POINTS} points");
-            return Err(SceneError::Syntax { at: place(Some(line), "CSV"), reason });
-        }
-        let [height, density] = &cells[..] else {
-            let needed = "two numbers with a comma between them";
-            return Err(wrong(line, "the row", &cells.join(","), needed));
-        };
-        let number = |text: &str, field: &str| {
-            text.parse::<f64>().map_err(|_| wrong(line, field, text, "a number"))
-        };
-        points.push((number(height, HEADER[0])?, number(density, HEADER[1])?));
-        lines.push(line);
+    if let Some((line, _)) = rows.get(MOST_POINTS) {
+        return Err(cells.syntax(*line, format!("there are more than {MOST_POINTS} points")));
+    }
+    let mut points = vec![];
+    let numbers = [cells.column(0, None)?, cells.column(1, None)?];
+    for ((line, _), (height, density)) in rows.iter().zip(numbers[0].iter().zip(&numbers[1])) {
+        let missing =
+            || SceneError::value(cells.place(*line, "the row"), "incomplete", "two numbers");
+        points.push(height.zip(*density).ok_or_else(missing)?);
     }
     let name = path.file_name().map_or("table".into(), |name| name.to_string_lossy());
     TabulatedHeights::new(name, &points).map_err(|source| match source {
         ContactError::InTable { row, field, value, required } => {
-            let line = row.checked_sub(1).and_then(|row| lines.get(row)).copied();
-            SceneError::value(place(line, field), value, required)
+            let line = row.checked_sub(1).and_then(|row| rows.get(row)).map_or(1, |row| row.0);
+            SceneError::value(cells.place(line, field), value, required)
         }
-        other => SceneError::from_contact(other, |field| place(None, field)),
+        other => SceneError::from_contact(other, |field| {
+            Box::new(Place { line: None, ..*cells.place(1, field) })
+        }),
     })
 }
 

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::iter::once;
 
 use asperity::{
-    Body, ContactError, HeightDistribution, Interface, Surface, WeibullHeights, nearest_hint,
-    nearest_name,
+    Body, ContactError, HeightDistribution, Interface, Scene, Surface, WeibullHeights,
+    nearest_hint, nearest_name,
 };
 
-use crate::keys::{BODY, Field, INTERFACE, Key, SURFACE};
-use crate::{Roughness, SceneError, SceneFile};
+use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
+use crate::{SceneError, SceneFile, interface_of};
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +48,7 @@ impl SceneFile {
     /// `plasticity_index` and `roughness_parameter`, from which radius and density follow.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
-        let keys = self.roughness.iter().flat_map(|roughness| roughness.keys().iter().zip(0..));
+        let keys = self.roughness.iter().flat_map(|roughness| roughness.way.keys().iter().zip(0..));
         let described = keys.map(|(name, place)| (*name, Input::Roughness(place)));
         let of_body = |body: usize| {
             let name = move |key: &str| format!("body{}_{key}", body + 1);
@@ -105,27 +105,11 @@ impl SceneFile {
     /// The error about a name that is no input of this scene.
     fn unknown(&self, name: &str, known: &[(String, SceneInput)]) -> SceneError {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
-        let reason = match name {
-            "m0" | "m2" | "m4" => "; m0, m2 and m4 need a surface that is given by them",
-            "sq" | "spd" | "spc" | "sdq" => {
-                "; sq, spd and spc need a surface that is given by them (sdq in the place of spc)"
-            }
-            "surface_height_std" => "; surface_height_std needs a surface that is given by it",
-            "mean_plane_offset" => "; mean_plane_offset needs a scene that gives it",
-            "skewness" => "; skewness needs heights that are given by it",
-            YOUNGS_MODULUS if !self.bodies.is_empty() => {
-                let of_body =
-                    |(body, k): (&Body, _)| format!("{:e} Pa of body {k}", body.youngs_modulus);
-                let moduli: Vec<String> = self.bodies.iter().zip(1..).map(of_body).collect();
-                let give = "give body1_youngs_modulus or body2_youngs_modulus";
-                let reason = format!("is {}: {give}", moduli.join(" and "));
-                return SceneError::Input { name: name.into(), reason };
-            }
-            YOUNGS_MODULUS | "body1_youngs_modulus" | "body2_youngs_modulus" => {
-                "; Young's modulus needs a scene that is given by its bodies"
-            }
-            _ => "",
-        };
+        // Of another way to describe the surface, or of bodies that the scene does not have.
+        let is_key = KEYS.iter().any(|key| key.name == key_of_input(name)) || name == "skewness";
+        let of_body = names.iter().copied().find(|known| key_of_input(known) == name);
+        let is_absent = is_key && of_body.is_none();
+        let reason = is_absent.then(|| format!("; {name} needs a scene that is given by it"));
         let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
         // What tells the input from the name that was meant.
         let difference = synonym.and_then(|(key, differs)| {
@@ -133,8 +117,9 @@ impl SceneFile {
             Some(format!("; {key} {}", differs.trim_end_matches("; ")))
         });
         let synonym = synonym.map(|(key, _)| key);
-        let near = nearest_hint(synonym.or_else(|| nearest_name(name, names.iter().copied())));
-        let (known, reason) = (names.join(", "), difference.unwrap_or(reason.into()));
+        let near = synonym.or(of_body).or_else(|| nearest_name(name, names.iter().copied()));
+        let near = nearest_hint(near);
+        let (known, reason) = (names.join(", "), difference.or(reason).unwrap_or_default());
         let reason =
             format!("is not an input of this scene{near}: one of {known} was required{reason}");
         SceneError::Input { name: name.into(), reason }
@@ -149,7 +134,7 @@ impl SceneFile {
             Input::Surface(Field { get, .. }) => get(&scene.surface),
             Input::Body(place, Field { get, .. }) => self.bodies.get(place).and_then(get),
             Input::Bodies(Field { get, .. }) => self.bodies.first().and_then(get),
-            Input::Roughness(place) => self.roughness?.numbers().get(place).copied(),
+            Input::Roughness(place) => self.roughness?.numbers.get(place).copied(),
             Input::NominalArea => Some(scene.nominal_area),
             Input::PlasticityIndex => scene.plasticity_index().ok(),
             Input::RoughnessParameter => Some(scene.surface.roughness_parameter()),
@@ -180,18 +165,24 @@ impl SceneFile {
                     bodies.iter_mut().for_each(|body| set(body, *value))
                 }
                 Input::Roughness(place) => {
-                    let numbers = roughness.iter_mut().flat_map(Roughness::numbers_mut);
+                    let numbers = roughness.iter_mut().flat_map(|roughness| &mut roughness.numbers);
                     numbers.skip(*place).take(1).for_each(|number| *number = *value);
                 }
                 _ => {}
             }
         }
         let mut made = Cow::Borrowed(self);
+        let Scene { surface, nominal_area, .. } = self.scene;
         if bodies != self.bodies {
-            made = Cow::Owned(made.with_bodies(bodies)?);
+            let interface = self.with_pair(interface_of(&bodies)?);
+            let other = self.with_numbers(interface, surface, nominal_area)?;
+            made = Cow::Owned(Self { bodies, ..other });
         }
-        if let Some(roughness) = roughness.filter(|_| roughness != self.roughness) {
-            made = Cow::Owned(made.with_roughness(roughness)?);
+        if let Some(other) = roughness.filter(|_| roughness != self.roughness) {
+            let follows_from = other.way.keys();
+            let interface = made.scene.interface;
+            let of_surface = made.with_numbers(interface, other.surface()?, nominal_area)?;
+            made = Cow::Owned(Self { roughness, follows_from, ..of_surface });
         }
         let file = &*made;
         let mut scene = file.scene.clone();
@@ -230,17 +221,10 @@ impl SceneFile {
 /// The error about a number that another one replaces; a number of the interface that bodies have
 /// as well is given there.
 fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
-    let of_body = |known: &&str| known.starts_with("body") && known.ends_with(&format!("_{name}"));
-    let instead: Vec<&str> = known.iter().map(|(known, _)| &**known).filter(of_body).collect();
-    let reason = match instead[..] {
-        [_, ..] if !by.ends_with(name) => {
-            let instead = instead.join(" or ");
-            format!(
-                "is that of the interface, which follows from its bodies once {by} is given: use {instead}"
-            )
-        }
-        _ => format!("is given beside {by}, which determines it: leave {name} out"),
-    };
+    let own = format!("body1_{name}");
+    let has_own = known.iter().any(|(known, _)| *known == own) && !by.ends_with(name);
+    let instead = if has_own { format!(", or give {own}") } else { String::new() };
+    let reason = format!("is given beside {by}, which determines it: leave {name} out{instead}");
     SceneError::Input { name: name.into(), reason }
 }
 
@@ -296,7 +280,7 @@ mod tests {
         assert!(file.with_inputs([(inputs[0], 7.0)]).is_err());
         let plain = parse(template(), Path::new(".")).unwrap();
         let refused = plain.inputs(["skewness"]).unwrap_err().to_string();
-        assert!(refused.ends_with("; skewness needs heights that are given by it"), "{refused}");
+        assert!(refused.ends_with("; skewness needs a scene that is given by it"), "{refused}");
     }
 
     #[test]
@@ -310,10 +294,10 @@ mod tests {
         let inverse = refused(&["electrical_conductivity"]);
         assert!(inverse.contains("(the nearest is \"electrical_resistivity\")"), "{inverse}");
         assert!(inverse.ends_with("; electrical_resistivity is 1/conductivity, in ohm m"));
-        assert!(refused(&["m0"]).ends_with("; m0, m2 and m4 need a surface that is given by them"));
+        assert!(refused(&["m0"]).ends_with("; m0 needs a scene that is given by it"));
         let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
         assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);
-        let wanted = "hardness is that of the interface, which follows from its bodies once body1_youngs_modulus is given: use body1_hardness or body2_hardness";
+        let wanted = "hardness is given beside body1_youngs_modulus, which determines it: leave hardness out, or give body1_hardness";
         assert_eq!(refused(&["hardness", "body1_youngs_modulus"]), wanted);
         let wanted =
             "hardness is given beside body1_hardness, which determines it: leave hardness out";

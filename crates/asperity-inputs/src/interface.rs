@@ -3,10 +3,10 @@
 use asperity::{Body, Interface};
 use toml::Value;
 
-use crate::SceneError;
 use crate::document::{Document, shorten};
 use crate::keys::{BODY, INTERFACE};
 use crate::materials::{named, suggestion};
+use crate::{SceneError, interface_of};
 
 const EITHER: &str = "either [interface] with the equivalent properties, or the two bodies as [[body]] (one with rigid_counterface = true)";
 
@@ -14,11 +14,7 @@ const EITHER: &str = "either [interface] with the equivalent properties, or the 
 pub(crate) fn interface(
     document: &Document<'_>,
 ) -> Result<(Interface, &'static str, Vec<Body>), SceneError> {
-    let count = match document.value("body") {
-        None => 0,
-        Some(Value::Array(bodies)) => bodies.len(),
-        Some(_) => return Err(document.wrong("body", "a sequence")),
-    };
+    let count = document.get::<Vec<Value>>("body")?.map_or(0, |bodies| bodies.len());
     let bodies = (1..=count).map(|k| body(document, &format!("body[{k}]")));
     let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
     let (mut found, section) = from_section_or_bodies(document, &bodies)?;
@@ -50,7 +46,7 @@ fn body(document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
                     at: document.place(&path("material")),
                     found: format!("{:?}", shorten(&id)),
                     near: near.map(Into::into),
-                    needed: needed.into(),
+                    needed,
                 }
             })?
         }
@@ -80,41 +76,31 @@ fn from_section_or_bodies(
     document: &Document<'_>,
     bodies: &[Body],
 ) -> Result<(Interface, &'static str), SceneError> {
-    let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
-    // Each body is checked alone, so that the error names the body.
-    let alone = |body, section| Interface::against_rigid(body).map_err(document.refused(section));
-    let rigid: Option<bool> = document.get("rigid_counterface")?;
-    match (equivalent(document)?, bodies, rigid) {
-        (Some(_), [_, ..], _) => conflict("interface", "body", EITHER),
-        (Some(_), [], Some(_)) => {
-            conflict("rigid_counterface", "interface", "rigid_counterface with one [[body]] only")
-        }
-        (Some(interface), [], None) => Ok((interface, "interface")),
-        (None, [], _) => Err(document.missing("interface", EITHER)),
-        (None, [body], Some(true)) => Ok((alone(body, "body[1]")?, "body[1]")),
-        (None, [_], _) => {
-            let needed = "a second [[body]], or rigid_counterface = true at the top of the file";
-            Err(document.missing("body[2]", needed))
-        }
-        (None, [_, _], Some(true)) => {
-            let needed = "one [[body]] with rigid_counterface = true, or two without it,";
-            conflict("rigid_counterface", "body", needed)
-        }
-        (None, [first, second], _) => {
-            alone(first, "body[1]")?;
-            alone(second, "body[2]")?;
-            let interface = Interface::between(first, second).map_err(document.refused("body"))?;
-            Ok((interface, "body[1]"))
-        }
-        (None, more, _) => {
-            let needed = "two tables [[body]], or one with rigid_counterface = true";
-            Err(SceneError::value(
-                document.place("body"),
-                format_args!("a list of {}", more.len()),
-                needed,
-            ))
-        }
+    if let Some(interface) = equivalent(document)? {
+        return match ["body", "rigid_counterface"].into_iter().find(|key| document.has(key)) {
+            Some(other) => Err(document.conflict("interface", other, EITHER)),
+            None => Ok((interface, "interface")),
+        };
     }
+    // Each body is checked alone, so that the error names the body.
+    for (body, k) in bodies.iter().zip(1..) {
+        Interface::against_rigid(body).map_err(document.refused(&format!("body[{k}]")))?;
+    }
+    let is_rigid = document.get("rigid_counterface")? == Some(true);
+    let interface = match (bodies, is_rigid) {
+        ([], _) => return Err(document.missing("interface", EITHER)),
+        ([_], false) => {
+            let needed = "a second [[body]], or rigid_counterface = true at the top of the file";
+            return Err(document.missing("body[2]", needed));
+        }
+        ([_], true) | ([_, _], false) => interface_of(bodies).map_err(document.refused("body"))?,
+        (more, _) => {
+            let found = format_args!("a list of {}", more.len());
+            let needed = "two tables [[body]] alone, or one with rigid_counterface = true";
+            return Err(SceneError::value(document.place("body"), found, needed));
+        }
+    };
+    Ok((interface, "body[1]"))
 }
 
 #[cfg(test)]

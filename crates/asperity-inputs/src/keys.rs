@@ -2,9 +2,7 @@
 //! suggestions, the comments of the template, the keys of fits and sweeps and the page's form
 //! follow from it.
 
-use asperity::{Body, Interface, Surface};
-
-use crate::quantity::{UNITS, Units};
+use asperity::{Body, Interface, Surface, UNITS, Units};
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -238,14 +236,9 @@ impl Key {
         KEYS.iter().find_map(other)
     }
 
-    /// The key at the end of a path, or else the first of this name.
-    pub(crate) fn of_path(path: &str) -> Option<&'static Self> {
+    /// The meaning of the key at the end of a path; empty for unknown keys.
+    pub(crate) fn meaning(path: &str) -> &'static str {
         let (section, name) = section_and_name(path);
-        Self::find(section, name)
-    }
-
-    /// Its meaning; empty for unknown keys.
-    pub(crate) fn meaning(section: &str, name: &str) -> &'static str {
         Self::find(section, name).map_or("", |key| key.meaning)
     }
 
@@ -323,7 +316,7 @@ mod tests {
         }
         assert_eq!(Key::synonym("Vickers"), Some(("hardness", "")));
         assert_eq!(Key::synonym("hardness"), None);
-        assert_eq!(Key::meaning("interface", "poissons_ratio"), "of the softer body");
+        assert_eq!(Key::meaning("interface.poissons_ratio"), "of the softer body");
         assert_eq!(section_and_name("body[2].hardness"), ("body", "hardness"));
         assert_eq!((section_and_name("body[2]"), section_and_name("")), (("", "body"), ("", "")));
         assert!(keys_of(COUNTERFACE).contains(&"pixel_size"));

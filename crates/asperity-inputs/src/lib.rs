@@ -3,7 +3,6 @@
 // This crate takes models from the facade's registry only, and does no arithmetic on results.
 
 mod accept;
-mod bandwidth;
 mod cells;
 mod check;
 mod document;
@@ -35,7 +34,7 @@ mod write;
 
 pub use check::Measured;
 pub use document::HandedFiles;
-pub use error::{Needed, Place, SceneError};
+pub use error::{Place, SceneError};
 pub use free::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
@@ -47,11 +46,11 @@ pub use materials::{Material, materials, materials_like};
 pub use measured_keys::MeasuredKeys;
 pub use measurements::read_measurements;
 pub use models::LeftOut;
-pub use numbers::{Roughness, interface_of};
+pub use numbers::{Roughness, Way, interface_of};
 pub use options::{Asperities, ModelOptions};
-pub use quantity::{NO_LOAD, converted, is_unit, quantity, quantity_hint, quantity_of, unit_of};
+pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
-pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed, parse_handed_scan};
+pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};
 /// The value of an option.
 pub use toml::Value as OptionValue;

@@ -10,7 +10,7 @@ mod lengths;
 mod surface;
 
 pub use lengths::mistaken_unit;
-pub(crate) use surface::{Given, OddNumber, likely_curvature};
+pub(crate) use surface::{other_unit, too_steep};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.
@@ -94,19 +94,22 @@ pub fn notation_hint(text: &str) -> Option<String> {
     })
 }
 
-/// The number needed instead of a text, of a key without a unit.
-pub(crate) fn plain_number(name: &str, text: &str) -> Option<String> {
-    let given = with_decimal_point(text).unwrap_or(text.into());
-    let is_slope = ["sdq", "mean_slope"].contains(&name);
-    if let Some(slope) = gradient(text).filter(|_| is_slope).map(short) {
-        return Some(format!("the number {slope} without quotes, as {given} is {slope},"));
+/// How to write a number of a key that is given as a text without a unit that the key has.
+pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
+    let is_number = |text: &str| text.trim().parse::<f64>().is_ok_and(f64::is_finite);
+    if is_number(text) {
+        return Some("is a number in quotes; remove these".into());
     }
-    let is_number = given.parse::<f64>().is_ok_and(f64::is_finite);
-    is_number.then(|| format!("the number {given} without quotes"))
+    if let Some(slope) = gradient(text).filter(|_| ["sdq", "mean_slope"].contains(&key)) {
+        return Some(format!("is a slope; write {} without quotes", short(slope)));
+    }
+    let same = with_decimal_point(text).or_else(|| without_thousands(text))?;
+    let end = if is_number(&same) { " without quotes" } else { "" };
+    Some(notation_hint(text)? + end)
 }
 
-/// How a hardness such as `120 HV` is given instead for a key of scene files or for a pressure on
-/// the nominal area, behind the text in a message; `None` for other texts and keys.
+/// How a hardness such as `120 HV` is given instead for a key of scene files, behind the text in a
+/// message; `None` for other texts and keys.
 pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
     let contact = hardness_of_vickers(of_scale(&text.to_uppercase(), "HV")?);
     let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
@@ -118,27 +121,15 @@ pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
         "yield_strength" => format!(
             "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
         ),
-        PRESSURE => {
-            "is a hardness, not a pressure on the nominal area: write 5MPa, for example".into()
-        }
         _ => return None,
     })
 }
 
-/// The key of a pressure on the nominal area, which scene files do not have.
-pub(crate) const PRESSURE: &str = "pressure";
-
-/// The number of a hardness: 120 of `120 HV`, `120 HV10`, `HV 120` or `HV10 120`.
+/// The number of a hardness: 120 of `120 HV`, `120 HV10` or `HV 120`.
 fn of_scale(text: &str, name: &str) -> Option<f64> {
     let (before, after) = text.trim().split_once(name)?;
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-    match before.is_empty() {
-        true => number(after).or_else(|| {
-            let (load, value) = after.split_once(' ')?;
-            number(load).and(number(value))
-        }),
-        false => number(before).filter(|_| after.is_empty() || number(after).is_some()),
-    }
+    let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
+    number.filter(|value| value.is_finite())
 }
 
 /// The gradient above which it is probably in degrees or per cent: 45 degrees.
@@ -174,35 +165,20 @@ pub(crate) fn angle_hint(gradient: f64) -> Option<String> {
     })
 }
 
-/// Units of a gradient: ratios of lengths, with their size.
-const RATIOS: [(&str, f64); 7] = [
-    ("%", 0.01),
-    ("percent", 0.01),
-    ("um/mm", 1e-3),
-    ("um/um", 1.0),
-    ("mm/m", 1e-3),
-    ("mm/mm", 1.0),
-    ("m/m", 1.0),
+/// Units of a gradient with their size, and whether they are units of an angle.
+const GRADIENTS: [(&str, f64, bool); 11] = [
+    ("%", 0.01, false),
+    ("percent", 0.01, false),
+    ("um/mm", 1e-3, false),
+    ("mm/m", 1e-3, false),
+    ("um/um", 1.0, false),
+    ("deg", PI / 180.0, true),
+    ("degrees", PI / 180.0, true),
+    ("\u{b0}", PI / 180.0, true),
+    ("rad", 1.0, true),
+    ("mrad", 1e-3, true),
+    ("grad", PI / 200.0, true),
 ];
-/// Units of an angle, with their size \[rad\].
-const ANGLES: [(&str, f64); 7] = [
-    ("deg", PI / 180.0),
-    ("degree", PI / 180.0),
-    ("degrees", PI / 180.0),
-    ("\u{b0}", PI / 180.0),
-    ("rad", 1.0),
-    ("mrad", 1e-3),
-    ("grad", PI / 200.0),
-];
-
-/// The number of a text in one of the units, times its size.
-fn in_units(text: &str, units: &[(&str, f64)]) -> Option<f64> {
-    let decimal = with_decimal_point(text);
-    let (number, power, rest) = leading(decimal.as_deref().unwrap_or(text))?;
-    let unit = plain(rest);
-    let (_, size) = units.iter().find(|(name, _)| *name == unit)?;
-    Some(scale(&number, power)? * size)
-}
 
 /// The gradient that a text states in per cent, degrees, radians or as a ratio of lengths, as a
 /// number; `None` for angles that are not between 0 and 90 degrees.
@@ -213,9 +189,15 @@ fn in_units(text: &str, units: &[(&str, f64)]) -> Option<f64> {
 /// ```
 #[must_use]
 pub fn gradient(text: &str) -> Option<f64> {
-    let angle = || in_units(text, &ANGLES).filter(|angle| (0.0..FRAC_PI_2).contains(angle));
-    let found = in_units(text, &RATIOS).or_else(|| angle().map(f64::tan));
-    found.filter(|found| found.is_finite())
+    let decimal = with_decimal_point(text);
+    let (number, rest) = leading(decimal.as_deref().unwrap_or(text))?;
+    let unit = plain(&rest);
+    let (_, size, is_angle) = GRADIENTS.iter().find(|(name, ..)| *name == unit)?;
+    let found = scale(&number, 0)? * size;
+    match is_angle {
+        true => (0.0..FRAC_PI_2).contains(&found).then(|| found.tan()),
+        false => Some(found).filter(|found| found.is_finite()),
+    }
 }
 
 #[cfg(test)]
@@ -335,7 +317,6 @@ mod tests {
         assert!(vickers("hardness").starts_with(wanted));
         let strength = vickers("yield_strength");
         assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
-        assert!(vickers(PRESSURE).starts_with("is a hardness, not a pressure on the nominal"));
         assert_eq!(hardness("120 MPa", "hardness"), None);
     }
 }

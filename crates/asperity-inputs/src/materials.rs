@@ -89,14 +89,14 @@ pub fn materials_like(word: &str) -> Vec<&'static Material> {
 /// are several.
 pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
     let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
-    let like = materials_like(unknown);
-    let needed = match near {
-        Some(exact) if exact.contains('-') => None,
-        _ if like.is_empty() => None,
-        _ => Some(like.iter().map(|material| &*material.id).collect::<Vec<_>>().join(", ")),
-    };
-    let list = "a material that `asperity list materials` lists".to_string();
-    (near, needed.map_or(list, |ids| format!("one of {ids}")))
+    let like: Vec<&str> = materials_like(unknown).iter().map(|material| &*material.id).collect();
+    (
+        near,
+        match like[..] {
+            [] => "a material that `asperity list materials` lists".into(),
+            _ => format!("one of {}", like.join(", ")),
+        },
+    )
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The surface of a scene from measured files.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{ContactError, Finding, ProfileMoments, Scene, Surface, TabulatedHeights};
@@ -52,7 +52,7 @@ struct Scan {
 impl Scan {
     /// The scan as its keys prepare it.
     fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let (path, options) = (document.path(&self.path), &self.keys.options);
+        let (path, options) = (document.path(&self.path), &self.keys.options());
         let read = match document.handed(&self.at, &self.path)? {
             Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
             None => read(&path, options),
@@ -74,19 +74,19 @@ impl Scan {
     /// Errors of an option are at that option, all others at the file.
     fn refused(&self, document: &Document<'_>, error: TopographyError) -> SceneError {
         let option = |field: &str| document.place(&format!("{}.{field}", self.section));
-        match without_path(error) {
+        // Only errors of reading have the name of the file.
+        let error = match error {
+            TopographyError::File { source, .. } => *source,
+            other => other,
+        };
+        let at = match error {
             TopographyError::OutOfRange { field, value, required } => {
-                SceneError::value(option(field), value, &required)
+                return SceneError::value(option(field), value, &required);
             }
-            error => {
-                let at = match error {
-                    TopographyError::TooManyMissing { .. } => option("max_missing"),
-                    _ => document.place(&self.at),
-                };
-                let reason = format!("{}: {error}", self.path.display());
-                SceneError::Measured { at, reason }
-            }
-        }
+            TopographyError::TooManyMissing { .. } => option("max_missing"),
+            _ => document.place(&self.at),
+        };
+        SceneError::Refused { at, reason: format!("{}: {error}", self.path.display()) }
     }
 }
 
@@ -102,33 +102,20 @@ fn scans(document: &Document<'_>, asked: Asked) -> Result<Vec<Scan>, SceneError>
             let [smooth, filter] = ["smooth", "filter"].map(|key| format!("{section}.{key}"));
             return Err(document.conflict(&smooth, &filter, needed));
         }
-        let one = |at: &str, path: &Path| Scan {
-            section,
-            at: at.into(),
-            path: path.into(),
-            keys: keys.clone(),
+        let mut one = |at: String, path: &PathBuf| {
+            scans.push(Scan { section, at, path: path.clone(), keys: keys.clone() });
         };
-        let files_at = "surface.files";
         match (&keys.file, keys.files.as_deref()) {
-            (Some(_), Some(_)) => {
-                let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
-                return Err(document.conflict("surface.file", files_at, needed));
-            }
-            (_, Some(_)) if document.has(COUNTERFACE) => {
-                let needed = "file = \"a.x3p\" with a counterface, or files of both surfaces,";
-                return Err(document.conflict(COUNTERFACE, files_at, needed));
-            }
-            (_, Some([first, second])) => {
-                scans.push(one("surface.files[1]", first));
-                scans.push(one("surface.files[2]", second));
+            (None, None) => {}
+            (Some(file), None) => one(format!("{section}.file"), file),
+            (None, Some(files @ [_, _])) if !document.has(COUNTERFACE) => {
+                (1..).zip(files).for_each(|(k, file)| one(format!("surface.files[{k}]"), file));
             }
             (_, Some(files)) => {
-                let needed = "a list of two paths, one for each surface in contact,";
+                let needed = "a list of two paths, without file and counterface,";
                 let found = format_args!("a list of {}", files.len());
-                return Err(SceneError::value(document.place(files_at), found, needed));
+                return Err(SceneError::value(document.place("surface.files"), found, needed));
             }
-            (Some(file), None) => scans.push(one(&format!("{section}.file"), file)),
-            (None, None) => {}
         }
     }
     Ok(scans)
@@ -150,7 +137,7 @@ pub(crate) fn measured(
         [first, rest @ ..] => (first, rest.first()),
     };
     let two = if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" };
-    let alignment = MeasuredKeys::read(document, "surface")?.aligned;
+    let alignment = MeasuredKeys::read(document, "surface")?.alignment();
     let is_pair = second.is_some() || other.is_some();
     if alignment.is_some() && second.is_none() {
         let needed = "two scans, files or a file and counterface.file,";
@@ -174,7 +161,7 @@ pub(crate) fn measured(
             true => reason.to_string(),
             false => format!("{}: {reason}", first.path.display()),
         };
-        SceneError::Measured { at: document.place(at), reason }
+        SceneError::Refused { at: document.place(at), reason }
     };
     let from = |at: &str| {
         let at = document.place(at).to_string();
@@ -187,16 +174,10 @@ pub(crate) fn measured(
         notes.extend(own.cloned().map(from(&of.at)));
         Ok::<_, SceneError>(found)
     };
-    let sum = |one: Measured, two: Measured| {
-        let both = Statistics::combined(&one.statistics, &two.statistics).map_err(refused)?;
-        Ok::<_, SceneError>((
-            Measured {
-                statistics: both,
-                pixel_size: one.pixel_size.max(two.pixel_size),
-                long_wavelength: None,
-            },
-            None,
-        ))
+    let sum = |one: Measured, two: Statistics, pixel: f64| {
+        let statistics = Statistics::combined(&one.statistics, &two).map_err(refused)?;
+        let pixel_size = one.pixel_size.max(pixel);
+        Ok::<_, SceneError>((Measured { statistics, pixel_size, long_wavelength: None }, None))
     };
     let (measured, scan) = match (second, alignment, other) {
         (Some(second), Some(alignment), _) => {
@@ -204,11 +185,11 @@ pub(crate) fn measured(
             let both = one.facing(&two, alignment).map_err(refused)?;
             (first.measure(document, &both)?, Some(both))
         }
-        (Some(second), None, _) => sum(alone(first)?, alone(second)?)?,
-        (None, _, Some(moments)) => {
-            let statistics = Statistics::gaussian(moments);
-            sum(alone(first)?, Measured { statistics, pixel_size: 0.0, long_wavelength: None })?
+        (Some(second), None, _) => {
+            let (one, two) = (alone(first)?, alone(second)?);
+            sum(one, two.statistics, two.pixel_size)?
         }
+        (None, _, Some(moments)) => sum(alone(first)?, Statistics::gaussian(moments), 0.0)?,
         (None, _, None) => {
             let scan = first.read(document)?;
             (first.measure(document, &scan)?, Some(scan))
@@ -249,14 +230,6 @@ pub(crate) fn measured(
 fn alike(statistics: &Statistics) -> Result<Surface, ContactError> {
     let Statistics { m0, m2, .. } = *statistics;
     Surface::from_moments(&ProfileMoments { m0, m2, m4: BANDWIDTH * m2 * m2 / m0 })
-}
-
-/// The error without the name of the file, which only errors of reading have.
-fn without_path(error: TopographyError) -> TopographyError {
-    match error {
-        TopographyError::File { source, .. } => *source,
-        other => other,
-    }
 }
 
 /// The density of the summits' heights above the mean plane.

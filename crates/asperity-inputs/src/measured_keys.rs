@@ -3,20 +3,21 @@
 use std::path::PathBuf;
 
 use asperity_topography::{
-    Alignment, Distance, Estimator, Level, ReadOptions, Topography, TopographyError,
+    Alignment, Distance, Estimator, LengthUnit, Level, ReadOptions, Topography, TopographyError,
 };
 use serde::Deserialize;
+use toml::Table;
 
 use crate::SceneError;
 use crate::document::Document;
+use crate::keys::{KEYS, Key, Subject};
 
 /// The keys for measured files of `[surface]` or its counterface.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
 pub struct MeasuredKeys {
-    /// The file of one scan.
-    pub file: Option<PathBuf>,
-    /// The files of two surfaces in contact.
-    pub files: Option<Vec<PathBuf>>,
+    pub(crate) file: Option<PathBuf>,
+    pub(crate) files: Option<Vec<PathBuf>>,
     /// How asperities are estimated.
     pub estimator: Estimator,
     /// The form removed; the usual one by default.
@@ -27,18 +28,19 @@ pub struct MeasuredKeys {
     pub smooth: Option<f64>,
     /// Whether the scan is periodic.
     pub periodic: bool,
-    /// How the points of two scans meet, if they do.
-    pub aligned: Option<Alignment>,
+    aligned: Option<Aligned>,
     /// Whether missing points are filled.
     pub fill_missing: bool,
     /// Whether outliers are replaced.
     pub despike: bool,
-    /// How files are read.
-    pub options: ReadOptions,
+    unit: Option<LengthUnit>,
+    pixel_size: Option<PixelSize>,
+    max_missing: Option<f64>,
+    channel: Option<String>,
 }
 
 /// `aligned`: whether points of two scans meet, and which.
-#[derive(Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(untagged, expecting = "true, false or \"mirrored\"")]
 enum Aligned {
     Known(bool),
@@ -59,34 +61,36 @@ enum PixelSize {
 impl MeasuredKeys {
     /// The keys of a section.
     pub(crate) fn read(document: &Document<'_>, section: &str) -> Result<Self, SceneError> {
-        let at = |key: &str| format!("{section}.{key}");
-        let pixel_size = document.get(&at("pixel_size"))?.map(|size| match size {
+        let is_scan = |key: &&Key| key.subject == Subject::Scan;
+        let names: Vec<&str> = KEYS.iter().filter(is_scan).map(|key| key.name).collect();
+        document.read_over(section, &names, Table::new())
+    }
+
+    /// How the points of two scans meet, if they do.
+    pub(crate) fn alignment(&self) -> Option<Alignment> {
+        match self.aligned? {
+            Aligned::Known(known) => known.then_some(Alignment::AsRead),
+            Aligned::Turned(alignment) => Some(alignment),
+        }
+    }
+
+    /// With these options of reading.
+    #[must_use]
+    pub fn reading(self, options: ReadOptions) -> Self {
+        let ReadOptions { unit, pixel_size, max_missing, channel } = options;
+        let pixel_size = pixel_size.map(PixelSize::Rectangle);
+        Self { unit, pixel_size, max_missing: Some(max_missing), channel, ..self }
+    }
+
+    /// What a file may not say itself.
+    #[must_use]
+    pub fn options(&self) -> ReadOptions {
+        let pixel_size = self.pixel_size.map(|size| match size {
             PixelSize::Square(side) => [side; 2],
             PixelSize::Rectangle(sides) => sides,
         });
-        let max_missing = document.number(&at("max_missing"))?;
-        Ok(Self {
-            file: document.get(&at("file"))?,
-            files: document.get(&at("files"))?,
-            estimator: document.get_or_default(&at("estimator"))?,
-            level: document.get(&at("level"))?,
-            filter: document.number(&at("filter"))?,
-            smooth: document.number(&at("smooth"))?,
-            periodic: document.get_or_default(&at("periodic"))?,
-            aligned: match document.get(&at("aligned"))? {
-                Some(Aligned::Known(true)) => Some(Alignment::AsRead),
-                Some(Aligned::Turned(alignment)) => Some(alignment),
-                _ => None,
-            },
-            fill_missing: document.get_or_default(&at("fill_missing"))?,
-            despike: document.get_or_default(&at("despike"))?,
-            options: ReadOptions {
-                unit: document.get(&at("unit"))?,
-                pixel_size,
-                max_missing: max_missing.unwrap_or(ReadOptions::default().max_missing),
-                channel: document.get(&at("channel"))?,
-            },
-        })
+        let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
+        ReadOptions { unit: self.unit, pixel_size, max_missing, channel: self.channel.clone() }
     }
 
     /// The scan without outliers, if they are replaced.

@@ -4,13 +4,9 @@ use std::path::Path;
 
 use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
-use crate::cells::{BESIDE_COMMAS, delimiter, delimiter_hint, number, quoted};
-use crate::document::{SAVE_AS_CSV, read_text, shorten};
-use crate::likely::{notation_hint, without_thousands};
-use crate::{Place, SceneError, is_unit};
-
-/// The advice about a scene and measurements in the wrong order.
-pub(crate) const SCENE_FIRST: &str = "give the scene first, then the measurements";
+use crate::cells::Cells;
+use crate::document::{SAVE_AS_CSV, read_text};
+use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
 /// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
@@ -20,138 +16,34 @@ pub(crate) const SCENE_FIRST: &str = "give the scene first, then the measurement
 /// [`SceneError`] with the file, the line, the column, the value found and the value needed.
 pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneError> {
     let path = path.as_ref();
-    let place = |line: Option<usize>, field: &str| {
-        Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
-    };
-    let text = read_text(path, SAVE_AS_CSV, || *place(None, "the data"))?;
-    // A spreadsheet's mark of UTF-8.
-    let text = text.trim_start_matches('\u{feff}');
-    let begins_table = |line: &str| {
-        ["[[body]]", "[surface]", "[interface]"].iter().any(|head| line.trim().starts_with(head))
-    };
-    if text.lines().any(begins_table) {
-        let reason = format!("the file looks like a scene, not like measurements; {SCENE_FIRST}");
-        return Err(SceneError::Syntax { at: place(None, "CSV"), reason });
+    let place = |field: &str| Place { file: Some(path.to_path_buf()), ..Place::field(field) };
+    let text = read_text(path, SAVE_AS_CSV, || place("the data"))?;
+    if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
+        let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
+        return Err(SceneError::Refused { at: place("CSV").into(), reason: reason.into() });
     }
-    let delimiter = delimiter(text);
-    let mut reader = csv::ReaderBuilder::new();
-    reader.delimiter(delimiter).comment(Some(b'#')).trim(csv::Trim::All).flexible(true);
-    let mut reader = reader.from_reader(text.as_bytes());
-    let syntax =
-        |line: Option<usize>, reason: String| SceneError::Syntax { at: place(line, "CSV"), reason };
-    let head = reader.headers().map_err(|error| syntax(None, error.to_string()))?.clone();
-    let number = |text: &str| number(text, delimiter);
-    let cells = || {
-        text.lines()
-            .filter(|line| !line.starts_with('#'))
-            .flat_map(|l| l.split(char::from(delimiter)))
-    };
-    let decimal_commas = cells().any(|cell| cell.contains(',') && number(cell.trim()).is_some());
-    let is_value = |name: &str| number(name).is_some() || without_thousands(name).is_some();
-    if head.iter().all(is_value) {
-        let found = head.iter().collect::<Vec<_>>().join(",");
-        let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
-        return Err(SceneError::value(place(Some(1), "the header"), shorten(&found), needed));
-    }
-    refuse_preamble(text, &head).map_err(|(line, reason)| syntax(Some(line), reason))?;
-    let mut columns: Vec<DataColumn> = head.iter().map(|name| (name.into(), vec![])).collect();
-    let (mut models, mut lines): (Vec<String>, Vec<usize>) = (vec![], vec![]);
-    // The reader's own positions are those of comments and empty lines before a record.
-    let is_record = |line: &(usize, &str)| !line.1.is_empty() && !line.1.starts_with('#');
-    let mut numbered = (1..).zip(text.lines()).filter(is_record).map(|(line, _)| line).skip(1);
-    for record in reader.records() {
-        let record = record.map_err(|error| syntax(None, error.to_string()))?;
-        let line = numbered.next();
-        if record.len() != columns.len() {
-            let hint = if record.len() > columns.len() { delimiter_hint(delimiter) } else { "" };
-            let (found, columns) = (record.len(), columns.len());
-            let reason = format!(
-                "{found} cells under a header of {columns} columns: one cell for each column was required{hint}"
-            );
-            return Err(syntax(line, reason));
-        }
-        lines.extend(line);
-        for ((name, values), text) in columns.iter_mut().zip(&record) {
-            values.push(match text {
-                "" => None,
-                model if name == "model" => {
-                    if !models.iter().any(|known| known == model) {
-                        models.push(model.into());
-                    }
-                    None
-                }
-                given if decimal_commas && given.contains('.') => {
-                    let (at, found) = (place(line, name), quoted(given));
-                    return Err(SceneError::Notation { at, found, hint: BESIDE_COMMAS.into() });
-                }
-                given => {
-                    Some(number(given).filter(|value| value.is_finite()).ok_or_else(|| {
-                        let at = place(line, name);
-                        if number(given).is_some() {
-                            return SceneError::value(
-                                at,
-                                shorten(given),
-                                "a finite number, or nothing",
-                            );
-                        }
-                        match notation_hint(given) {
-                            Some(hint) => {
-                                let found = quoted(given);
-                                SceneError::Notation { at, found, hint }
-                            }
-                            None if is_column(name) => {
-                                SceneError::value(at, shorten(given), "a number, or nothing")
-                            }
-                            None => {
-                                let hint = "is no number, and no fit reads this column; remove it";
-                                let (found, hint) = (quoted(given), hint.into());
-                                SceneError::Notation { at, found, hint }
-                            }
-                        }
-                    })?)
-                }
-            });
+    let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
+    let table = Cells::read(&text, path, needed)?;
+    let mut columns: Vec<DataColumn> = vec![];
+    for (k, name) in table.head.iter().enumerate() {
+        if *name == "model" {
+            let mut models: Vec<&str> = vec![];
+            for (_, row) in table.rows.iter().filter(|(_, row)| !row[k].is_empty()) {
+                models.extend(Some(row[k]).filter(|model| !models.contains(model)));
+            }
+            if let [first, second, ..] = models[..] {
+                let needed = "the rows of one model, or data without this column";
+                let found = format!("{first} and {second}");
+                return Err(SceneError::value(place("model").into(), found, needed));
+            }
+        } else {
+            let odd = "is no number, and no fit reads this column; remove it";
+            let numbers = table.column(k, Some(odd).filter(|_| !is_column(name)))?;
+            columns.push(((*name).into(), numbers));
         }
     }
-    if let [first, second, ..] = &models[..] {
-        let found = format!("{first} and {second}");
-        let needed = "the rows of one model, or data without this column";
-        return Err(SceneError::value(place(None, "model"), found, needed));
-    }
-    if lines.is_empty() {
-        return Err(syntax(None, "no row of values under the header".into()));
-    }
-    columns.retain(|(name, _)| name != "model" && name != "separation_over_sigma");
-    Ok(MeasuredTable { columns, lines })
-}
-
-/// Whether a text begins as a table of measurements does: with the columns of a fit.
-pub(crate) fn is_measurements(text: &str) -> bool {
-    let text = text.trim_start_matches('\u{feff}');
-    let head = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
-    let delimiter = char::from(delimiter(text));
-    let names = |head: &str| head.split(delimiter).filter(|name| is_column(name)).count();
-    head.is_some_and(|head| names(head) > 1)
-}
-
-/// The line and the reason where the lines at the top are no header and rows of numbers.
-fn refuse_preamble(text: &str, head: &csv::StringRecord) -> Result<(), (usize, String)> {
-    let mut lines =
-        (1..).zip(text.lines()).filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
-    let (Some((_, top)), second) = (lines.next(), lines.next()) else { return Ok(()) };
-    let Some((line, row)) = second else { return Ok(()) };
-    let count = |line: &str| line.split_whitespace().count();
-    if head.len() == 1 && count(top) > 1 && count(top) == count(row) {
-        let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
-        return Err((line, reason.into()));
-    }
-    let cells =
-        row.split([',', ';', '\t']).map(|cell| cell.trim().trim_matches(['[', ']', '(', ')']));
-    let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty() && *cell != "-").collect();
-    match !cells.is_empty() && cells.iter().all(|cell| is_unit(cell)) {
-        true => Err((line, "the row has units; remove it, and give the values in SI units".into())),
-        false => Ok(()),
-    }
+    columns.retain(|(name, _)| name != "separation_over_sigma");
+    Ok(MeasuredTable { columns, lines: table.rows.iter().map(|(line, _)| *line).collect() })
 }
 
 #[cfg(test)]
@@ -198,7 +90,7 @@ mod tests {
         for (cell, wanted) in [
             ("1.500,5", "load_N = \"1.500,5\" has thousands separators; write 1500.5"),
             ("1.500.000", "has thousands separators; write 1500000 or 1.5e6"),
-            ("1,5,0", "is \"1,5,0\": a number, or nothing was required"),
+            ("1,5,0", "is \"1,5,0\": a number was required"),
         ] {
             let refused = read(&format!("load_N;area_m2\n{cell};2e-9\n")).unwrap_err();
             assert!(refused.contains(wanted), "{refused}");
@@ -225,13 +117,10 @@ mod tests {
                 "load_N,area_m2,comment\n1,2,first\n",
                 ":2: comment = \"first\" is no number, and no fit reads this column; remove it",
             ),
-            (
-                "load_kN,area_m2\nabc,1\n",
-                ":2: load_kN is \"abc\": a number, or nothing was required",
-            ),
+            ("load_kN,area_m2\nabc,1\n", ":2: load_kN is \"abc\": a number was required"),
             (
                 "laod_N,displacement_um\n1,abc\n",
-                ":2: displacement_um is \"abc\": a number, or nothing was required",
+                ":2: displacement_um is \"abc\": a number was required",
             ),
             ("load_N,area_m2\n1;2\n", ":2: CSV: 1 cells under a header of 2 columns"),
             (
@@ -239,17 +128,14 @@ mod tests {
                 ":1: the header is \"1,000,000,2,000,000\": a header",
             ),
             ("[[body]]\nyoungs_modulus = 2e11\n", ": CSV: the file looks like a scene, not like"),
-            (
-                "load_N,area_m2\n1,two\n",
-                ":2: area_m2 is \"two\": a number, or nothing was required",
-            ),
+            ("load_N,area_m2\n1,two\n", ":2: area_m2 is \"two\": a number was required"),
             ("load_N,area_m2\n1,2\n3\n", ":3: CSV: 1 cells under a header of 2 columns"),
             ("1,2\n3,4\n", ":1: the header is \"1,2\": a header, for example load_N"),
             ("model,load_N\nke,1\ngw,1\n", ": model is \"ke and gw\": the rows of one model"),
             ("load_N,area_m2\n1,2,\n", ":2: CSV: 3 cells under a header of 2 columns"),
-            ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number, or nothing"),
-            ("load_N area_m2\n1 2\n", ":2: CSV: blanks separate the columns; separate them by"),
-            ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: CSV: the row has units; remove it"),
+            ("load_N\n# by hand\n1e400\n", ":3: load_N is \"1e400\": a finite number was required"),
+            ("load_N area_m2\n1 2\n", ":1: CSV: blanks separate the columns; separate them by"),
+            ("load_N,area_m2\n[kN],mm2\n1,2\n", ":2: load_N is \"[kN]\": a number was required"),
             ("load_N,area_m2\n", ": CSV: no row of values under the header"),
             (
                 "load_N,area_m2\n1,500'000.0\n",
@@ -265,19 +151,19 @@ mod tests {
             assert!(refused.starts_with(wanted), "{refused}");
         }
         let folder = tempfile::tempdir().unwrap();
-        let binary = "the file is not a text file; save the sheet as csv";
-        let other = "the text is not in UTF-8; save it as UTF-8";
-        for (bytes, wanted) in [
-            (&b"PK\x03\x04\x14\x00"[..], binary),
-            (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", binary),
-            (b"\xff\xfel\0o\0", other),
-            (b"l\0o\0a\0d\0", other),
-            (b"load_N,area_\xb5m2\n1,2\n", other),
+        let wanted =
+            "cannot be read: the file is not a text file in UTF-8; save the sheet as csv in UTF-8";
+        for bytes in [
+            &b"PK\x03\x04\x14\x00"[..],
+            b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+            b"\xff\xfel\0o\0",
+            b"l\0o\0a\0d\0",
+            b"load_N,area_\xb5m2\n1,2\n",
         ] {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path).unwrap_err().to_string();
-            assert!(refused.ends_with(&format!("cannot be read: {wanted}")), "{refused}");
+            assert!(refused.ends_with(wanted), "{refused}");
         }
         assert!(read_measurements("none.csv").unwrap_err().to_string().contains("cannot be read"));
     }

@@ -20,7 +20,7 @@ impl SceneFile {
     /// from the spectrum of that scan.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
+    /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; those of
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_with(&self.options, id)
@@ -38,7 +38,7 @@ impl SceneFile {
                 match &self.no_asperities {
                     Some(reason) if model.validity().asperities => {
                         let at = Place::field("surface.file").into();
-                        Err(SceneError::Measured { at, reason: reason.clone() })
+                        Err(SceneError::Refused { at, reason: reason.clone() })
                     }
                     _ => Ok(model),
                 }
@@ -52,8 +52,10 @@ impl SceneFile {
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
-        let hardening = self.scene.interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
-        let more = self.adhesive_models().into_iter().chain(hardening);
+        let interface = &self.scene.interface;
+        let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
+        let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
+        let more = adhesive.into_iter().chain(hardening);
         let more = more.map(|model| self.options.on_surface(model));
         for model in self.options.models().into_iter().chain(more) {
             match self.refusal(&model) {
@@ -101,11 +103,5 @@ impl SceneFile {
             }
         }
         (models, left_out)
-    }
-
-    /// The models with adhesion, if the scene has a work of adhesion.
-    #[must_use]
-    pub fn adhesive_models(&self) -> Vec<Model> {
-        self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
     }
 }

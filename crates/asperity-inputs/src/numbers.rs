@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use asperity::{
     Body, ContactError, Findings, Interface, ProfileMoments, Scene, Surface, TabulatedHeights,
+    positive,
 };
 
 use crate::SceneFile;
-use crate::bandwidth::{GRADIENT, MEAN_SLOPE};
 
 /// The ways to describe a surface by three numbers: the asperities themselves, those that follow
 /// from the interface as well, and those of [`Roughness`].
@@ -15,88 +15,69 @@ pub(crate) const WAYS: &[[&str; 3]; 7] = &[
     ["asperity_radius", "asperity_density", "asperity_height_std"],
     ["plasticity_index", "roughness_parameter", "asperity_height_std"],
     ["asperity_radius", "asperity_density", "surface_height_std"],
-    ["surface_height_std", MEAN_SLOPE, "asperity_density"],
+    ["surface_height_std", "mean_slope", "asperity_density"],
     ["m0", "m2", "m4"],
     ["sq", "spd", "spc"],
-    ["sq", "spd", GRADIENT],
+    ["sq", "spd", "sdq"],
 ];
 
 /// Three numbers from which the asperities of a surface follow, as in `[surface]`, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Roughness {
-    /// Radius and density of the asperities, and the standard deviation of the surface heights.
-    SurfaceStd([f64; 3]),
-    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
-    /// density of the asperities.
-    MeanSlope([f64; 3]),
-    /// Spectral moments of profiles: m0, m2 and m4.
-    Moments([f64; 3]),
-    /// Parameters of ISO 25178: Sq, Spd and Spc.
-    Iso25178([f64; 3]),
-    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
-    Gradient([f64; 3]),
+pub struct Roughness {
+    /// What they are.
+    pub way: Way,
+    /// The numbers, in the order of the keys.
+    pub numbers: [f64; 3],
 }
 
-impl Roughness {
+/// What three numbers of a surface are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Radius and density of the asperities, and the standard deviation of the surface heights.
+    SurfaceStd,
+    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
+    /// density of the asperities.
+    MeanSlope,
+    /// Spectral moments of profiles: m0, m2 and m4.
+    Moments,
+    /// Parameters of ISO 25178: Sq, Spd and Spc.
+    Iso25178,
+    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
+    Gradient,
+}
+
+impl Way {
+    const ALL: [Self; 5] =
+        [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
+
     /// The keys of the numbers.
     #[must_use]
-    pub fn keys(&self) -> &'static [&'static str; 3] {
-        let [.., surface_std, mean_slope, moments, iso, gradient] = WAYS;
-        match self {
-            Self::SurfaceStd(_) => surface_std,
-            Self::MeanSlope(_) => mean_slope,
-            Self::Moments(_) => moments,
-            Self::Iso25178(_) => iso,
-            Self::Gradient(_) => gradient,
-        }
-    }
-
-    /// The numbers, in the order of the keys.
-    #[must_use]
-    pub fn numbers(&self) -> [f64; 3] {
-        let mut same = *self;
-        *same.numbers_mut()
-    }
-
-    /// The same kind of description with other numbers.
-    #[must_use]
-    pub fn with(mut self, numbers: [f64; 3]) -> Self {
-        *self.numbers_mut() = numbers;
-        self
-    }
-
-    pub(crate) fn numbers_mut(&mut self) -> &mut [f64; 3] {
-        match self {
-            Self::SurfaceStd(numbers)
-            | Self::MeanSlope(numbers)
-            | Self::Moments(numbers)
-            | Self::Iso25178(numbers)
-            | Self::Gradient(numbers) => numbers,
-        }
+    pub fn keys(self) -> &'static [&'static str; 3] {
+        let [_, _, keys @ ..] = WAYS;
+        &keys[self as usize]
     }
 
     /// The description by the numbers of these keys; `None` for asperities and dimensionless
     /// numbers.
-    pub(crate) fn of(keys: [&str; 3], numbers: [f64; 3]) -> Option<Self> {
-        let kinds =
-            [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
-        kinds.into_iter().map(|kind| kind(numbers)).find(|kind| *kind.keys() == keys)
+    pub(crate) fn of(keys: [&str; 3]) -> Option<Self> {
+        Self::ALL.into_iter().find(|way| *way.keys() == keys)
     }
+}
 
+impl Roughness {
     /// The spectral moments of profiles of an isotropic Gaussian surface with these numbers.
     ///
     /// # Errors
     /// Those of [`surface`](Self::surface).
     pub fn moments(&self) -> Result<ProfileMoments, ContactError> {
         let surface = self.surface()?;
-        Ok(match *self {
-            Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
-            Self::SurfaceStd([.., std])
-            | Self::MeanSlope([std, ..])
-            | Self::Iso25178([std, ..])
-            | Self::Gradient([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
-        })
+        let [first, second, third] = self.numbers;
+        let std = match self.way {
+            Way::Moments => return Ok(ProfileMoments { m0: first, m2: second, m4: third }),
+            Way::SurfaceStd => third,
+            _ => first,
+        };
+        Ok(ProfileMoments { m0: std * std, ..surface.moments() })
     }
 
     /// The surface with these asperities.
@@ -104,14 +85,13 @@ impl Roughness {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn surface(&self) -> Result<Surface, ContactError> {
-        let surface = match *self {
-            Self::SurfaceStd([radius, density, std]) => {
-                Surface::from_surface_std(radius, density, std)
-            }
-            Self::MeanSlope([std, slope, density]) => Surface::from_mean_slope(std, slope, density),
-            Self::Moments([m0, m2, m4]) => Surface::from_moments(&ProfileMoments { m0, m2, m4 }),
-            Self::Iso25178([sq, spd, spc]) => Surface::from_iso25178(sq, spd, spc),
-            Self::Gradient([sq, spd, sdq]) => from_gradient(sq, spd, sdq),
+        let [a, b, c] = self.numbers;
+        let surface = match self.way {
+            Way::SurfaceStd => Surface::from_surface_std(a, b, c),
+            Way::MeanSlope => Surface::from_mean_slope(a, b, c),
+            Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
+            Way::Iso25178 => Surface::from_iso25178(a, b, c),
+            Way::Gradient => from_gradient(a, b, c),
         }?;
         surface.check()?;
         Ok(surface)
@@ -120,19 +100,8 @@ impl Roughness {
 
 /// Sdq over √π is the mean absolute slope of profiles of an isotropic Gaussian surface.
 fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
-    let made = Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd);
-    made.map_err(|error| match error {
-        ContactError::OutOfRange { field, value, required } => {
-            let (field, value) = match field {
-                "surface_height_std" => ("sq", value),
-                "asperity_density" => ("spd", value),
-                "mean_slope" => ("sdq", sdq),
-                other => (other, value),
-            };
-            ContactError::OutOfRange { field, value, required }
-        }
-        error => error,
-    })
+    let (sq, spd, sdq) = (positive("sq", sq)?, positive("spd", spd)?, positive("sdq", sdq)?);
+    Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd)
 }
 
 impl SceneFile {
@@ -170,32 +139,10 @@ impl SceneFile {
     }
 
     /// An interface with the properties of this pair that do not follow from the bodies.
-    fn with_pair(&self, mut of_bodies: Interface) -> Interface {
+    pub(crate) fn with_pair(&self, mut of_bodies: Interface) -> Interface {
         of_bodies.work_of_adhesion = self.scene.interface.work_of_adhesion;
         of_bodies.pressure_factor = self.scene.interface.pressure_factor;
         of_bodies
-    }
-
-    /// [`with_numbers`](Self::with_numbers) for other bodies, one of them on a rigid counterface;
-    /// the work of adhesion and the pressure factor stay.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the field that is out of range, or another number of bodies than 1
-    /// or 2.
-    pub fn with_bodies(&self, bodies: Vec<Body>) -> Result<Self, ContactError> {
-        let interface = self.with_pair(interface_of(&bodies)?);
-        let made = self.with_numbers(interface, self.scene.surface, self.scene.nominal_area)?;
-        Ok(Self { bodies, ..made })
-    }
-
-    /// [`with_numbers`](Self::with_numbers) for a surface that follows from other numbers.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the field that is out of range.
-    pub fn with_roughness(&self, roughness: Roughness) -> Result<Self, ContactError> {
-        let made =
-            self.with_numbers(self.scene.interface, roughness.surface()?, self.scene.nominal_area)?;
-        Ok(Self { roughness: Some(roughness), follows_from: roughness.keys(), ..made })
     }
 }
 

@@ -122,16 +122,8 @@ impl ModelOptions {
     ) -> Result<Self, SceneError> {
         let known = keys_of("options");
         document.check_keys(section, &known)?;
-        let mut all = Table::try_from(self).unwrap_or_default();
-        for name in known {
-            let path = joined(section, name);
-            let Some(value) = document.value(&path) else { continue };
-            all.insert(name.into(), value.clone());
-            // Of the options so far each is valid.
-            let read = all.clone().try_into::<Self>();
-            read.map_err(|error| document.wrong(&path, error.message()))?;
-        }
-        let options: Self = all.try_into().unwrap_or_default();
+        let so_far = Table::try_from(self).unwrap_or_default();
+        let options: Self = document.read_over(section, &known, so_far)?;
         options.check(document, section)?;
         Ok(options)
     }
@@ -158,7 +150,7 @@ impl ModelOptions {
     /// The model of an id, with these options.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a similar id and all ids.
+    /// [`SceneError::Refused`] for an unknown id, with a similar id and all ids.
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_beside(|| None, id)
     }
@@ -174,7 +166,7 @@ impl ModelOptions {
         let jg = |hardness| Model::known(JacksonGreen { hardness });
         let known: Model = id
             .parse()
-            .map_err(|source| SceneError::Contact { at: Place::field("model").into(), source })?;
+            .map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))?;
         let model = match known.equal().id() {
             "jg" => jg(self.jg_hardness),
             "jg-cosine" => jg(GeometricHardness::Cosine),

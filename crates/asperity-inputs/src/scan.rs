@@ -38,8 +38,8 @@ impl SceneFile {
     /// Without a continuation, a scan with `periodic = true` is repeated as it is.
     ///
     /// # Errors
-    /// [`SceneError::Missing`] without a scan or with two;
-    /// [`SceneError::Measured`] for a profile and for missing points.
+    /// [`SceneError::Missing`] without a scan or with two that are not aligned;
+    /// [`SceneError::Refused`] for a profile and for missing points.
     pub fn bem(
         &self,
         continuation: Option<Continuation>,
@@ -47,20 +47,11 @@ impl SceneFile {
     ) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
-            let one = "boundary elements (bem) need the scan of one surface";
-            if self.measured.is_some() {
-                let reason = format!(
-                    "{one}, or scans of both with aligned = true; here heights of two surfaces are known by their moments only"
-                );
-                return Err(SceneError::Measured { at, reason });
-            }
-            let needed = format!(
-                "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
-            );
-            return Err(SceneError::Missing { at, needed });
+            let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";
+            return Err(SceneError::Missing { at, needed: needed.into() });
         };
         let map = whole_map(scan, "boundary elements need");
-        let map = map.map_err(|reason| SceneError::Measured { at, reason })?;
+        let map = map.map_err(|reason| SceneError::Refused { at, reason })?;
         Ok(Bem::new(map, continuation.or(declared(scan)), elastic))
     }
 
@@ -272,13 +263,10 @@ mod tests {
         assert!(same.bem(None, false).is_ok());
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
-        for (none, end) in
-            [(other, "if the file does not state them"), (two, "known by their moments only")]
-        {
+        for none in [other, two] {
             let refused = none.bem(None, false).unwrap_err().to_string();
-            assert!(refused.starts_with("surface.file"), "{refused}");
-            assert!(refused.contains(": boundary elements (bem) need the scan"), "{refused}");
-            assert!(refused.ends_with(end), "{refused}");
+            let wanted = "surface.file is missing: boundary elements (bem) need the scan of one";
+            assert!(refused.starts_with(wanted), "{refused}");
         }
     }
 }

@@ -12,9 +12,7 @@ use asperity_topography::Topography;
 use crate::document::{Document, Files, HandedFiles, read_text};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
-use crate::keys::Key;
 use crate::measured::Asked;
-use crate::measurements::{SCENE_FIRST, is_measurements};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
@@ -81,40 +79,21 @@ pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, Sc
 
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
+    let advice = format!(
+        "`asperity init` writes a scene, and `asperity surface {} --scene scene.toml` makes one of a scan",
+        path.display()
+    );
     let read = || {
-        let advice = "a scene is a text in TOML, of which `asperity init` writes an example";
-        let text = read_text(path, advice, named)?;
+        let text = read_text(path, &advice, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };
-    read().map_err(|error| scan_instead_of_scene(path, error))
-}
-
-/// Extensions of scans, which scene files do not have.
-const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
-
-/// The error for a scan given instead of a scene file.
-fn scan_instead_of_scene(path: &Path, mut error: SceneError) -> SceneError {
-    let end = path.extension().unwrap_or_default().to_ascii_lowercase();
-    if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
-        return error;
-    }
-    let (SceneError::Syntax { reason, .. } | SceneError::Unreadable { reason, .. }) = &mut error
-    else {
-        return error;
-    };
-    let is_table = std::fs::read_to_string(path).is_ok_and(|text| is_measurements(&text));
-    *reason = if is_table {
-        format!(
-            "the file looks like measurements, not like a scene in TOML ({reason}); {SCENE_FIRST}"
-        )
-    } else {
-        let name = path.display();
-        format!(
-            "the file looks like a scan, not like a scene in TOML ({reason}); create a scene with `asperity surface {name} --scene scene.toml`"
-        )
-    };
-    error
+    read().map_err(|error| match error {
+        SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
+            SceneError::Refused { at, reason: format!("{reason}; {advice}") }
+        }
+        error => error,
+    })
 }
 
 /// Reads a scene from its text; relative paths in it are relative to `directory`.
@@ -147,27 +126,15 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// [`parse_handed`] as [`load_scan`] reads, for boundary elements alone.
-///
-/// # Errors
-/// Those of [`parse_handed`], except that of a scan without asperities.
-pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
-    let asked = Asked::Scan { periodic: false };
-    scene_file(&Document::new(None, Files::Handed(files), text)?, asked)
-}
-
 fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
     let mut options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
-    if !document.has("surface") {
-        return Err(document.missing("surface", Key::meaning("", "surface")));
-    }
-    let accept: Vec<String> = document.get_or_default("accept")?;
+    let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
     accept::check(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;
-    let heights: HeightsKey = document.get_or_default("surface.heights")?;
-    let separation_from: Datum = document.get_or_default("surface.separation_from")?;
+    let heights: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
+    let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let mean_plane_offset = document.number("surface.mean_plane_offset")?;
     if let Some(asperities) = document.get("surface.asperities")? {
         if document.has("options.asperities") {
@@ -244,11 +211,8 @@ fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'st
             "a table whose heights are measured from the mean plane of the surface (the mean of this table is 0: its heights are measured from their own mean)",
         ),
         _ if scene.mean_plane_offset.is_some() => None,
-        (HeightDistribution::Exponential, _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of exponential heights is unknown)",
-        ),
-        (HeightDistribution::Weibull(_), _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed heights is unknown)",
+        (HeightDistribution::Exponential | HeightDistribution::Weibull(_), _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of such heights is unknown)",
         ),
         _ => None,
     }

@@ -1,15 +1,14 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{Finding, Interface, ProfileMoments, Scene, Surface};
+use asperity::{ContactError, Finding, Interface, ProfileMoments, Scene, Surface, short};
 
-use crate::bandwidth::{GRADIENT, MEAN_SLOPE, ROUGH, is_of_bandwidth, too_steep};
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
-use crate::likely::{Given, OddNumber, likely_angle, likely_curvature};
+use crate::likely::{likely_angle, other_unit, too_steep};
 use crate::measured::{Asked, measured};
 use crate::numbers::WAYS;
-use crate::{Roughness, SceneError, SceneFile};
+use crate::{Roughness, SceneError, SceneFile, Way};
 
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
@@ -17,7 +16,11 @@ const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
 /// Keys that describe a surface only beside others.
-const BESIDE: [&str; 4] = [STD, SURFACE_STD, MEAN_SLOPE, GRADIENT];
+const BESIDE: [&str; 4] = [STD, SURFACE_STD, "mean_slope", "sdq"];
+/// The slope above which a surface that is too steep is rather that than given in another unit.
+const ROUGH: f64 = 0.3;
+/// The field of an error for moments that no isotropic Gaussian surface has.
+const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
 const ONE_WAY: &str = "exactly one way to describe the surface: asperity_radius, asperity_density, asperity_height_std; or plasticity_index, roughness_parameter, asperity_height_std; or m0, m2, m4; or sq, spd, spc; or file, files";
 
 /// The way by which a section describes its surface, and the key that decides it; refuses keys of
@@ -43,27 +46,24 @@ fn way(
         .filter(describes)
         .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILES));
     let Some(odd) = odd else { return Ok((way, key)) };
-    let together = |other: &&str| ways().any(|way| way.contains(&odd.name) && way.contains(other));
-    let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
-    let (one, two, needed) = match (odd.name, *other) {
-        (STD, SURFACE_STD) | (SURFACE_STD, STD) => {
-            (SURFACE_STD, STD, "one of the two, which determines the other,")
+    let conflict = |one, other, needed| Err(document.conflict(&at(one), &at(other), needed));
+    match odd.name {
+        STD | SURFACE_STD if has(&&STD) && has(&&SURFACE_STD) => {
+            conflict(SURFACE_STD, STD, "one of the two, which determines the other,")
         }
-        (STD, other) => {
-            let needed = format!("either {} or {STD}, which follows from them,", way.join(", "));
-            return Err(document.conflict(&at(STD), &at(other), &needed));
+        name if is_scan(odd) && !FILES.contains(&name) => conflict(name, key, "a measured file"),
+        name => {
+            let own = || ways().filter(|way| way.contains(&name));
+            let together = |other: &&&str| own().any(|way| way.contains(other));
+            let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
+            if !BESIDE.contains(&name) {
+                return conflict(other, name, ONE_WAY);
+            }
+            let others = own().next().unwrap_or_default().iter().copied();
+            let others: Vec<&str> = others.filter(|other| *other != name).collect();
+            conflict(name, other, &format!("{} with it", others.join(" and ")))
         }
-        (SURFACE_STD, other) => {
-            (SURFACE_STD, other, "asperity_radius and asperity_density with it")
-        }
-        (MEAN_SLOPE, other) => {
-            (MEAN_SLOPE, other, "asperity_density and surface_height_std with it")
-        }
-        (GRADIENT, other) => (GRADIENT, other, "sq and spd with it"),
-        (name, other) if is_scan(odd) && !FILES.contains(&name) => (name, other, "a measured file"),
-        (odd, other) => (other, odd, ONE_WAY),
-    };
-    Err(document.conflict(&at(one), &at(two), needed))
+    }
 }
 
 /// A surface described by numbers.
@@ -72,8 +72,6 @@ struct Numbers {
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
     follows_from: &'static [&'static str],
-    /// A warning of a slope or a curvature in another unit.
-    unit: Option<Finding>,
     /// The number that explains findings about the asperities.
     odd: Option<Finding>,
 }
@@ -82,11 +80,6 @@ impl Numbers {
     fn moments(&self) -> ProfileMoments {
         let given = self.roughness.and_then(|roughness| roughness.moments().ok());
         given.unwrap_or_else(|| self.surface.moments())
-    }
-
-    /// Whether the moments follow from other numbers.
-    fn assumes_gaussian(&self) -> bool {
-        !matches!(self.roughness, Some(Roughness::Moments(_)))
     }
 }
 
@@ -100,7 +93,8 @@ pub(crate) fn surface(
     measured_std: Option<f64>,
     asked: Asked,
 ) -> Result<(SceneFile, Vec<Finding>), SceneError> {
-    let of = |section, std| numbers(document, section, &pair.interface, std);
+    let mut notes = vec![];
+    let mut of = |section, std| numbers(document, section, &pair.interface, std, &mut notes);
     let first = of("surface", measured_std)?;
     let is_pair = document.has(COUNTERFACE);
     let second = if is_pair { of(COUNTERFACE, None)? } else { None };
@@ -109,26 +103,14 @@ pub(crate) fn surface(
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
-    let sections = [("surface", &first), (COUNTERFACE, &second)];
-    let assumed = sections
-        .into_iter()
-        .filter(|(_, numbers)| is_pair && numbers.as_ref().is_some_and(Numbers::assumes_gaussian));
-    let note = |(section, _)| {
-        Finding::note("gaussian-moments", section, f64::NAN)
-            .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
-            .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
-            .from_origin(document.place(section).to_string())
-    };
-    let units = [&first, &second].into_iter().flatten().filter_map(|n| n.unit.clone());
-    let notes: Vec<Finding> = units.chain(assumed.map(note)).collect();
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
-            let odd = first.odd.clone().or_else(|| second.odd.clone());
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
-            let roughness = Roughness::Moments([m0, m2, m4]);
+            let roughness = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
             let surface = roughness.surface().map_err(document.refused("surface"))?;
-            let follows_from = roughness.keys();
-            Numbers { surface, follows_from, roughness: Some(roughness), unit: None, odd }
+            let follows_from = roughness.way.keys();
+            let odd = first.odd.or(second.odd);
+            Numbers { surface, follows_from, roughness: Some(roughness), odd }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -149,9 +131,10 @@ pub(crate) fn surface(
 /// measured one.
 fn numbers(
     document: &Document<'_>,
-    section: &str,
+    section: &'static str,
     interface: &Interface,
     measured_std: Option<f64>,
+    notes: &mut Vec<Finding>,
 ) -> Result<Option<(Numbers, &'static str)>, SceneError> {
     let at = |key: &str| format!("{section}.{key}");
     let (way, key) = way(document, section)?;
@@ -168,50 +151,60 @@ fn numbers(
             document.missing(&at(key), how)
         })?;
     }
-    let roughness = Roughness::of(keys, values);
+    let roughness = Way::of(keys).map(|way| Roughness { way, numbers: values });
     let refused = document.refused(section);
     let made = |[a, b, c]: [f64; 3]| match roughness {
-        Some(roughness) => roughness.with([a, b, c]).surface(),
+        Some(roughness) => roughness.surface(),
         None if is_asperities => Ok(Surface::new(a, b, c)),
         None => Surface::from_plasticity_index(a, b, c, interface),
     };
-    let stated = keys.map(|key| document.stated.contains(&at(key)));
-    let given = Given { keys, numbers: values, stated, surface: &|n| made(n).ok() };
-    let mut pairs = keys.into_iter().zip(values);
-    let slope = pairs.find(|(key, _)| [GRADIENT, MEAN_SLOPE].contains(key));
-    let unit = slope.and_then(|(key, value)| likely_angle(key, value));
-    // Asperities without any unit are described by their own findings.
-    let is_plain = is_asperities && stated == [false; 3];
-    let odd = if is_plain || unit.is_some() { None } else { given.odd_number() };
-    let spc = keys.iter().zip(values).zip(stated).find(|((key, _), _)| **key == "spc");
-    let curvature = || spc.filter(|(_, stated)| !stated && odd.is_none());
-    let unit = unit.or_else(|| curvature().and_then(|((_, spc), _)| likely_curvature(spc)));
-    // Of two surfaces, each warning has its place.
-    let is_pair = document.has(COUNTERFACE);
-    let unit = unit.map(|found| match is_pair {
-        true => {
-            let place = document.place(&at(&found.field)).to_string();
-            found.within(section).from_origin(place)
-        }
-        false => found,
+    let given = keys.into_iter().zip(values);
+    let slope = given.clone().find_map(|(key, value)| {
+        likely_angle(key, value).filter(|_| ["sdq", "mean_slope"].contains(&key))
+    });
+    // Asperities are described by their own findings.
+    let is_plain = is_asperities || slope.is_some() || values.iter().any(|value| *value <= 0.0);
+    let others = given.filter(|(key, _)| !is_plain && !document.stated.contains(&at(key)));
+    let odd = others.filter_map(|(key, value)| Some((key, value, other_unit(key, value)?)));
+    let odd = odd.reduce(|(first, number, hint), (key, value, more)| {
+        (first, number, format!("{hint}; {key} = {} {more}", short(value)))
     });
     let surface = made(values).map_err(|error| {
-        let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_of_bandwidth(&error));
-        let unit = odd.as_ref().map(|odd| (odd.key, odd.value, odd.reason.clone()));
+        let is_steep = matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. });
+        let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_steep);
         let is_rough = |(_, slope, _): &(_, f64, _)| *slope > ROUGH;
-        match steep.clone().filter(is_rough).or(unit).or(steep) {
+        match steep.clone().filter(is_rough).or(odd.clone()).or(steep) {
             Some((key, value, hint)) => {
-                let (at, found) = (document.place(&at(key)), asperity::short(value));
-                SceneError::Notation { at, found, hint }
+                SceneError::Notation { at: document.place(&at(key)), found: short(value), hint }
             }
             None => refused(error),
         }
     })?;
     surface.check().map_err(&refused)?;
-    let odd = odd.map(|OddNumber { key, value, reason }| {
-        let fact = format!("{} = {} {reason}", document.place(&at(key)), asperity::short(value));
+    let odd = odd.map(|(key, value, hint)| {
+        let fact = format!("{} = {} {hint}", document.place(&at(key)), short(value));
         Finding::error("unusual-size", key, value).fact(fact)
     });
+    // Of two surfaces, each finding has its place.
+    if document.has(COUNTERFACE) {
+        let place = |path: &str| document.place(path).to_string();
+        notes.extend(slope.map(|found| {
+            let place = place(&at(&found.field));
+            found.within(section).from_origin(place)
+        }));
+        if roughness.is_none_or(|roughness| roughness.way != Way::Moments) {
+            notes.push(gaussian_moments(section).from_origin(place(section)));
+        }
+    } else {
+        notes.extend(slope);
+    }
     let follows_from = if is_asperities { &[] } else { way };
-    Ok(Some((Numbers { surface, roughness, follows_from, unit, odd }, key)))
+    Ok(Some((Numbers { surface, roughness, follows_from, odd }, key)))
+}
+
+/// The note on moments that follow from other numbers.
+fn gaussian_moments(section: &'static str) -> Finding {
+    Finding::note("gaussian-moments", section, f64::NAN)
+        .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
+        .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
 }

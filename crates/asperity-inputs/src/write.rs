@@ -7,7 +7,7 @@ use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::Document;
-use crate::keys::{Key, keys_of};
+use crate::keys::{Key, joined, keys_of};
 use crate::{Place, SceneError, SceneFile, parse, template, write_heights};
 
 /// A scene file as read, whose keys are written again if the scene has not changed.
@@ -116,34 +116,27 @@ impl SceneFile {
     /// The text; a table of heights is in this file, or in the text.
     fn text(&self, heights: Option<&str>, comments: &[&str]) -> Result<String, SceneError> {
         let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
-        let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+        let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
         let mut top = self.interface_keys();
         top.insert("nominal_area".into(), self.scene.nominal_area.into());
         top.insert("surface".into(), self.surface_keys(heights)?.into());
         if !self.accept.is_empty() {
             top.insert("accept".into(), self.accept.clone().into());
         }
-        let options = self.options.changed();
-        if !options.is_empty() {
-            top.insert("options".into(), options.into());
-        }
-        let mut sections = vec![];
+        top.insert("options".into(), self.options.changed().into());
+        let mut sections = String::new();
         for name in ["body", "interface", "surface", "options"] {
-            match top.remove(name) {
-                Some(Value::Array(bodies)) => {
-                    sections.extend(bodies.into_iter().map(|body| (name, "[[body]]".into(), body)));
-                }
-                Some(section) => sections.push((name, format!("[{name}]"), section)),
-                None => {}
+            let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
+            let all = match top.remove(name) {
+                Some(Value::Array(bodies)) => bodies,
+                section => section.into_iter().collect(),
+            };
+            let tables = all.iter().filter_map(Value::as_table).filter(|keys| !keys.is_empty());
+            for keys in tables {
+                sections += &format!("\n{header}\n{}", lines(name, keys));
             }
         }
-        text += &lines("", &top);
-        for (name, header, section) in sections {
-            if let Value::Table(section) = section {
-                text += &format!("\n{header}\n{}", lines(name, &section));
-            }
-        }
-        Ok(text)
+        Ok(text + &lines("", &top) + &sections)
     }
 
     /// The bodies as read if unchanged, otherwise the interface.
@@ -189,7 +182,7 @@ impl SceneFile {
             (Some(keys), _) => keys.clone(),
             // Other numbers of the same kind.
             (None, Some(kind)) if kind.surface().is_ok_and(|made| made == scene.surface) => {
-                let numbers = kind.keys().iter().zip(kind.numbers());
+                let numbers = kind.way.keys().iter().zip(kind.numbers);
                 numbers.map(|(key, number)| ((*key).into(), number.into())).collect()
             }
             (None, _) => Table::try_from(scene.surface).unwrap_or_default(),
@@ -232,29 +225,24 @@ impl SceneFile {
         Ok(keys)
     }
 
-    /// The first field that differs, compared by the digits that give the same bits back.
+    /// The first part that differs, written with the digits that give the same bits back.
     fn differs_in(&self, other: &Self) -> Option<&'static str> {
         let written = |Self { scene, table, options, separation_from, accept, .. }: &Self| {
-            let kind = std::mem::discriminant(&scene.heights);
             let heights = match (table, &scene.heights) {
-                (Some(table), _) => format!("{kind:?} {:?}", table.points()),
-                // What is kept of the heights depends on what was asked of them.
-                (None, HeightDistribution::Weibull(heights)) => format!("{:?}", heights.skewness()),
-                (None, _) => format!("{kind:?}"),
+                (Some(table), _) => format!("{:?}", table.points()),
+                // What is kept of skewed heights depends on what was asked of them.
+                (_, HeightDistribution::Weibull(heights)) => format!("{:?}", heights.skewness()),
+                (_, heights) => heights.name().into(),
             };
+            let numbers = (scene.nominal_area, scene.interface, scene.surface);
             [
-                ("nominal_area", format!("{:?}", scene.nominal_area)),
-                ("interface", format!("{:?}", scene.interface)),
-                ("surface", format!("{:?}", scene.surface)),
-                ("surface.mean_plane_offset", format!("{:?}", scene.mean_plane_offset)),
+                ("the scene", format!("{numbers:?} {:?}", scene.mean_plane_offset)),
                 ("surface.heights", heights),
-                ("surface.separation_from", format!("{separation_from:?}")),
-                ("options", format!("{options:?}")),
-                ("accept", format!("{accept:?}")),
+                ("options", format!("{options:?} {separation_from:?} {accept:?}")),
             ]
         };
-        let mut fields = written(self).into_iter().zip(written(other));
-        fields.find(|(one, other)| one != other).map(|((field, _), _)| field)
+        let mut parts = written(self).into_iter().zip(written(other));
+        parts.find(|(one, other)| one != other).map(|((part, _), _)| part)
     }
 }
 
@@ -273,7 +261,7 @@ fn lines(section: &str, table: &Table) -> String {
     let line = |name: &str| {
         let value = table.get(name)?;
         let meaning = match value {
-            Value::Float(_) | Value::Integer(_) => Key::meaning(section, name),
+            Value::Float(_) | Value::Integer(_) => Key::meaning(&joined(section, name)),
             _ => "",
         };
         let gap = if meaning.is_empty() { "" } else { "  # " };

@@ -58,7 +58,7 @@ def test_a_file_and_a_table_give_the_same(tmp_path: Path) -> None:
 
 
 def test_what_is_unreachable_or_undetermined_is_a_warning() -> None:
-    with pytest.warns(asperity.ContactWarning, match="ke: an area fraction of 0.001 at a pressure"):
+    with pytest.warns(asperity.ContactWarning, match="ke: area_fraction = 0.001 at a pressure"):
         asperity.fit(SCENE, {"pressure_Pa": 5e6, "area_fraction": 0.001}, "asperity_height_std")
     data = {name: values for name, values in made("gw").items() if name != "area_m2"}
     free = ["asperity_radius", "asperity_density"]

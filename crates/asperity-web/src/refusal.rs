@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 use asperity::ContactError;
-use asperity_inputs::{Needed, SceneError, notation_hint, quantity_hint, unit_of};
+use asperity_inputs::{SceneError, unit_of};
 use serde::Serialize;
 
 use crate::dialect::{offered, said};
@@ -43,25 +43,22 @@ impl Refusal {
 fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
     Some(match error {
         SceneError::Value { at, near, needed, .. } => {
-            let (text, key) = (typed.get(&at.field)?, at.field.rsplit('.').next()?);
-            if let Some(hint) = notation_hint(text).or_else(|| quantity_hint(key, text)) {
-                return Some(format!("{text} {hint}"));
-            }
+            let text = typed.get(&at.field)?;
+            let key = at.field.rsplit('.').next()?;
+            let unit = unit_of(key);
             // Plain numbers are in the SI unit.
-            let unit = unit_of(key).filter(|_| text.parse::<f64>().is_ok());
-            let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
-            let near = near.as_ref();
-            let near = near.map_or(String::new(), |near| format!(" (the nearest is {near})"));
-            // The form has no quotes.
-            let needed = match needed {
-                Needed::Number(meaning) => format!("a number ({meaning})"),
-                Needed::Other(words) => words.clone(),
-            };
+            let unit = unit.filter(|_| text.parse::<f64>().is_ok());
+            let unit = unit.map(|unit| format!(" {unit}"));
+            let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
+            let [unit, near] = [unit, near].map(Option::unwrap_or_default);
             format!("{text}{unit}{near}: {needed} was required")
         }
-        SceneError::Notation { at, hint, .. } => format!("{} {hint}", typed.get(&at.field)?),
+        // The form has no quotes.
+        SceneError::Notation { at, hint, .. } => {
+            format!("{} {}", typed.get(&at.field)?, hint.trim_end_matches(" without quotes"))
+        }
         SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
-        SceneError::Measured { reason, .. } | SceneError::Unreadable { reason, .. } => {
+        SceneError::Refused { reason, .. } | SceneError::Unreadable { reason, .. } => {
             reason.clone()
         }
         _ => return None,
@@ -72,14 +69,12 @@ impl Refusal {
     fn of_scene(error: &SceneError) -> Self {
         let (SceneError::Unreadable { at, .. }
         | SceneError::Unwritable { at, .. }
-        | SceneError::Syntax { at, .. }
         | SceneError::UnknownKey { at, .. }
         | SceneError::Value { at, .. }
         | SceneError::Notation { at, .. }
         | SceneError::Missing { at, .. }
         | SceneError::Conflict { at, .. }
-        | SceneError::Measured { at, .. }
-        | SceneError::Contact { at, .. }) = error
+        | SceneError::Refused { at, .. }) = error
         else {
             return Self::new(error);
         };

@@ -75,7 +75,8 @@ impl Scales {
             table.heads.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
         for &cutoff in cutoffs {
-            let keys = MeasuredKeys { smooth: Some(cutoff), ..keys.clone() };
+            let mut keys = keys.clone();
+            keys.smooth = Some(cutoff);
             let found = keys.prepare(scan.clone());
             let found = found.and_then(|smooth| Ok((smooth.statistics(keys.estimator)?, smooth)));
             let number = |(.., number): (&str, &str, Number)| number(&found.as_ref().ok()?.0);

@@ -217,17 +217,14 @@ impl Surface {
     /// The options as keys of a scene.
     fn keys(&self) -> MeasuredKeys {
         let Self { unit, pixel_size, max_missing, .. } = *self;
-        MeasuredKeys {
-            estimator: self.estimator,
-            level: self.level,
-            filter: self.filter,
-            smooth: self.smooth,
-            periodic: self.periodic,
-            fill_missing: self.fill_missing,
-            despike: self.despike,
-            options: ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() },
-            ..MeasuredKeys::default()
-        }
+        let options = ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() };
+        let mut keys = MeasuredKeys::default().reading(options);
+        keys.estimator = self.estimator;
+        keys.level = self.level;
+        (keys.filter, keys.smooth) = (self.filter, self.smooth);
+        keys.periodic = self.periodic;
+        (keys.fill_missing, keys.despike) = (self.fill_missing, self.despike);
+        keys
     }
 
     /// The scans, or the sum of two that are aligned: names, as read, and prepared.
@@ -292,7 +289,7 @@ impl Surface {
 /// A scan as read, and despiked.
 fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
     output::keep(path);
-    let read = asperity_topography::read(path, &keys.options).map_err(with_option)?;
+    let read = asperity_topography::read(path, &keys.options()).map_err(with_option)?;
     keys.clean(read).with_context(|| path.display().to_string())
 }
 

@@ -56,7 +56,7 @@ fn inverse(value: f64, model: &dyn ContactModel, free: &[usize]) -> asperity_fit
 #[test]
 fn an_area_below_load_over_hardness_is_refused_with_the_hardness_it_needs() {
     let found = inverse(0.001, &KogutEtsion, &[2]);
-    let wanted = "an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
+    let wanted = "area_fraction = 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
     assert_eq!(found.doubts.texts("unreachable"), [wanted]);
     // Those of JG as well, within 2 %.
     let found = inverse(0.001, &JacksonGreen::default(), &[2]);

@@ -58,27 +58,6 @@ fn separations_in_another_unit_are_not_described_and_the_unit_is_named() {
 }
 
 #[test]
-fn forces_and_pounds_in_a_column_of_pressures_are_named() {
-    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
-    let scene = varied(&[2]);
-    columns[0].0 = "pressure_Pa".into();
-    for (factor, unit) in [
-        (
-            1e-4,
-            "pressure_Pa = 1000 (row 5) looks like N; 1000 N on the nominal area of 1e-4 m2 is 1e7 Pa",
-        ),
-        (1.0 / 6_894.757_293, "pressure_Pa = 1450 (row 5) looks like psi; 1450 psi is 1e7 Pa"),
-    ] {
-        let pressures = LOADS.map(|load| Some(factor * load / 1e-4));
-        columns[0].1 = pressures.to_vec();
-        let data = data(&columns);
-        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-        let misfit = fit.run(&KogutEtsion).unwrap().misfit().unwrap();
-        assert!(misfit.ends_with(unit), "{misfit}");
-    }
-}
-
-#[test]
 fn a_stiffness_in_the_column_of_another_is_named() {
     let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::UnloadingStiffness]);
     let scene = varied(&[2]);
@@ -120,33 +99,6 @@ fn a_stiffness_of_another_column_is_named_among_noise_and_no_other_is() {
 }
 
 #[test]
-fn units_of_load_and_stiffness_that_leave_no_contact_are_named_together() {
-    let loads: Vec<f64> = (0..12).map(|k| 10.0 * 1.7f64.powi(k)).collect();
-    let clean = columns(&KogutEtsion, &loads, &[Quantity::UnloadingStiffness]);
-    let scene = varied(&[2]);
-    for (units, factors, is_wrong) in [
-        (["kN", "N/um"], [1e-3, 1e-6], true),
-        (["MN", "N/um"], [1e-6, 1e-6], true),
-        (["kN", "N/mm"], [1e-3, 1e-3], true),
-        (["", ""], [1.0, 1.0], false),
-    ] {
-        let mut columns = clean.clone();
-        let mut state = 7;
-        for ((_, values), factor) in columns.iter_mut().zip(factors) {
-            values.iter_mut().flatten().for_each(|value| *value *= factor);
-        }
-        columns[1].1.iter_mut().flatten().for_each(|k| *k *= 1.0 + 0.03 * normal(&mut state));
-        let data = data(&columns);
-        let fit = Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap();
-        let misfit = fit.run(&KogutEtsion).unwrap().misfit().unwrap_or_default();
-        assert_eq!(misfit.contains(" looks like "), is_wrong, "{misfit}");
-        for unit in units.into_iter().filter(|_| is_wrong) {
-            assert!(misfit.contains(&format!(" looks like {unit};")), "{units:?}: {misfit}");
-        }
-    }
-}
-
-#[test]
 fn standard_deviations_far_below_the_residuals_are_named() {
     let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
     let off = [1.05, 0.96, 1.03, 0.98, 1.04];
@@ -161,10 +113,6 @@ fn standard_deviations_far_below_the_residuals_are_named() {
         let data = data(&columns);
         Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
     };
-    let misfit = fitted(&|_| 3.0).misfit().unwrap();
-    assert!(misfit.contains(" times the standard deviations (reduced chi squared "), "{misfit}");
-    assert!(misfit.contains("tangent_N_per_m_std = 3 looks like per cent of the value; 3 % of "));
-    assert_eq!(fitted(&|_| 3.0).doubts.texts("outlier").len(), 0);
     let good = fitted(&|value| 0.04 * value);
     assert!(good.doubts.is_empty(), "{good:?}");
     let small = fitted(&|value| 0.004 * value);

@@ -50,7 +50,7 @@ fn one_line_that_the_others_contradict_is_named_and_kept() {
 }
 
 #[test]
-fn one_line_in_another_unit_is_named_among_three() {
+fn one_line_is_named_among_three() {
     let mut columns = columns(&KogutEtsion, &LOADS[..3], &[Quantity::Area]);
     columns[1].1[1] = columns[1].1[1].map(|area| 1e6 * area);
     let scene = varied(&[2]);
@@ -61,7 +61,6 @@ fn one_line_in_another_unit_is_named_among_three() {
     };
     let outlier = fitted(&columns).unwrap();
     assert!(outlier.starts_with("row 2 (area_m2 = "), "{outlier}");
-    assert!(outlier.contains(" looks like mm2; ") && outlier.ends_with(" m2"), "{outlier}");
     // Three values that scatter contradict no line.
     columns[1].1 = vec![Some(5e-9), Some(3e-8), Some(7e-7)];
     assert_eq!(fitted(&columns), None);
@@ -93,7 +92,7 @@ fn doubled(std: impl Fn(f64) -> f64) -> Fitted {
 
 #[test]
 fn a_line_many_standard_deviations_off_is_named() {
-    for (share, far) in [(0.01, "50"), (0.03, "17")] {
+    for (share, far) in [(0.001, "500"), (0.01, "50"), (0.03, "17")] {
         let found = doubled(|value| share * value);
         let outlier = outlier_of(&found).unwrap();
         let wanted = format!(" deviates by {far} standard deviations from a fit to the other rows");
@@ -102,11 +101,6 @@ fn a_line_many_standard_deviations_off_is_named() {
         let [only] = &found.doubts[..] else { panic!("{found:?}") };
         assert_eq!((only.code, only.severity), ("outlier", Severity::Warning));
     }
-    let found = doubled(|value| 1e-3 * value);
-    let [outlier, misfit] = [outlier_of(&found), found.misfit()].map(Option::unwrap);
-    assert!(misfit.contains("times the standard deviations") && misfit.ends_with(&outlier));
-    // The misfit names the outlier and hides it.
-    assert!(found.findings().map(|one| one.code).eq(["misfit"]), "{found:?}");
 }
 
 /// The outlier of tangents of KE under twelve loads, scattered by 1 %, with some rows multiplied.
@@ -138,9 +132,6 @@ fn two_lines_that_the_others_contradict_are_named_together() {
     // A second line is named beside a first that is much farther.
     let outlier = outlier_of_twelve(&[(3, 1000.0), (9, 2.0)], None).unwrap();
     assert!(outlier.starts_with("row 3 (") && outlier.contains(" and row 9 ("), "{outlier}");
-    // Two lines of one error that a unit explains.
-    let outlier = outlier_of_twelve(&[(2, 1e-6), (5, 1e-6)], None).unwrap();
-    assert_eq!(outlier.matches(" looks like N/um; ").count(), 2, "{outlier}");
     // One line is named alone.
     let outlier = outlier_of_twelve(&[(4, 3.0)], None).unwrap();
     assert!(outlier.starts_with("row 4 (") && !outlier.contains(" and row"), "{outlier}");

@@ -62,11 +62,14 @@ fn invalid_tables_of_heights_are_refused_with_the_line() {
     for (table, wanted) in [
         ("", "pdf.csv:1: the header is \"\": \"height_m,density_per_m\""),
         ("z,p\n0,1\n1,1\n", "pdf.csv:1: the header is \"z,p\""),
-        ("height_m,density_per_m\n", "pdf.csv: number of points is 0.0: at least 2"),
+        ("height_m,density_per_m\n", "pdf.csv: CSV: no row of values under the header"),
         ("height_m,density_per_m\n0,1\n\n1e-6,x\n", "pdf.csv:4: density_per_m is \"x\": a number"),
         ("height_m,density_per_m\n0,1\n1e-6,-1\n", "pdf.csv:3: density_per_m is -1.0"),
         ("height_m,density_per_m\n0,1\n#\n1e-6,1\n0,1\n", "pdf.csv:5: height_m is 0.0"),
-        ("height_m,density_per_m\n0,1\n1e-6\n", "pdf.csv:3: the row is \"1e-6\": two numbers"),
+        (
+            "height_m,density_per_m\n0,1\n1e-6\n",
+            "pdf.csv:3: CSV: 1 cells under a header of 2 columns",
+        ),
         ("height_m,density_per_m\n0,0\n1e-6,0\n", "pdf.csv: integral of density_per_m is 0.0"),
         (
             &format!("height_m,density_per_m\n{long}"),

@@ -43,12 +43,15 @@ fn errors_of_a_measured_surface_name_line_and_field() {
         ("file = \"absent.x3p\"", "absent.x3p"),
         ("file = \"empty.txt\"", "empty.txt: "),
         ("files = \"a\"", ":8: surface.files is \"a\": a list (the two surfaces in contact) was"),
-        ("files = [\"a\"]", ":8: surface.files is a list of 1: a list of two paths"),
+        (
+            "files = [\"a\"]",
+            ":8: surface.files is a list of 1: a list of two paths, without file and counterface",
+        ),
         ("files = [\"a\", 3]", "surface.files"),
         ("files = [\"empty.txt\", \"b\"]", ":8: surface.files[1]: "),
         (
             "file = \"a\"\nfiles = [\"a\", \"b\"]",
-            "surface.file and surface.files (line 9) exclude each other",
+            ":9: surface.files is a list of 2: a list of two paths, without",
         ),
         (
             "file = \"a\"\nm0 = 1e-12",

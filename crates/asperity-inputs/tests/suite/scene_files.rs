@@ -124,12 +124,9 @@ fn every_way_gives_the_surface_of_the_library() {
     let hint = "looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
     assert!(message(&angle("12", "1 um")).contains(&format!("surface.sdq = 12 {hint}")));
     for (given, wanted) in [
-        (
-            "\"12 %\"",
-            "surface.sdq is \"12 %\": the number 0.12 without quotes, as 12 % is 0.12, was",
-        ),
-        ("\"6,5 %\"", "the number 0.065 without quotes, as 6.5 % is 0.065, was"),
-        ("\"0,06\"", "surface.sdq is \"0,06\": the number 0.06 without quotes was required"),
+        ("\"12 %\"", "surface.sdq = \"12 %\" is a slope; write 0.12 without quotes"),
+        ("\"6,5 %\"", "is a slope; write 0.065 without quotes"),
+        ("\"0,06\"", "surface.sdq = \"0,06\" has a decimal comma; write 0.06 without quotes"),
         ("90", "surface.sdq = 90 looks like per cent; 90 % is 0.9"),
         (
             "0.7",
@@ -148,10 +145,7 @@ fn every_way_gives_the_surface_of_the_library() {
             "7",
             "surface.mean_slope = 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07",
         ),
-        (
-            "\"7 %\"",
-            "surface.mean_slope is \"7 %\": the number 0.07 without quotes, as 7 % is 0.07, was",
-        ),
+        ("\"7 %\"", "surface.mean_slope = \"7 %\" is a slope; write 0.07 without quotes"),
         (
             "0.7",
             "mean_slope = 0.7 is too steep: at most 3.722 surface_height_std sqrt(asperity_density) = 0.03922 was",
@@ -195,11 +189,11 @@ fn every_way_gives_the_surface_of_the_library() {
             slope.replace("surface_height_std = 1e-6\n", ""),
             "surface_height_std, mean_slope, asperity_density go together",
         ),
-        (format!("{SURFACE}mean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{SURFACE}mean_slope = 0.1"), "surface_height_std and asperity_density with it"),
         (format!("{iso}\nsdq = 0.1"), "surface.sdq and surface.spc"),
         (format!("{SURFACE}sdq = 0.1"), "sq and spd with it"),
         (gradient.replace("spd = \"111 1/mm2\"", ""), "sq and spd go with spc or sdq"),
-        (format!("{iso}\nmean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{iso}\nmean_slope = 0.1"), "surface_height_std and asperity_density with it"),
         // Too little roughness for so many peaks.
         (iso.replace("1 um", "1 nm"), "sq (times spd/spc) is 4.44e-5"),
     ] {

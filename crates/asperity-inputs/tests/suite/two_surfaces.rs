@@ -202,7 +202,7 @@ fn impossible_pairs_are_refused() {
         ),
         (
             format!("{both}{READ}\n[surface.counterface]\n{m}"),
-            "surface.counterface and surface.files (line 8) exclude each other",
+            "line 8: surface.files is a list of 2: a list of two paths, without file and counterface",
         ),
         (
             format!("{a}[surface.counterface]\nestimator = \"summits\"\nfile = \"b.txt\"\n{READ}"),

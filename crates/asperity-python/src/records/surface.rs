@@ -1,7 +1,7 @@
 //! `Surface` and `Asperity`.
 
 use asperity::{ContactError, ProfileMoments};
-use asperity_inputs::Roughness;
+use asperity_inputs::{Roughness, Way};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -61,7 +61,7 @@ record! {
         /// [m^2], z'^2 and z''^2 [1/m^2].
         #[staticmethod]
         fn from_moments(m0: &Arg<'_>, m2: &Arg<'_>, m4: &Arg<'_>) -> PyResult<Self> {
-            Self::following(Roughness::Moments, [m0, m2, m4])
+            Self::following(Way::Moments, [m0, m2, m4])
         }
 
         /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
@@ -74,7 +74,7 @@ record! {
         /// (0.0002, 200000000.0)
         #[staticmethod]
         fn from_iso25178(sq: &Arg<'_>, spd: &Arg<'_>, spc: &Arg<'_>) -> PyResult<Self> {
-            Self::following(Roughness::Iso25178, [sq, spd, spc])
+            Self::following(Way::Iso25178, [sq, spd, spc])
         }
 
         /// From radius [m], density [1/m^2] and the standard deviation of the surface heights [m].
@@ -83,7 +83,7 @@ record! {
             asperity_radius: &Arg<'_>, asperity_density: &Arg<'_>, surface_height_std: &Arg<'_>,
         ) -> PyResult<Self> {
             let given = [asperity_radius, asperity_density, surface_height_std];
-            Self::following(Roughness::SurfaceStd, given)
+            Self::following(Way::SurfaceStd, given)
         }
 
         /// The surface whose gap to a flat is that between this surface and an independent one:
@@ -97,7 +97,7 @@ record! {
         /// 1.037e-06
         fn against(&self, other: &Bound<'_, Self>) -> PyResult<Self> {
             let sum = self.moments()?.plus(&other.get().moments()?);
-            Self::by(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
+            Self::by(Roughness { way: Way::Moments, numbers: [sum.m0, sum.m2, sum.m4] })
         }
 
         /// From the standard deviation of the surface heights [m] and the mean absolute slope of
@@ -113,7 +113,7 @@ record! {
             surface_height_std: &Arg<'_>, mean_slope: &Arg<'_>, asperity_density: &Arg<'_>,
         ) -> PyResult<Self> {
             let given = [surface_height_std, mean_slope, asperity_density];
-            Self::following(Roughness::MeanSlope, given)
+            Self::following(Way::MeanSlope, given)
         }
 
         /// From parameters of ISO 25178, with the rms gradient Sdq of an isotropic Gaussian surface
@@ -125,7 +125,7 @@ record! {
         /// 1.4454e-05
         #[staticmethod]
         fn from_gradient(sq: &Arg<'_>, spd: &Arg<'_>, sdq: &Arg<'_>) -> PyResult<Self> {
-            Self::following(Roughness::Gradient, [sq, spd, sdq])
+            Self::following(Way::Gradient, [sq, spd, sdq])
         }
 
         /// Density times radius times height_std.
@@ -153,10 +153,10 @@ impl Surface {
     }
 
     /// The surface that follows from numbers of this kind.
-    fn following(kind: fn([f64; 3]) -> Roughness, given: [&Arg<'_>; 3]) -> PyResult<Self> {
-        let [a, b, c] = *kind([0.0; 3]).keys();
-        let [one, two, three] = given;
-        Self::by(kind(numbers("Surface", [(a, one), (b, two), (c, three)])?))
+    fn following(way: Way, [one, two, three]: [&Arg<'_>; 3]) -> PyResult<Self> {
+        let [a, b, c] = *way.keys();
+        let numbers = numbers("Surface", [(a, one), (b, two), (c, three)])?;
+        Self::by(Roughness { way, numbers })
     }
 
     fn by(roughness: Roughness) -> PyResult<Self> {
@@ -170,14 +170,14 @@ impl Origin<Surface> for Option<Roughness> {
         record: &Bound<'py, Surface>,
     ) -> PyResult<Option<(Bound<'py, PyAny>, Bound<'py, PyTuple>)>> {
         let Some(roughness) = self else { return Ok(None) };
-        let name = match roughness {
-            Roughness::Moments(_) => "from_moments",
-            Roughness::Iso25178(_) => "from_iso25178",
-            Roughness::MeanSlope(_) => "from_mean_slope",
-            Roughness::Gradient(_) => "from_gradient",
-            _ => "from_surface_std",
+        let name = match roughness.way {
+            Way::Moments => "from_moments",
+            Way::Iso25178 => "from_iso25178",
+            Way::MeanSlope => "from_mean_slope",
+            Way::Gradient => "from_gradient",
+            Way::SurfaceStd => "from_surface_std",
         };
-        let numbers = PyTuple::new(record.py(), roughness.numbers())?;
+        let numbers = PyTuple::new(record.py(), roughness.numbers)?;
         Ok(Some((record.get_type().getattr(name)?, numbers)))
     }
 }

@@ -33,7 +33,7 @@ impl SceneFile {
             fields.set_item("bodies", bodies)?;
         }
         if let Some(roughness) = self.0.roughness {
-            let numbers: Vec<_> = roughness.keys().iter().zip(roughness.numbers()).collect();
+            let numbers: Vec<_> = roughness.way.keys().iter().zip(roughness.numbers).collect();
             fields.set_item("roughness", numbers.into_py_dict(py)?)?;
         }
         Ok(fields)
