@@ -144,14 +144,10 @@ impl Rows {
 
     /// A warning if the separation of largest magnitude has probably another unit.
     pub(crate) fn mistaken_unit(&self) -> Option<String> {
-        if let Some(scene) = self.one_scene() {
-            let height_std = scene.surface.asperity_height_std;
-            return self.axis.mistaken_among("separation", &self.numbers, height_std);
-        }
-        let largest = largest_magnitude(&self.numbers);
-        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest.to_bits())?;
+        let largest = largest_magnitude(&self.numbers).to_bits();
+        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
         let height_std = self.scene(row).ok()?.surface.asperity_height_std;
-        self.axis.mistaken_unit("separation", self.numbers[row], height_std)
+        self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)
     }
 }
 

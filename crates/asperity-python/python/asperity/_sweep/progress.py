@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
-import time
 from dataclasses import dataclass, field
+from pathlib import Path
 
 
 @dataclass
@@ -30,39 +31,22 @@ class Run:
             + (f"; peak memory {memory}" if memory else "")
         )
 
-
-class Progress:
-    """A line on stderr; by default on a terminal only."""
-
-    def __init__(self, run: Run, rows: int, done: int, shown: bool | None) -> None:
-        self._run, self._rows, self._before = run, rows, done
-        self._shown = sys.stderr.isatty() if shown is None else shown
-        self._begun = time.perf_counter()
-
-    def add(self, rows: int, worker: str, memory: int | None) -> None:
-        """Adds a finished part."""
-        run = self._run
-        run.rows += rows
-        run.seconds = time.perf_counter() - self._begun
-        if memory is not None:
-            run.peak_memory[worker] = max(memory, run.peak_memory.get(worker, 0))
-        if self._shown:
-            done = self._before + run.rows
-            left = (self._rows - done) / run.rows_per_second
-            text = (
-                f"sweep: {done} of {self._rows} rows ({100 * done / self._rows:.0f} %), "
-                f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left "
-            )
-            print(f"\r{text}", end="\n" if done == self._rows else "", file=sys.stderr, flush=True)
+    def show(self, done: int, rows: int) -> None:
+        """A line on stderr: how many of all rows are done."""
+        left = (rows - done) / self.rows_per_second
+        text = (
+            f"sweep: {done} of {rows} rows ({100 * done / rows:.0f} %), "
+            f"{self.rows_per_second:.3g} rows/s, {left:.0f} s left "
+        )
+        print(f"\r{text}", end="\n" if done == rows else "", file=sys.stderr, flush=True)
 
 
 def peak_memory() -> int | None:
     """The peak memory of this process [bytes]; None if the system does not report it."""
-    try:
-        with open("/proc/self/status", encoding="ascii") as status:
-            return next(1024 * int(line.split()[1]) for line in status if line.startswith("VmHWM:"))
-    except (OSError, StopIteration):
-        pass
+    status = Path("/proc/self/status")
+    found = re.search(r"VmHWM:\s*(\d+)", status.read_text()) if status.is_file() else None
+    if found:
+        return 1024 * int(found[1])
     try:
         import resource
     except ImportError:
