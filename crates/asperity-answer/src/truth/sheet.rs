@@ -76,7 +76,10 @@ pub fn truth(
         sheet.note("evidence", line);
     }
     for (truth, half) in found.iter().zip(&half) {
-        add_rows(sheet, truth, half.as_ref(), (file.scene.nominal_area, bem));
+        for mut row in truth.rows(half.as_ref(), file.scene.nominal_area) {
+            row.push(bem.continuation().name().into());
+            sheet.rows.push(row);
+        }
     }
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
     if !models.is_empty() && states.all(|state| state == ContactState::default()) {
@@ -100,20 +103,23 @@ fn missing(found: &[Truth]) -> Vec<(String, ContactError)> {
     missing
 }
 
-fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem): (f64, &Bem)) {
-    let models = truth.models.iter().map(|(model, state)| (model.id(), state));
-    let half = half.map(|half| ("bem-half-grid", &half.bem));
-    for (id, state) in [("bem", &truth.bem)].into_iter().chain(half).chain(models) {
-        let off = truth.deviation(state);
-        let mut row: Vec<Cell> =
-            vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
-        let numbers = [
-            [state.area_fraction, off.area_fraction],
-            [state.mean_gap, off.mean_gap],
-            [state.stiffness, off.stiffness],
-        ];
-        row.extend(numbers.into_iter().flatten().map(Cell::from));
-        row.push(bem.continuation().name().into());
-        sheet.rows.push(row);
+impl Truth {
+    /// Its rows on a nominal area \[m^2\], by boundary elements, on `half` the grid and by each model:
+    /// load, pressure, model, and area, gap and stiffness, each with its deviation.
+    #[must_use]
+    pub fn rows(&self, half: Option<&Self>, area: f64) -> Vec<Vec<Cell>> {
+        let models = self.models.iter().map(|(model, state)| (model.id(), state));
+        let half = half.map(|half| ("bem-half-grid", &half.bem));
+        let row = |(id, state): (&str, &ContactState)| {
+            let off = self.deviation(state);
+            let numbers = [
+                [state.area_fraction, off.area_fraction],
+                [state.mean_gap, off.mean_gap],
+                [state.stiffness, off.stiffness],
+            ];
+            let place = [(self.pressure * area).into(), self.pressure.into(), id.into()];
+            place.into_iter().chain(numbers.into_iter().flatten().map(Cell::from)).collect()
+        };
+        [("bem", &self.bem)].into_iter().chain(half).chain(models).map(row).collect()
     }
 }
