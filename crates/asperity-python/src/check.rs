@@ -5,6 +5,7 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
+use crate::ask::asked::Asked;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::error::{refused, value_error};
@@ -77,10 +78,11 @@ pub(crate) fn pull_off(
 }
 
 /// Findings of the scenes of rows and, on a single scene, of the answers.
-pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &Rows) -> Findings {
+pub(crate) fn check_rows(asked: &Asked) -> Findings {
+    let Asked { rows, model, .. } = asked;
     match rows.one_file() {
         // The smallest and the largest number suffice: there may be millions of rows.
-        Some(file) => check_scene(engine, model, file, rows.ends().map(|row| rows.at(row))),
+        Some(file) => check_scene(asked.engine(), model, file, rows.ends().map(|row| rows.at(row))),
         None => check_scenes(rows, model.validity().asperities),
     }
 }

@@ -100,7 +100,7 @@ def plan(
         plastic: sum of powers
     """
     rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
-    text, found = _asperity.plan(_model(model), rows, quantities, rtol)
+    text, found = _asperity.plan((_model(model), rows, quantities, rtol))
     steps = tuple(record(PlanStep, step) for step in found["steps"])
     return Plan(steps, text.rstrip("\n"))
 
@@ -138,7 +138,7 @@ def recommend(
         quantities = ("area",) if axis in LOADS else ("force", "area")
     against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
-    found = _asperity.recommend(against, rows, quantities, within, rtol, ids)
+    found = _asperity.recommend((against, rows, quantities, rtol), within, ids)
     return Recommendation(reference=against.id, within=within, **found)
 
 

@@ -213,9 +213,8 @@ class Rows:
     ) -> tuple[str, dict[str, Floats], dict[int, str], list[str]]:
         """The model's name on these scenes, quantities of the rows in their shape, the reasons of
         failures, and the texts of findings, with ``checked`` also those of the scenes."""
-        stop = errors == "raise"
-        arguments = self, quantities, rtol, aspect, stop, None, checked
-        name, columns, failures, findings = _asperity.answer(engine, *arguments)
+        asked, stop = (engine, self, quantities, rtol), errors == "raise"
+        name, columns, failures, findings = _asperity.answer(asked, aspect, stop, None, checked)
         reasons = self.failed(failures, errors)
         return name, {q: self.shaped(v) for q, v in columns.items()}, reasons, findings
 
@@ -223,8 +222,8 @@ class Rows:
         self, engine: Engine, unit: str, rtol: float, errors: str, all: bool = False
     ) -> Any:
         """The separations of the loads in their shape: the largest of each, or arrays of all."""
-        arguments = self, unit, rtol, all, errors == "raise"
-        found, failures = _asperity.separations(engine, *arguments)
+        asked = engine, self, "force", rtol
+        found, failures = _asperity.separations(asked, unit, all, errors == "raise")
         self.failed(failures, errors)
         values = np.fromiter(found, object if all else float, len(found))
         missing = np.isin(np.arange(len(found)), [row for row, _ in failures])

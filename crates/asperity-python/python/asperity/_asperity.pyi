@@ -69,6 +69,8 @@ _Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
+# A model, rows, quantities and the relative tolerance.
+_Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
@@ -469,33 +471,21 @@ class PartialSlip:
     limit: Final[float]
 
 def answer(
-    engine: Engine,
-    rows: _Rows,
-    quantities: str | Iterable[str],
-    rtol: _Float,
+    asked: _Asked,
     aspect: Literal["value", "ln", "error"],
     stop: bool,
     threads: int | None,
     checked: bool,
 ) -> tuple[str, dict[str, _Floats], _Failures, list[str]]: ...
 def separations(
-    engine: Engine, rows: _Rows, unit: str, rtol: _Float, all: bool, stop: bool
+    asked: _Asked, unit: str, all: bool, stop: bool
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
-def shares(engine: Engine, rows: _Rows, quantity: str, rtol: _Float) -> dict[str, _Floats]: ...
-def plan(
-    engine: Engine, rows: _Rows, quantities: str | Iterable[str], rtol: _Float
-) -> tuple[str, _Fields]: ...
+def shares(asked: _Asked) -> dict[str, _Floats]: ...
+def plan(asked: _Asked) -> tuple[str, _Fields]: ...
 def corrected(
-    engine: Engine, rows: _Rows, unit: str, quantities: str | Iterable[str], rtol: _Float
+    asked: _Asked, unit: str
 ) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
-def recommend(
-    reference: Engine,
-    rows: _Rows,
-    quantities: str | Iterable[str],
-    within: _Float,
-    rtol: _Float,
-    models: Sequence[str] | None,
-) -> _Fields: ...
+def recommend(asked: _Asked, within: _Float, models: Sequence[str] | None) -> _Fields: ...
 def bem(
     scan: tuple[Topography | Scene, Interface | None, str | None],
     given: str,
@@ -528,7 +518,7 @@ def truth(
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[_Fields],
+    list[list[str | float | None]],
     tuple[str | None, list[str]],
     dict[str, str],
     dict[int, str],

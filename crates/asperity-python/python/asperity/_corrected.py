@@ -45,9 +45,8 @@ class CorrectedCurve(Curve):
                 "corrected=True needs load or pressure: models are compared with boundary elements "
                 "at equal loads"
             )
-        name, found, failures, no_separation = _asperity.corrected(
-            engine, rows, separation_unit, quantities, rtol
-        )
+        asked = engine, rows, quantities, rtol
+        name, found, failures, no_separation = _asperity.corrected(asked, separation_unit)
         reasons = rows.failed(failures, errors) | rows.failed(no_separation, "mask")
         columns, lower, upper = (
             {q: rows.shaped(ends[k]) for q, ends in found.items()} for k in range(3)

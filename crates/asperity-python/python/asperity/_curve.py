@@ -139,7 +139,7 @@ class Curve:
         missing = np.ma.getmaskarray(self[quantity])
         if missing.any():
             rows = rows.without(missing)
-        found = _asperity.shares(self._engine, rows, quantity, self.rtol)
+        found = _asperity.shares((self._engine, rows, quantity, self.rtol))
         return {name: rows.shaped(share) for name, share in found.items()}
 
     def _table(self) -> dict[str, npt.NDArray[Any]]:

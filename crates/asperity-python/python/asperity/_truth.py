@@ -89,12 +89,12 @@ def truth(
     if name == "load":
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
-    mask = checked_errors(errors) == "mask"
+    refine_and_mask = refine, checked_errors(errors) == "mask"
     found, (nearest, beside), refused, failures, used = _asperity.truth(
-        scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
+        scene, pressures.tolist(), elastic, boundary, ids, refine_and_mask
     )
     names = TruthRow.__annotations__
-    rows = TruthRows(TruthRow(**{name: row[name] for name in names}) for row in found)  # type: ignore[typeddict-item]
+    rows = TruthRows(TruthRow(**dict(zip(names, row, strict=True))) for row in found)  # type: ignore[typeddict-item]
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
     rows.boundary, rows.solved_surfaces = used, tuple(beside)
     return rows

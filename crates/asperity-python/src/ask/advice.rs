@@ -8,21 +8,15 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::ask::rows::Rows;
+use crate::ask::asked::{Arguments, Asked};
 use crate::convert::error::value_error;
 use crate::convert::objects::object;
-use crate::convert::quantities::Quantities;
-use crate::model::engine::Engine;
 
-/// The single scene of rows, and their request.
-fn scene_and_request<'r>(
-    rows: &'r Rows,
-    quantities: &Quantities,
-    rtol: f64,
-) -> PyResult<(&'r Scene, Request)> {
-    let request = quantities.request(rtol)?;
+/// The single scene of rows, and the request at them.
+fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {
+    let Asked { rows, request, .. } = asked;
     match rows.one_scene() {
-        Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
+        Some(scene) => Ok((scene, request.clone().at((0..rows.len()).map(|row| rows.at(row))))),
         None => Err(value_error("many scenes were given: one scene was required")),
     }
 }
@@ -31,15 +25,12 @@ fn scene_and_request<'r>(
 #[pyfunction]
 pub(crate) fn plan<'py>(
     py: Python<'py>,
-    engine: &Engine,
-    rows: Rows,
-    quantities: Quantities,
-    rtol: f64,
+    asked: Arguments<'py>,
 ) -> PyResult<(String, Bound<'py, PyAny>)> {
-    let (model, (scene, request)) =
-        (engine.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
-    let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
-    let plan = plan.map_err(|error| engine.raise(py, error))?;
+    let asked = Asked::new(asked)?;
+    let (scene, request) = scene_and_request(&asked)?;
+    let plan = py.detach(|| asked.model.compile(scene, &request)?.plan(&request));
+    let plan = plan.map_err(|error| asked.raise(py, error))?;
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
@@ -48,16 +39,12 @@ pub(crate) fn plan<'py>(
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
-    reference: &Engine,
-    rows: Rows,
-    quantities: Quantities,
+    asked: Arguments<'_>,
     within: f64,
-    rtol: f64,
     models: Option<Vec<String>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (model, (_, request)) =
-        (reference.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
-    let file = &rows.files[0];
+    let asked = Asked::new(asked)?;
+    let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
     let (among, left_out) = match models {
         None => {
             let mut models = file.options.models();
@@ -74,8 +61,8 @@ pub(crate) fn recommend<'py>(
             (models.collect::<PyResult<_>>()?, vec![])
         }
     };
-    let advice = py.detach(|| file.recommend_among(among, &request, &model, within));
-    let advice = advice.map_err(|error| reference.raise(py, error))?;
+    let advice = py.detach(|| file.recommend_among(among, &request, &asked.model, within));
+    let advice = advice.map_err(|error| asked.raise(py, error))?;
     let [deviations, refused, off] = [(); 3].map(|()| PyDict::new(py));
     for found in &advice.comparisons {
         let (id, lacking) = (found.model.id(), found.lacking.first().map(|(_, reason)| reason));

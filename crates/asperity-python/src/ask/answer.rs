@@ -3,32 +3,19 @@
 use std::ops::Range;
 
 use asperity::{
-    Case, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
-    Response, RowCheck, Sweep,
+    Case, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Response,
+    RowCheck, Sweep,
 };
 use pyo3::prelude::*;
 
+use crate::ask::asked::{Asked, ROWS_PER_TASK};
 use crate::ask::long::run_stretches;
-use crate::ask::rows::Rows;
 
-/// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.
-pub(crate) const ROWS_PER_TASK: usize = 16;
 /// Rows of one task on a single scene, where most rows are fast.
 pub(crate) const ROWS_PER_TASK_ON_ONE_SCENE: usize = 256;
 
 /// The number read from every evaluation: the value, its logarithm or the bound on its error.
 pub(crate) type Aspect = fn(&Evaluation, Quantity) -> f64;
-
-/// Rows, the model that evaluates them, and the request.
-pub(crate) struct Question<'q> {
-    pub(crate) rows: &'q Rows,
-    pub(crate) model: &'q Model,
-    /// Quantities and tolerance.
-    pub(crate) request: Request,
-    pub(crate) aspect: Aspect,
-    /// Whether that is the value.
-    pub(crate) is_value: bool,
-}
 
 /// Columns in the order of the quantities, NaN for missing values; failed rows with the reasons,
 /// ascending; and findings.
@@ -48,14 +35,15 @@ impl Answer {
     }
 }
 
-impl Question<'_> {
-    /// Evaluates all rows; with `stop`, ends soon after the first failure.
+impl Asked {
+    /// Evaluates all rows, for an aspect that may be the value; with `stop`, ends soon after the
+    /// first failure.
     pub(crate) fn answer(
         &self,
         py: Python<'_>,
+        (aspect, is_value): (Aspect, bool),
         threads: Option<usize>,
         stop: bool,
-        raise: impl Fn(ContactError) -> PyErr,
     ) -> PyResult<Answer> {
         let len = self.rows.len();
         let ends = |found: &Answer| stop && !found.failures.is_empty();
@@ -66,19 +54,19 @@ impl Question<'_> {
                     true => self.model.contact(scene, &self.request_at(0..len)),
                     false => self.model.compile(scene, &self.request_at(0..1)),
                 });
-                let contact = contact.map_err(raise)?;
+                let contact = contact.map_err(|error| self.raise(py, error))?;
                 let run = |range: Range<usize>| {
-                    let filled = if few { None } else { self.filled(&*contact, range.clone()) };
-                    filled.unwrap_or_else(|| {
-                        self.read(range.start, contact.respond(&self.request_at(range)))
+                    let many = (is_value && !few).then(|| self.filled(&*contact, range.clone()));
+                    many.flatten().unwrap_or_else(|| {
+                        self.read(aspect, range.start, contact.respond(&self.request_at(range)))
                     })
                 };
                 run_stretches(py, threads, (len, ROWS_PER_TASK_ON_ONE_SCENE), run, ends)?
             }
             None => {
                 let sweep =
-                    Sweep::new(self.model, &self.request.quantities, self.request.tolerance);
-                let run = |range| self.on_many(&sweep, range);
+                    Sweep::new(&self.model, &self.request.quantities, self.request.tolerance);
+                let run = |range| self.on_many(aspect, &sweep, range);
                 run_stretches(py, threads, (len, ROWS_PER_TASK), run, ends)?
             }
         };
@@ -98,7 +86,7 @@ impl Question<'_> {
     /// Many values at once; none if one of them needs a finding.
     fn filled(&self, contact: &dyn Contact, range: Range<usize>) -> Option<Answer> {
         let quantities = &self.request.quantities[..];
-        if !self.is_value || quantities.iter().any(|q| q.is_absolute()) {
+        if quantities.iter().any(|q| q.is_absolute()) {
             return None;
         }
         let places = self.rows.sigmas(range, contact.scene())?;
@@ -118,11 +106,11 @@ impl Question<'_> {
     }
 
     /// The values of a response to rows from `first` on.
-    fn read(&self, first: usize, response: Response) -> Answer {
+    fn read(&self, aspect: Aspect, first: usize, response: Response) -> Answer {
         let mut found = Answer { warnings: response.warnings, ..Answer::default() };
         for column in response.columns {
             let values = column.rows.into_iter().zip(first..).map(|(value, row)| match value {
-                Ok(value) => (self.aspect)(&value, column.quantity),
+                Ok(value) => aspect(&value, column.quantity),
                 Err(error) => {
                     found.failures.push((row, *error));
                     f64::NAN
@@ -135,12 +123,10 @@ impl Question<'_> {
         found
     }
 
-    fn on_many(&self, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
+    fn on_many(&self, aspect: Aspect, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
         let (mut found, quantities) = (self.empty(), &self.request.quantities);
         let mut check = RowCheck::new(self.model.validity().adhesive);
-        for (row, case, answer) in
-            evaluate_cases(self.rows, range, |cases| sweep.evaluate_all(cases))
-        {
+        for (row, case, answer) in self.rows.evaluate(range, |cases| sweep.evaluate_all(cases)) {
             // Other quantities of a refused row may have values.
             let alone = |case: &Case| {
                 let request = self.request.clone().at([case.at]);
@@ -150,11 +136,11 @@ impl Question<'_> {
                 (Ok(values), Some(case)) => {
                     for (k, (quantity, value)) in quantities.iter().zip(values).enumerate() {
                         check.check(*quantity, Ok(&value), case.at, &case.scene, |_| None);
-                        found.columns[k].push((self.aspect)(&value, *quantity));
+                        found.columns[k].push(aspect(&value, *quantity));
                     }
                 }
                 (Err(error), case) => match case.as_ref().and_then(alone) {
-                    Some(response) => found.append(self.read(row, response)),
+                    Some(response) => found.append(self.read(aspect, row, response)),
                     None => {
                         found.columns.iter_mut().for_each(|column| column.push(f64::NAN));
                         found.failures.push((row, error));
@@ -166,20 +152,4 @@ impl Question<'_> {
         found.warnings.extend(check.finish(self.model.name()));
         found
     }
-}
-
-/// Rows with their cases and the results of `evaluate`; no case if its scene is refused.
-pub(crate) fn evaluate_cases<T>(
-    rows: &Rows,
-    range: Range<usize>,
-    evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
-) -> impl Iterator<Item = (usize, Option<Case>, Result<T, ContactError>)> {
-    let mut cases = vec![];
-    let mut place = |row| rows.case(row).map(|case| cases.push(case)).err();
-    let refused: Vec<_> = range.clone().map(&mut place).collect();
-    let mut found = evaluate(&cases).into_iter().zip(cases);
-    range.zip(refused).filter_map(move |(row, refused)| match refused {
-        Some(error) => Some((row, None, Err(error))),
-        None => found.next().map(|(found, case)| (row, Some(case), found)),
-    })
 }

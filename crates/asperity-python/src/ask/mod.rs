@@ -2,6 +2,7 @@
 
 pub(crate) mod advice;
 pub(crate) mod answer;
+pub(crate) mod asked;
 pub(crate) mod contact;
 pub(crate) mod corrected;
 pub(crate) mod long;

@@ -96,8 +96,26 @@ impl Rows {
         })
     }
 
-    pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
-        Ok(Case::new(self.scene(row)?, self.at(row)))
+    /// Rows with their cases and the results of `evaluate`; no case if its scene is refused.
+    pub(crate) fn evaluate<T>(
+        &self,
+        range: Range<usize>,
+        evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
+    ) -> impl Iterator<Item = (usize, Option<Case>, Result<T, ContactError>)> {
+        let mut cases = vec![];
+        let mut place = |row| match self.scene(row) {
+            Ok(scene) => {
+                cases.push(Case::new(scene, self.at(row)));
+                None
+            }
+            Err(error) => Some(error),
+        };
+        let refused: Vec<_> = range.clone().map(&mut place).collect();
+        let mut found = evaluate(&cases).into_iter().zip(cases);
+        range.zip(refused).filter_map(move |(row, refused)| match refused {
+            Some(error) => Some((row, None, Err(error))),
+            None => found.next().map(|(found, case)| (row, Some(case), found)),
+        })
     }
 
     pub(crate) fn at(&self, row: usize) -> At {

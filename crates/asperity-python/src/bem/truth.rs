@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, BemError};
 use asperity::{Described, Findings, Model};
-use asperity_answer::{ContactState, Truth, beside_table, compare_with_bem, summary};
+use asperity_answer::{Truth, beside_table, compare_with_bem, summary};
 use pyo3::prelude::*;
-use serde_json::json;
 
 use super::scan::Pressed;
 use crate::ask::long::{continue_unless, run_interruptible};
@@ -79,26 +78,9 @@ pub(crate) fn truth<'py>(
             refused.insert(model.id().into(), why.to_string());
         }
     }
-    let row = |truth: &Truth, id: &str, found: &ContactState| {
-        let deviation = truth.deviation(found);
-        json!({
-            "load": truth.pressure * scene.scene.nominal_area,
-            "pressure": truth.pressure,
-            "model": id,
-            "area_fraction": found.area_fraction,
-            "area_deviation": deviation.area_fraction,
-            "mean_gap": found.mean_gap,
-            "mean_gap_deviation": deviation.mean_gap,
-            "stiffness": found.stiffness,
-            "stiffness_deviation": deviation.stiffness,
-        })
-    };
-    let mut rows = vec![];
-    for (truth, half) in found.iter().zip(&half) {
-        rows.push(row(truth, "bem", &truth.bem));
-        rows.extend(half.iter().map(|half| row(truth, "bem-half-grid", &half.bem)));
-        rows.extend(truth.models.iter().map(|(model, found)| row(truth, model.id(), found)));
-    }
+    let area = scene.scene.nominal_area;
+    let rows = found.iter().zip(&half).flat_map(|(one, half)| one.rows(half.as_ref(), area));
+    let rows: Vec<_> = rows.collect();
     let nearest = (!models.is_empty() && !found.is_empty()).then(|| summary(&found));
     let sentences = (nearest, py.detach(|| beside_table(scene, &found)));
     Ok((object(py, &rows)?, sentences, refused, failures, bem.continuation().name()))

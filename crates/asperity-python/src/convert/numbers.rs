@@ -35,6 +35,17 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
     })
 }
 
+/// An argument of the package's function; a `TypeError` has its name.
+pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
+    name: &str,
+    given: &'a Bound<'py, PyAny>,
+) -> PyResult<T> {
+    given.extract().map_err(|error: PyErr| match error.is_instance_of::<PyTypeError>(given.py()) {
+        true => PyTypeError::new_err(format!("argument '{name}': {}", error.value(given.py()))),
+        false => error,
+    })
+}
+
 /// Several arguments of `owner` as numbers in SI units.
 pub(crate) fn numbers<const N: usize>(
     owner: &str,

@@ -35,11 +35,6 @@ impl<'py> FromPyObject<'_, 'py> for Quantities {
 }
 
 impl Quantities {
-    /// Their names, as the library spells them.
-    pub(crate) fn names(&self) -> Vec<String> {
-        self.0.iter().map(ToString::to_string).collect()
-    }
-
     pub(crate) fn request(&self, rtol: f64) -> PyResult<Request> {
         Ok(Request::new(self.0.iter().copied()).within(tolerance(rtol)?))
     }

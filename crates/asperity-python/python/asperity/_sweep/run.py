@@ -54,9 +54,8 @@ class Job:
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
-        _, values, failures, messages = _asperity.answer(
-            self.model, rows, self.quantities, self.rtol, "value", stop, threads, False
-        )
+        asked = self.model, rows, self.quantities, self.rtol
+        _, values, failures, messages = _asperity.answer(asked, "value", stop, threads, False)
         first = self.design.parts[number].start
         for k, error in failures:
             if stop or not isinstance(error, Exception):
