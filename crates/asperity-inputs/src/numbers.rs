@@ -78,7 +78,8 @@ impl Roughness {
 
     /// The description by the numbers of these keys; `None` for asperities and dimensionless
     /// numbers.
-    pub(crate) fn of(keys: [&str; 3], numbers: [f64; 3]) -> Option<Self> {
+    #[must_use]
+    pub fn of(keys: [&str; 3], numbers: [f64; 3]) -> Option<Self> {
         let kinds =
             [Self::SurfaceStd, Self::MeanSlope, Self::Moments, Self::Iso25178, Self::Gradient];
         kinds.into_iter().map(|kind| kind(numbers)).find(|kind| *kind.keys() == keys)

@@ -65,7 +65,10 @@ mod _asperity {
     #[pymodule_export]
     use crate::random_surface::random_surface;
     #[pymodule_export]
-    use crate::records::{Asperity, Body, Interface, Surface, materials};
+    use crate::records::{
+        checked, derived, interface_of, material, materials, moments_of_both, numbers_of,
+        surface_of,
+    };
     #[pymodule_export]
     use crate::scene::{SceneFile, template};
     #[pymodule_export]

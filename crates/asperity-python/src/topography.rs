@@ -12,7 +12,7 @@ use crate::convert::error::{value_error, warn};
 use crate::convert::objects::object;
 use crate::glance::glance;
 use crate::reading::{Spacing, found, unit_of, unreadable};
-use crate::records::Surface;
+use crate::records::record;
 
 /// A measured surface: heights on a regular grid.
 ///
@@ -180,14 +180,14 @@ impl Topography {
 
     /// The equivalent rough surface of this surface against another, without levelling: their
     /// moments add.
-    fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
+    fn against<'py>(&self, py: Python<'py>, other: &Self) -> PyResult<Bound<'py, PyAny>> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
             Statistics::combined(&one?, &two?)
         });
         let both = both.map_err(value_error)?;
         both.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
-        Surface::of(Ok(both.surface().map_err(value_error)?))
+        record(py, &both.surface().map_err(value_error)?)
     }
 
     /// The sum of the heights of this surface and of an aligned one, point by point: against a flat
@@ -216,15 +216,15 @@ impl Topography {
 
     /// The equivalent rough surface of this surface on a flat; see ``statistics``.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
-    fn surface(
+    fn surface<'py>(
         &self,
-        py: Python<'_>,
+        py: Python<'py>,
         level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Surface> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let found = self.found(py, level, estimator, cutoff)?.surface();
-        Surface::of(Ok(found.map_err(value_error)?))
+        record(py, &found.map_err(value_error)?)
     }
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface

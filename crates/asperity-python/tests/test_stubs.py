@@ -16,7 +16,7 @@ CLASSES = [value for value in vars(_asperity).values() if inspect.isclass(value)
 
 
 def test_stubs_are_those_of_the_module(capsys: pytest.CaptureFixture[str]) -> None:
-    options = mypy.stubtest.parse_options(["asperity._asperity", "--concise"])
+    options = mypy.stubtest.parse_options(["asperity._asperity", "asperity._records", "--concise"])
     findings = mypy.stubtest.test_stubs(options)
     assert findings == 0, capsys.readouterr().out
 

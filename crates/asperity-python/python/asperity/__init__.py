@@ -26,16 +26,12 @@ from asperity._advice import PlanStep as PlanStep
 from asperity._advice import Recommendation as Recommendation
 from asperity._advice import plan as plan
 from asperity._advice import recommend as recommend
-from asperity._asperity import Asperity as Asperity
-from asperity._asperity import Body as Body
 from asperity._asperity import Contact as Contact
 from asperity._asperity import ContactWarning as ContactWarning
-from asperity._asperity import Interface as Interface
 from asperity._asperity import JointTable as JointTable
 from asperity._asperity import NotConverged as NotConverged
 from asperity._asperity import PartialSlip as PartialSlip
 from asperity._asperity import Scene as Scene
-from asperity._asperity import Surface as Surface
 from asperity._asperity import Topography as Topography
 from asperity._asperity import Unloading as Unloading
 from asperity._asperity import UnsupportedFormat as UnsupportedFormat
@@ -64,6 +60,10 @@ from asperity._materials import materials as materials
 from asperity._model import Model as Model
 from asperity._model import model as model
 from asperity._model import models as models
+from asperity._records import Asperity as Asperity
+from asperity._records import Body as Body
+from asperity._records import Interface as Interface
+from asperity._records import Surface as Surface
 from asperity._scene import Scenes as Scenes
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read

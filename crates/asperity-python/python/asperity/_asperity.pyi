@@ -19,20 +19,17 @@ import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
 from asperity._check import Check
+from asperity._records import Asperity, Body, Interface, Surface
 from asperity._scene import Scenes
 
 __all__ = [
-    "Asperity",
-    "Body",
     "Contact",
     "ContactWarning",
     "Engine",
-    "Interface",
     "JointTable",
     "NotConverged",
     "PartialSlip",
     "Scene",
-    "Surface",
     "Topography",
     "Unloading",
     "UnsupportedFormat",
@@ -59,6 +56,13 @@ __all__ = [
     "truth",
     "bem_unloading",
     "corrected",
+    "checked",
+    "derived",
+    "interface_of",
+    "material",
+    "moments_of_both",
+    "numbers_of",
+    "surface_of",
 ]
 
 _Floats: TypeAlias = npt.NDArray[np.float64]
@@ -80,123 +84,6 @@ class ContactWarning(UserWarning): ...
 _Number: TypeAlias = _Float | str
 _Heights: TypeAlias = str | Mapping[str, float] | tuple[npt.ArrayLike, npt.ArrayLike]
 _Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
-
-@final
-class Body:
-    def __new__(
-        cls,
-        youngs_modulus: _Number,
-        poissons_ratio: _Float,
-        hardness: _Number | None = None,
-        yield_strength: _Number | None = None,
-        thermal_conductivity: _Number | None = None,
-        electrical_resistivity: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Body: ...
-    youngs_modulus: Final[float]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    thermal_conductivity: Final[float | None]
-    electrical_resistivity: Final[float | None]
-    tangent_modulus: Final[float | None]
-    def replace(self, **numbers: _Number | None) -> Body: ...
-    @staticmethod
-    def material(name: str) -> Body: ...
-
-@final
-class Interface:
-    def __new__(
-        cls,
-        equivalent_modulus: _Number,
-        poissons_ratio: _Float,
-        hardness: _Number | None = None,
-        yield_strength: _Number | None = None,
-        equivalent_shear_modulus: _Number | None = None,
-        pressure_factor: _Float | None = None,
-        thermal_conductivity: _Number | None = None,
-        electrical_resistivity: _Number | None = None,
-        work_of_adhesion: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Interface: ...
-    @staticmethod
-    def between(
-        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
-    ) -> Interface: ...
-    @staticmethod
-    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
-    equivalent_modulus: Final[float]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    equivalent_shear_modulus: Final[float | None]
-    pressure_factor: Final[float | None]
-    thermal_conductivity: Final[float | None]
-    electrical_resistivity: Final[float | None]
-    work_of_adhesion: Final[float | None]
-    tangent_modulus: Final[float | None]
-    def replace(self, **numbers: _Number | None) -> Interface: ...
-
-@final
-class Surface:
-    def __new__(
-        cls, asperity_radius: _Number, asperity_density: _Number, asperity_height_std: _Number
-    ) -> Surface: ...
-    @staticmethod
-    def from_plasticity_index(
-        plasticity_index: _Float,
-        roughness_parameter: _Float,
-        asperity_height_std: _Number,
-        interface: Interface,
-    ) -> Surface: ...
-    @staticmethod
-    def from_moments(m0: _Number, m2: _Float, m4: _Number) -> Surface: ...
-    @staticmethod
-    def from_iso25178(sq: _Number, spd: _Number, spc: _Number) -> Surface: ...
-    @staticmethod
-    def from_surface_std(
-        asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
-    ) -> Surface: ...
-    def against(self, other: Surface) -> Surface: ...
-    @staticmethod
-    def from_mean_slope(
-        surface_height_std: _Number, mean_slope: _Number, asperity_density: _Number
-    ) -> Surface: ...
-    @staticmethod
-    def from_gradient(sq: _Number, spd: _Number, sdq: _Number) -> Surface: ...
-    asperity_radius: Final[float]
-    asperity_density: Final[float]
-    asperity_height_std: Final[float]
-    roughness_parameter: Final[float]
-    mean_plane_offset: Final[float]
-    def replace(self, **numbers: _Number) -> Surface: ...
-
-@final
-class Asperity:
-    def __new__(
-        cls,
-        equivalent_modulus: _Number,
-        equivalent_shear_modulus: _Number | None,
-        poissons_ratio: _Float,
-        hardness: _Number | None,
-        yield_strength: _Number | None,
-        pressure_factor: _Float,
-        radius: _Float,
-        work_of_adhesion: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Asperity: ...
-    equivalent_modulus: Final[float]
-    equivalent_shear_modulus: Final[float | None]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    pressure_factor: Final[float]
-    radius: Final[float]
-    work_of_adhesion: Final[float | None]
-    tangent_modulus: Final[float | None]
-    critical_interference: Final[float]
-    critical_force: Final[float]
-    def replace(self, **numbers: _Number | None) -> Asperity: ...
 
 @final
 class Scene:
@@ -532,6 +419,13 @@ def fit(
 ) -> dict[str, Any]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
+def numbers_of(section: str) -> list[tuple[str, bool, str]]: ...
+def checked(kind: str, given: _Fields) -> _Fields: ...
+def interface_of(bodies: dict[str, Body], work_of_adhesion: _Number | None) -> _Fields: ...
+def surface_of(given: _Fields, interface: Interface | None) -> tuple[_Fields, _Fields | None]: ...
+def moments_of_both(one: Surface, other: Surface) -> _Fields: ...
+def derived(record: Surface | Asperity, name: str) -> float: ...
+def material(name: str) -> Body: ...
 def materials() -> dict[str, tuple[str, Body, str]]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...

@@ -12,7 +12,8 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import checked_errors
-from asperity._asperity import Interface, Scene, Topography, in_si
+from asperity._asperity import Scene, Topography, in_si
+from asperity._records import Interface
 from asperity._scene import Floats
 
 Boundary = Literal["periodic", "periodic-part", "free"]

@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import Interface, Scene, Topography, in_si
+from asperity._asperity import Scene, Topography, in_si
 from asperity._bem import Boundary, load_given, pressed
+from asperity._records import Interface
 from asperity._scene import Floats
 
 

@@ -8,7 +8,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from asperity._asperity import Asperity
+from asperity._records import Asperity
 from asperity._scene import Floats
 
 

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::convert::error::{value_error, warn};
-use crate::records::{Interface, instance, with_article};
+use crate::records::{instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
@@ -41,7 +41,7 @@ impl Pressed {
             let needed = "a Topography has none, pass an asperity.Interface";
             return Err(PyTypeError::new_err(format!("interface is missing: {needed}")));
         };
-        let interface = instance::<Interface>("interface", interface)?.get().0;
+        let interface = instance("interface", interface)?;
         let (boundary, topography) = (continuation(boundary)?, topography.get());
         let level = topography.form(surface.py(), level.as_deref(), 1)?;
         // A plane taken from a periodic surface would add steps.

@@ -46,18 +46,6 @@ pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
     })
 }
 
-/// Several arguments of `owner` as numbers in SI units.
-pub(crate) fn numbers<const N: usize>(
-    owner: &str,
-    given: [(&str, &Bound<'_, PyAny>); N],
-) -> PyResult<[f64; N]> {
-    let mut found = [0.0; N];
-    for (found, (name, given)) in found.iter_mut().zip(given) {
-        *found = number(owner, name, given)?;
-    }
-    Ok(found)
-}
-
 /// The error about an argument that is no number.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
     let needed = asperity_inputs::unit_of(name)

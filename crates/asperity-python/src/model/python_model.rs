@@ -12,7 +12,7 @@ use asperity_quadrature::{QuadratureError, Sampler};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::records::Asperity;
+use crate::records::record;
 
 /// The citation of a user's model; never shown.
 const SOURCE: Citation = Citation {
@@ -91,7 +91,7 @@ impl PythonModel {
         asperity: &asperity::Asperity,
         quantity: Quantity,
     ) -> PyResult<Law> {
-        let arguments = (Asperity(*asperity, ()), quantity.to_string());
+        let arguments = (record(py, asperity)?, quantity.to_string());
         let (function, kinks, regimes): (Py<PyAny>, Vec<f64>, Vec<String>) =
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);

@@ -2,17 +2,17 @@
 
 use asperity_inputs::ModelOptions;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
-use crate::records::{Body, Record, shown};
+use crate::records::{by_key, numbers};
 use crate::scene::SceneFile;
 
 impl SceneFile {
     /// The arguments of this scene, in the order of the signature.
     pub(super) fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arguments = PyDict::new(py);
-        arguments.set_item("interface", self.interface())?;
-        arguments.set_item("surface", self.surface())?;
+        arguments.set_item("interface", self.interface(py)?)?;
+        arguments.set_item("surface", self.surface(py)?)?;
         arguments.set_item("nominal_area", self.nominal_area())?;
         arguments.set_item("heights", self.heights(py)?)?;
         arguments.set_item("separation_from", self.separation_from(py)?)?;
@@ -25,16 +25,15 @@ impl SceneFile {
     /// from which these follow.
     pub(super) fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = self.arguments(py)?;
-        fields.set_item("interface", self.interface().fields(py)?)?;
-        fields.set_item("surface", self.surface().fields(py)?)?;
-        let bodies = self.0.bodies.iter().map(|body| Body(*body, ()).fields(py));
+        fields.set_item("interface", numbers(py, &self.0.scene.interface)?)?;
+        fields.set_item("surface", numbers(py, &self.0.scene.surface)?)?;
+        let bodies = self.0.bodies.iter().map(|body| numbers(py, body));
         let bodies = bodies.collect::<PyResult<Vec<_>>>()?;
         if !bodies.is_empty() {
             fields.set_item("bodies", bodies)?;
         }
         if let Some(roughness) = self.0.roughness {
-            let numbers: Vec<_> = roughness.keys().iter().zip(roughness.numbers()).collect();
-            fields.set_item("roughness", numbers.into_py_dict(py)?)?;
+            fields.set_item("roughness", by_key(py, roughness)?)?;
         }
         Ok(fields)
     }
@@ -50,7 +49,9 @@ impl SceneFile {
         if self.0.options == ModelOptions::default() {
             given.del_item("options")?;
         }
-        let text = shown("Scene", &given)?;
+        let given = given.iter().filter(|(_, value)| !value.is_none());
+        let each = given.map(|(name, value)| Ok(format!("{name}={}", value.repr()?)));
+        let text = format!("Scene({})", each.collect::<PyResult<Vec<_>>>()?.join(", "));
         Ok(match &self.0.table {
             None => text,
             Some(table) => {

@@ -18,7 +18,7 @@ use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
 use crate::convert::objects::object;
 use crate::reading::found;
-use crate::records::{Asperity, Interface, Surface, instance};
+use crate::records::{self, instance};
 use heights::Heights;
 pub(crate) use heights::OptionValue;
 use inputs::{inputs, inputs_in_si};
@@ -81,16 +81,14 @@ impl SceneFile {
         mean_plane_offset: Option<&Bound<'_, PyAny>>,
         options: Option<BTreeMap<String, OptionValue>>,
     ) -> PyResult<Self> {
-        let Interface(interface, bodies) =
-            instance::<Interface>("interface", interface)?.get().clone();
-        let Surface(surface, roughness) = instance::<Surface>("surface", surface)?.get().clone();
         let scene = asperity::Scene::new(
-            interface,
-            surface,
+            instance("interface", interface)?,
+            instance("surface", surface)?,
             number("Scene", "nominal_area", nominal_area)?,
         );
         let mut file = asperity_inputs::SceneFile::from(scene);
-        (file.bodies, file.roughness) = (bodies, roughness);
+        file.bodies = records::bodies(interface)?;
+        file.roughness = records::roughness(surface)?;
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
         }
@@ -126,14 +124,14 @@ impl SceneFile {
 
     /// The two bodies.
     #[getter]
-    fn interface(&self) -> Interface {
-        Interface(self.0.scene.interface, self.0.bodies.clone())
+    fn interface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        records::interface(py, &self.0.scene.interface, &self.0.bodies)
     }
 
     /// The equivalent rough surface.
     #[getter]
-    fn surface(&self) -> Surface {
-        Surface(self.0.scene.surface, self.0.roughness)
+    fn surface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        records::surface(py, &self.0.scene.surface, self.0.roughness)
     }
 
     /// The apparent area of contact [m^2].
@@ -204,8 +202,8 @@ impl SceneFile {
 
     /// One asperity of the surface with every input resolved.
     #[getter]
-    fn asperity(&self) -> PyResult<Asperity> {
-        self.0.scene.asperity().map(|one| Asperity(one, ())).map_err(refused)
+    fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
     /// The number of asperities: density times nominal area.
