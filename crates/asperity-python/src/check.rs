@@ -8,8 +8,7 @@ use pyo3::prelude::*;
 use crate::ask::asked::Asked;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::error::{refused, value_error};
-use crate::convert::objects::object;
+use crate::convert::{object, refused, value_error};
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 

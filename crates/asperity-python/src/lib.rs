@@ -4,20 +4,17 @@
 //! meanwhile: a model written in Python acquires it on the thread that builds its rules.
 //!
 //! ```text
-//! convert → records → scene → ask, joints, contact_table, check, fit
+//! convert → records → scene → ask, joints, tables, check, fit
 //!                     model ↗
 //! ask, scene, topography → bem
-//! topography → glance, reading
+//! topography → reading
 //! ```
 
 mod ask;
 mod bem;
 mod check;
-mod conductance;
-mod contact_table;
 mod convert;
 mod fit;
-mod glance;
 mod joints;
 mod model;
 mod picture;
@@ -25,6 +22,7 @@ mod random_surface;
 mod reading;
 mod records;
 mod scene;
+mod tables;
 mod topography;
 
 /// The compiled part of the package `asperity`.
@@ -39,21 +37,15 @@ mod _asperity {
     #[pymodule_export]
     use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
-    use crate::bem::contacts::bem;
+    use crate::bem::contacts::{bem, bem_unloading};
     #[pymodule_export]
     use crate::bem::truth::truth;
     #[pymodule_export]
-    use crate::bem::unloading::bem_unloading;
-    #[pymodule_export]
     use crate::check::{check, pull_off};
     #[pymodule_export]
-    use crate::conductance::{correlated, gap_conductance};
-    #[pymodule_export]
-    use crate::contact_table::contact_table;
-    #[pymodule_export]
-    use crate::convert::error::{ContactWarning, NotConverged, UnsupportedFormat};
-    #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
+    #[pymodule_export]
+    use crate::convert::{ContactWarning, NotConverged, UnsupportedFormat};
     #[pymodule_export]
     use crate::fit::fit;
     #[pymodule_export]
@@ -71,6 +63,8 @@ mod _asperity {
     };
     #[pymodule_export]
     use crate::scene::{SceneFile, template};
+    #[pymodule_export]
+    use crate::tables::{contact_table, correlated, gap_conductance};
     #[pymodule_export]
     use crate::topography::Topography;
 }

@@ -6,7 +6,7 @@ use asperity_topography::{Distance, LengthUnit, TopographyError};
 use pyo3::exceptions::{PyFileNotFoundError, PyTypeError};
 use pyo3::prelude::*;
 
-use crate::convert::error::{UnsupportedFormat, value_error};
+use crate::convert::{UnsupportedFormat, value_error};
 
 /// The distance of points along a row and along a column: numbers, or texts with a unit.
 pub(crate) struct Spacing(pub(crate) [Distance; 2]);

@@ -6,8 +6,8 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::error::{refused, warn};
 use crate::convert::numbers::{no_number, number};
+use crate::convert::{refused, warn};
 
 /// A struct of the library behind a class of the package.
 pub(crate) trait Record: Sized + 'static {

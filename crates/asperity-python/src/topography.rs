@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use asperity_plot::draw_surface;
-use asperity_topography::{Alignment, Estimator, Level, ReadOptions, Statistics, TopographyError};
+use asperity_topography::{
+    Alignment, Estimator, Glance, Level, ReadOptions, Statistics, TopographyError,
+};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::convert::error::{value_error, warn};
-use crate::convert::objects::object;
-use crate::glance::glance;
+use crate::convert::{object, value_error, warn};
 use crate::reading::{Spacing, found, unit_of, unreadable};
 use crate::records::record;
 
@@ -240,9 +240,7 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let level = self.form(py, level, 0)?;
-        let found = py.detach(|| glance(&self.0, level, smooth, cutoff));
-        object(py, &found.map_err(value_error)?.1)
+        object(py, &self.glance(py, level, [smooth, cutoff])?.1)
     }
 
     /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density
@@ -256,11 +254,8 @@ impl Topography {
         cutoff: Option<f64>,
         title: &str,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let level = self.form(py, level, 0)?;
-        let svg = py.detach(|| {
-            let found = glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
-            draw_surface(&found.0, &found.1, Some(title)).map_err(value_error)
-        })?;
+        let (surface, found) = self.glance(py, level, [smooth, cutoff])?;
+        let svg = py.detach(|| draw_surface(&surface, &found, Some(title))).map_err(value_error)?;
         py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
     }
 
@@ -315,15 +310,36 @@ impl Topography {
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
         let level = self.form(py, level, 0)?;
-        let statistics = || {
-            let estimator = estimator.parse()?;
-            let levelled = self.0.clone().levelled(level)?;
-            cutoff
-                .map_or(Ok(levelled.clone()), |cutoff| levelled.filter(cutoff))?
-                .statistics(estimator)
-        };
+        let statistics = || self.prepared(level, [None, cutoff])?.statistics(estimator.parse()?);
         let found = py.detach(statistics).map_err(value_error)?;
         found.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(found)
+    }
+
+    /// The surface levelled and filtered, and its report.
+    fn glance(
+        &self,
+        py: Python<'_>,
+        level: Option<&str>,
+        cutoffs: [Option<f64>; 2],
+    ) -> PyResult<(asperity_topography::Topography, Glance)> {
+        let level = self.form(py, level, 0)?.unwrap_or(Level::usual(self.0.is_periodic()));
+        let glance = || {
+            let surface = self.prepared(Some(level), cutoffs)?;
+            let glance = Glance::new(&self.0, level, cutoffs, &surface)?;
+            Ok((surface, glance))
+        };
+        py.detach(glance).map_err(|error: TopographyError| value_error(error))
+    }
+
+    /// The surface levelled and, with cut-offs, without shorter and longer waves.
+    fn prepared(
+        &self,
+        level: Option<Level>,
+        [smooth, cutoff]: [Option<f64>; 2],
+    ) -> Result<asperity_topography::Topography, TopographyError> {
+        let level = self.0.clone().levelled(level)?;
+        let smooth = smooth.map_or(Ok(level.clone()), |length| level.smooth(length))?;
+        cutoff.map_or(Ok(smooth.clone()), |length| smooth.filter(length))
     }
 }

@@ -21,6 +21,8 @@ True
 
 from importlib.metadata import version as _version
 
+from asperity._advice import Check as Check
+from asperity._advice import Finding as Finding
 from asperity._advice import Plan as Plan
 from asperity._advice import PlanStep as PlanStep
 from asperity._advice import Recommendation as Recommendation
@@ -38,18 +40,14 @@ from asperity._asperity import UnsupportedFormat as UnsupportedFormat
 from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
+from asperity._bem import BemUnloading as BemUnloading
+from asperity._bem import TruthRow as TruthRow
+from asperity._bem import TruthRows as TruthRows
 from asperity._bem import bem as bem
-from asperity._bem_unloading import BemUnloading as BemUnloading
-from asperity._bem_unloading import bem_unloading as bem_unloading
-from asperity._check import Check as Check
-from asperity._check import Finding as Finding
-from asperity._conductance import Correlated as Correlated
-from asperity._conductance import correlated_conductance as correlated_conductance
-from asperity._conductance import gap_conductance as gap_conductance
+from asperity._bem import bem_unloading as bem_unloading
+from asperity._bem import truth as truth
 from asperity._corrected import CorrectedCurve as CorrectedCurve
 from asperity._curve import Curve as Curve
-from asperity._export import ContactTable as ContactTable
-from asperity._export import export as export
 from asperity._fit import Estimate as Estimate
 from asperity._fit import Fit as Fit
 from asperity._fit import Fits as Fits
@@ -73,9 +71,11 @@ from asperity._sweep import Space as Space
 from asperity._sweep import SweepResult as SweepResult
 from asperity._sweep import read_sweep as read_sweep
 from asperity._sweep import sweep as sweep
-from asperity._truth import TruthRow as TruthRow
-from asperity._truth import TruthRows as TruthRows
-from asperity._truth import truth as truth
+from asperity._tables import ContactTable as ContactTable
+from asperity._tables import Correlated as Correlated
+from asperity._tables import correlated_conductance as correlated_conductance
+from asperity._tables import export as export
+from asperity._tables import gap_conductance as gap_conductance
 
 __version__ = _version("asperity")
 

@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
-from asperity._check import Check
+from asperity._advice import Check
 from asperity._records import Asperity, Body, Interface, Surface
 from asperity._scene import Scenes
 
@@ -73,6 +73,10 @@ _Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
+# A scan, and how it is pressed.
+_Pressed: TypeAlias = tuple[
+    Topography | Scene, Interface | None, str | None, bool, str | None
+]
 # A model, rows, quantities and the relative tolerance.
 _Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
@@ -374,29 +378,17 @@ def corrected(
 ) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
 def recommend(asked: _Asked, within: _Float, models: Sequence[str] | None) -> _Fields: ...
 def bem(
-    scan: tuple[Topography | Scene, Interface | None, str | None],
-    given: str,
-    values: Sequence[_Float],
-    elastic: bool,
-    boundary: str | None,
+    pressed: _Pressed,
+    given: tuple[str, Sequence[_Float]],
     maps_and_mask: tuple[bool, bool],
     quantities: str | Iterable[str] | None,
-) -> tuple[
-    dict[str, _Floats],
-    list[_Floats] | None,
-    list[int],
-    dict[int, str],
-    str,
-    float,
-]: ...
+) -> tuple[_Fields, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
-    scan: tuple[Topography | Scene, Interface | None, str | None],
-    given: tuple[str, _Float],
-    elastic: bool,
-    boundary: str | None,
+    pressed: _Pressed,
+    given: tuple[str, Sequence[_Float]],
     retreats: Sequence[_Float] | None,
     points: int,
-) -> tuple[dict[str, _Floats], float, str, float]: ...
+) -> _Fields: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],

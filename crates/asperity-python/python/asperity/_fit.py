@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import one_scene, record
-from asperity._asperity import Engine, Scene, floats
-from asperity._model import Model
+from asperity._asperity import Scene, floats
+from asperity._model import Model, as_model
 from asperity._scene import Floats
 
 
@@ -164,7 +164,7 @@ def fit(
     scene = one_scene(scene, "fit")
     chosen = [scene._usual_reference()] if model is None else model
     chosen = [chosen] if isinstance(chosen, str | Model) else list(chosen)
-    engines = [one if isinstance(one, Engine) else Engine(one, {}) for one in chosen]
+    engines = [as_model(one) for one in chosen]
     if not engines:
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)

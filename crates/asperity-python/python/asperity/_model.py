@@ -304,6 +304,11 @@ class Model(Engine):
         return f"<asperity.Model {self.id!r}{given}: {self._authors}>"
 
 
+def as_model(model: str | Model) -> Model:
+    """The model of an id, or a model as it is."""
+    return model if isinstance(model, Model) else Model(model)
+
+
 def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
     """A model by id, with options by the names of a scene file's [options]; or a model written in
     Python, from a class whose instances are the laws of one asperity: see ``AsperityLaws``.

@@ -9,8 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::ask::asked::{Arguments, Asked};
-use crate::convert::error::value_error;
-use crate::convert::objects::object;
+use crate::convert::{object, value_error};
 
 /// The single scene of rows, and the request at them.
 fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {

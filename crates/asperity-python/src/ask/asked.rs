@@ -10,8 +10,8 @@ use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::ask::long::run_stretches;
 use crate::ask::rows::Rows;
+use crate::convert::Quantities;
 use crate::convert::numbers::argument;
-use crate::convert::quantities::Quantities;
 use crate::model::engine::Engine;
 
 /// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.

@@ -1,9 +1,9 @@
 //! `Contact`: one model compiled on one scene for many evaluations.
 
-use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity::{At, ContactError, ContactModel, Evaluation, Quantity, Request};
+use asperity_answer::Watch;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -14,8 +14,7 @@ use crate::ask::long::run_interruptible;
 use crate::ask::over::Given;
 use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
-use crate::convert::error::value_error;
-use crate::convert::quantities::Quantities;
+use crate::convert::{Quantities, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -214,7 +213,7 @@ impl Contact {
                 false => run_interruptible(py, |stop| {
                     let tasks = numbers.par_chunks(VALUES_PER_TASK);
                     let tasks = tasks.zip(column.par_chunks_mut(VALUES_PER_TASK));
-                    tasks.all(|task| !stop.load(Ordering::Relaxed) && fill(task))
+                    tasks.all(|task| !stop.is_stopped() && fill(task))
                 })?,
             };
             if !filled {

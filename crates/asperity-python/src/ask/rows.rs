@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use crate::convert::axis::Axis;
 use crate::convert::numbers::largest_magnitude;
 use crate::scene::SceneFile;
-use crate::scene::inputs::inputs;
+use crate::scene::arguments::inputs;
 
 /// The `Rows` of the package, for threads without the interpreter.
 pub(crate) struct Rows {

@@ -1,29 +1,22 @@
-//! Contacts of a scan under loads, by boundary elements.
+//! Contacts of a scan under loads and on its way back, by boundary elements.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::Ordering;
 
-use asperity::bem::{LoadCase, Solution};
-use asperity::{ContactModel, Findings, Request};
+use asperity::bem::{BemError, Solution};
+use asperity::{ContactModel, Findings, Request, linspace};
+use asperity_answer::Watch;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
-use super::scan::{Pressed, load_case};
-use crate::ask::long::{continue_unless, run_interruptible};
-use crate::convert::error::{refused, value_error, warn};
-use crate::convert::quantities::Quantities;
+use super::scan::{Arguments, Pressed, load_cases};
+use crate::ask::asked::arrays;
+use crate::ask::long::run_interruptible;
+use crate::convert::{Quantities, refused, value_error, warn};
 
-/// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
-/// if kept; rows and columns; the reasons of failures by place; the boundary; the area of loads.
-type Contacts<'py> = (
-    Bound<'py, PyDict>,
-    Option<[Bound<'py, PyArray1<f64>>; 2]>,
-    [usize; 2],
-    BTreeMap<usize, String>,
-    &'static str,
-    f64,
-);
+/// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
+/// rows and columns.
+type Contacts<'py> = (Bound<'py, PyDict>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
 /// The name of a number of a solution, and the number.
 type Head = (&'static str, fn(&Solution) -> f64);
@@ -44,24 +37,21 @@ const HEADS: [Head; 9] = [
 /// Solves contacts at mean pressures, loads or mean gaps.
 #[pyfunction]
 pub(crate) fn bem<'py>(
-    scan: (Bound<'py, PyAny>, Option<Bound<'py, PyAny>>, Option<String>),
-    given: &str,
-    values: Vec<f64>,
-    elastic: bool,
-    boundary: Option<&str>,
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    given: (String, Vec<f64>),
     maps_and_mask: (bool, bool),
     quantities: Option<Quantities>,
 ) -> PyResult<Contacts<'py>> {
-    let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
+    let (maps, mask) = maps_and_mask;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene: contact } = Pressed::new(&scan, boundary, elastic)?;
+    let Pressed { bem, scene: contact } = Pressed::new(pressed)?;
     let elements = bem.elements(&contact.interface).map_err(refused)?;
     let area = contact.nominal_area;
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
     bem.compile(&contact, &request).map_err(refused)?;
-    let all: Vec<LoadCase> =
-        values.into_iter().map(|value| load_case(given, value, area)).collect();
+    let all = load_cases(given, area);
     let pixels = bem.map().heights().len();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
@@ -72,13 +62,13 @@ pub(crate) fn bem<'py>(
             true => drop(failures.insert(index, message)),
             false => {
                 // This error is raised, so the other contacts are not needed.
-                stop.store(true, Ordering::Relaxed);
+                stop.stop();
                 failed.get_or_insert(error);
             }
         };
         elements.solve_each(
             &all,
-            |_| continue_unless(stop),
+            |_| stop.step(""),
             |index, solution| match solution {
                 Ok(solution) => {
                     let (heads, of_joints) = columns.split_at_mut(HEADS.len());
@@ -113,8 +103,55 @@ pub(crate) fn bem<'py>(
     notes.iter().try_for_each(|note| warn(py, note, 1))?;
     let names = HEADS.iter().map(|(name, _)| (*name).to_string());
     let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
-    let arrays = columns.into_iter().map(|column| PyArray1::from_vec(py, column));
-    let numbers = names.zip(arrays).into_py_dict(py)?;
+    let fields = arrays(py, names.zip(columns))?;
+    fields.set_item("failures", failures)?;
+    fields.set_item("boundary", bem.continuation().name())?;
+    fields.set_item("nominal_area", area)?;
     let maps = maps.map(|maps| maps.map(|map| PyArray1::from_vec(py, map)));
-    Ok((numbers, maps, bem.map().shape(), failures, bem.continuation().name(), area))
+    Ok((fields, maps, bem.map().shape()))
+}
+
+/// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
+/// given, or `points` of them to the end of contact. The fields of the package's class.
+#[pyfunction]
+pub(crate) fn bem_unloading<'py>(
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    given: (String, Vec<f64>),
+    retreats: Option<Vec<f64>>,
+    points: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    let Pressed { bem, scene } = Pressed::new(pressed)?;
+    let elements = bem.elements(&scene.interface).map_err(refused)?;
+    let area = scene.nominal_area;
+    let greatest = load_cases(given, area).remove(0);
+    let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
+        let path = elements.unloading_from(greatest)?;
+        let end = path.last_contact();
+        let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
+        if stop.is_stopped() {
+            return Err(BemError::Cancelled);
+        }
+        let found = path.at_retreats(&retreats, |_| stop.step(""));
+        Ok((retreats, end, found.into_iter().collect::<Result<Vec<_>, _>>()?))
+    })?
+    .map_err(value_error)?;
+    let stiffness = found.iter().map(|contact| match &contact.stiffness {
+        Some(Ok(stiffness)) => Ok(stiffness * area),
+        Some(Err(error)) => Err(value_error(error)),
+        None => Ok(f64::NAN),
+    });
+    let columns = [
+        ("retreat", retreats),
+        ("load", found.iter().map(|contact| contact.mean_pressure * area).collect()),
+        ("pressure", found.iter().map(|contact| contact.mean_pressure).collect()),
+        ("area_fraction", found.iter().map(|contact| contact.area).collect()),
+        ("mean_gap", found.iter().map(|contact| contact.mean_gap).collect()),
+        ("stiffness", stiffness.collect::<PyResult<_>>()?),
+    ];
+    let fields = arrays(py, columns)?;
+    fields.set_item("last_contact", end)?;
+    fields.set_item("boundary", bem.continuation().name())?;
+    fields.set_item("nominal_area", area)?;
+    Ok(fields)
 }

@@ -3,4 +3,3 @@
 pub(crate) mod contacts;
 mod scan;
 pub(crate) mod truth;
-pub(crate) mod unloading;

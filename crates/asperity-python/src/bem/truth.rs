@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, BemError};
 use asperity::{Described, Findings, Model};
-use asperity_answer::{Truth, beside_table, compare_with_bem, summary};
+use asperity_answer::{Truth, Watch, beside_table, compare_with_bem, summary};
 use pyo3::prelude::*;
 
 use super::scan::Pressed;
-use crate::ask::long::{continue_unless, run_interruptible};
-use crate::convert::error::{refused, value_error, warn};
-use crate::convert::objects::object;
+use crate::ask::long::run_interruptible;
+use crate::convert::{object, refused, value_error, warn};
 use crate::scene::SceneFile;
 
 /// Sentences about the nearest models, and beside solved surfaces.
@@ -44,7 +43,7 @@ pub(crate) fn truth<'py>(
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
         let found = run_interruptible(py, |stop| {
-            compare_with_bem(&scene.scene, bem, &pressures, models, |_| continue_unless(stop))
+            compare_with_bem(&scene.scene, bem, &pressures, models, |_| stop.step(""))
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();
         let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {

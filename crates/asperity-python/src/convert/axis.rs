@@ -3,8 +3,8 @@
 use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::convert::error::{value_error, warn};
 use crate::convert::numbers::largest_magnitude;
+use crate::convert::{value_error, warn};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
 
-use crate::convert::error::value_error;
+use crate::convert::value_error;
 
 /// A number, also a NumPy scalar; none for arrays and booleans.
 pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {

@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 
 use super::{ROWS_PER_TASK, Unloading};
 use crate::ask::over::Given;
-use crate::convert::error::value_error;
 use crate::convert::numbers::texts_in_si;
+use crate::convert::value_error;
 
 /// A joint that is sheared at a constant separation, for the first time or in cycles.
 ///

@@ -8,8 +8,8 @@ use pyo3::types::{PyFloat, PyTuple};
 
 use crate::ask::over::Given;
 use crate::convert::axis::Axis;
-use crate::convert::error::value_error;
 use crate::convert::numbers::{floats, scalar};
+use crate::convert::value_error;
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 

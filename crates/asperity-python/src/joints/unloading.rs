@@ -8,7 +8,7 @@ use super::{PartialSlip, ROWS_PER_TASK};
 use crate::ask::over::Given;
 use crate::check::check_scene;
 use crate::convert::axis::{Axis, METRES};
-use crate::convert::error::{value_error, warn};
+use crate::convert::{value_error, warn};
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 

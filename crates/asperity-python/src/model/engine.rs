@@ -10,10 +10,9 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::error::{refused, value_error};
-use crate::convert::quantities::Quantities;
+use crate::convert::{Quantities, refused, value_error};
 use crate::model::python_model::{PythonModel, Raised};
-use crate::scene::{self, OptionValue};
+use crate::scene::{self, arguments::OptionValue};
 
 /// A model: the base of the package's `Model`.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]

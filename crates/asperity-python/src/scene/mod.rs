@@ -1,8 +1,6 @@
 //! `Scene`: the contact of two bodies, as described by a scene file.
 
-mod arguments;
-mod heights;
-pub(crate) mod inputs;
+pub(crate) mod arguments;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -14,14 +12,11 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 
-use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
-use crate::convert::objects::object;
+use crate::convert::{object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
-use heights::Heights;
-pub(crate) use heights::OptionValue;
-use inputs::{inputs, inputs_in_si};
+use arguments::{Heights, OptionValue, inputs, inputs_in_si};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///

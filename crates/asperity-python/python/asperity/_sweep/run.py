@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from asperity import _asperity
 from asperity._arguments import checked_errors, checked_unit, placed, reason
 from asperity._asperity import ContactWarning
-from asperity._model import Model
+from asperity._model import Model, as_model
 from asperity._scene import Floats
 from asperity._sweep.design import Design
 from asperity._sweep.progress import Run, peak_memory
@@ -172,7 +172,7 @@ def sweep(
     drawn = Design(design, n, seed, len(space.names), part_size)
     job = Job(
         space,
-        model if isinstance(model, Model) else Model(model),
+        as_model(model),
         tuple(_asperity.quantities(quantities)),
         drawn,
         rtol,

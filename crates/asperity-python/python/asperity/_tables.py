@@ -1,17 +1,95 @@
-"""Correlations of thermal contact conductance, and the conductance of a gas."""
+"""Contact tables for finite-element codes, and correlations of thermal contact conductance."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, SceneLike, one_number, place
-from asperity._asperity import in_si
+from asperity._arguments import LOADS, Rows, SceneLike, one_number, one_scene, place, two_numbers
+from asperity._asperity import Scene, in_si
+from asperity._model import Model, as_model
 from asperity._scene import Floats
 from asperity._warn import warn
+
+
+@dataclass(frozen=True)
+class ContactTable:
+    """Pressure over clearance at nodes; ``print`` it, or ``save`` its text."""
+
+    #: Clearances from the scene's plane [m], ascending.
+    clearance: Floats
+    #: Pressures on the nominal area [Pa].
+    pressure: Floats
+    #: Their tangents, -dp/dclearance [Pa/m].
+    tangent: Floats
+    #: Largest relative errors between the nodes.
+    pressure_error: float
+    tangent_error: float
+    #: The input text of the finite-element code.
+    text: str = field(repr=False)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes ``text`` to a file."""
+        Path(path).write_text(self.text, encoding="utf-8", newline="\n")
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def export(
+    model: str | Model,
+    scene: Scene,
+    format: str = "csv",
+    *,
+    separation: tuple[float, float] | tuple[str, str] | None = None,
+    load: tuple[float, float] | tuple[str, str] | None = None,
+    pressure: tuple[float, float] | tuple[str, str] | None = None,
+    nodes: int | None = None,
+    max_error: float | None = None,
+    separation_unit: str = "asperity_height_std",
+    rtol: float = 1e-10,
+    conductance: str | None = None,
+    friction: float | None = None,
+    units: str = "SI",
+) -> ContactTable:
+    """Pressure over clearance for a finite-element code, from one separation, load [N] or pressure
+    [Pa] to another: at ``nodes`` equally spaced clearances, or at as many as keep the pressure
+    between them within a relative ``max_error``.
+
+    The format is "csv" (for cubic interpolation), "abaqus", "calculix" (both for linear
+    interpolation) or "ansys" (a nonlinear spring for the nominal area). For "abaqus" and "calculix"
+    ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
+    ``friction`` a coefficient of friction with the stick stiffness at the largest pressure. The text
+    is in ``units`` "SI" or "mm-N-MPa" (also named "mm-tonne-s", with power in mW).
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
+    >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
+    True
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=9, friction=0.2)
+    >>> table.text.splitlines()[-2:]
+    ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
+    """
+    if isinstance(model, Scene):
+        raise TypeError("model is a Scene: export takes the model first, then the scene")
+    scene = one_scene(scene, "export")
+    axis, ends_given = place(separation, load, pressure, separation_unit)
+    ends = axis, *two_numbers(axis if axis in LOADS else "separation", ends_given)
+    if nodes is None and max_error is None:
+        raise TypeError("nodes or max_error was required")
+    count = 2 if nodes is None else nodes
+    spacing, form = (count, max_error, rtol), (format, units)
+    beside = conductance, None if friction is None else float(friction)
+    found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, beside)
+    clearance, pressures, tangent, pressure_error, tangent_error, text = found
+    columns = np.array(clearance), np.array(pressures), np.array(tangent)
+    return ContactTable(*columns, pressure_error, tangent_error, text)
 
 
 @dataclass(frozen=True)
