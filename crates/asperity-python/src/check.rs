@@ -65,15 +65,14 @@ pub(crate) fn pull_off(
         let name = model.name();
         return Err(value_error(format!("{name} ignores adhesion: use dmt or jkr-separation")));
     }
-    let found = py.detach(|| {
+    engine.run(py, || {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
             return Ok(None);
         };
         let place = unit.of(found.separation, file.separation_from, &file.scene)?;
         Ok(Some((found.force.value(), place)))
-    });
-    found.map_err(|error| engine.raise(py, error))
+    })
 }
 
 /// Findings of the scenes of rows and, on a single scene, of the answers.

@@ -180,8 +180,13 @@ def recommend(
         quantities = ("area",) if axis in LOADS else ("force", "area")
     against = as_model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
-    found = _asperity.recommend((against, rows, quantities, rtol), within, ids)
-    return Recommendation(reference=against.id, within=within, **found)
+    asked = against, rows, quantities, rtol
+    simplest, compared, evidence, places, text = _asperity.recommend(asked, within, ids)
+    deviations = {id: dict(known) for id, known, _, _ in compared if known}
+    refused = {id: reason for id, _, reason, _ in compared if reason is not None}
+    off = {id: off for id, _, _, off in compared if off is not None}
+    found = deviations, refused, evidence, tuple(places), off, text
+    return Recommendation(simplest, against.id, within, *found)
 
 
 def check(

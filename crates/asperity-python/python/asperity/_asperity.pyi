@@ -376,7 +376,15 @@ def plan(asked: _Asked) -> tuple[str, _Fields]: ...
 def corrected(
     asked: _Asked, unit: str
 ) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
-def recommend(asked: _Asked, within: _Float, models: Sequence[str] | None) -> _Fields: ...
+def recommend(
+    asked: _Asked, within: _Float, models: Sequence[str] | None
+) -> tuple[
+    str | None,
+    list[tuple[str, list[tuple[str, float]], str | None, _Fields | None]],
+    str,
+    list[str | _Fields],
+    str,
+]: ...
 def bem(
     pressed: _Pressed,
     given: tuple[str, Sequence[_Float]],

@@ -2,11 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactModel, EvidenceAt, Request, Scene};
-use asperity_inputs::LeftOut;
+use asperity::{Comparison, ContactModel, EvidenceAt, Request, Scene};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::ask::asked::{Arguments, Asked};
 use crate::convert::{object, value_error};
@@ -28,20 +26,24 @@ pub(crate) fn plan<'py>(
 ) -> PyResult<(String, Bound<'py, PyAny>)> {
     let asked = Asked::new(asked)?;
     let (scene, request) = scene_and_request(&asked)?;
-    let plan = py.detach(|| asked.model.compile(scene, &request)?.plan(&request));
-    let plan = plan.map_err(|error| asked.raise(py, error))?;
+    let plan = asked.engine().run(py, || asked.model.compile(scene, &request)?.plan(&request))?;
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// Deviations from the reference of the models of a scene, or of the named models: the fields of
-/// the package's `Recommendation`.
+/// What is known of a model: its id, the deviation of each quantity, why some or all have no value,
+/// and the deviation from boundary elements.
+type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
+/// The simplest model, all models, the evidence in sentences and place by place, and the text.
+type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Bound<'py, PyAny>>, String);
+
+/// Deviations from the reference of the models of a scene, or of the named models.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
     asked: Arguments<'_>,
     within: f64,
     models: Option<Vec<String>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Advice<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
     let (among, left_out) = match models {
@@ -60,25 +62,18 @@ pub(crate) fn recommend<'py>(
             (models.collect::<PyResult<_>>()?, vec![])
         }
     };
-    let advice = py.detach(|| file.recommend_among(among, &request, &asked.model, within));
-    let advice = advice.map_err(|error| asked.raise(py, error))?;
-    let [deviations, refused, off] = [(); 3].map(|()| PyDict::new(py));
-    for found in &advice.comparisons {
-        let (id, lacking) = (found.model.id(), found.lacking.first().map(|(_, reason)| reason));
-        if let Some(all) = found.deviations.as_ref().ok().filter(|all| !all.is_empty()) {
-            let all = all.iter().map(|(quantity, deviation)| (quantity.to_string(), *deviation));
-            deviations.set_item(id, all.into_py_dict(py)?)?;
-        }
-        if let Some(reason) = found.deviations.as_ref().err().or(lacking) {
-            refused.set_item(id, reason.to_string())?;
-        }
-        if let Some(deviation) = &found.off {
-            off.set_item(id, object(py, deviation)?)?;
-        }
-    }
-    for LeftOut { id, reason } in left_out {
-        refused.set_item(id, reason.to_string())?;
-    }
+    let advice =
+        asked.engine().run(py, || file.recommend_among(among, &request, &asked.model, within))?;
+    let compared = |found: &Comparison| -> PyResult<Compared<'py>> {
+        let (all, lacking) = (&found.deviations, found.lacking.first().map(|(_, reason)| reason));
+        let known = all.iter().flatten().map(|(quantity, off)| (quantity.to_string(), *off));
+        let reason = all.as_ref().err().or(lacking).map(ToString::to_string);
+        let off = found.off.as_ref().map(|off| object(py, off)).transpose()?;
+        Ok((found.model.id().into(), known.collect(), reason, off))
+    };
+    let left_out = left_out.into_iter();
+    let left_out = left_out.map(|one| Ok((one.id, vec![], Some(one.reason.to_string()), None)));
+    let models = advice.comparisons.iter().map(compared).chain(left_out);
     let place = |place: &EvidenceAt| match &place.expected {
         Err(reason) => reason.to_string().into_bound_py_any(py),
         Ok(_) => {
@@ -87,14 +82,9 @@ pub(crate) fn recommend<'py>(
             object(py, &off.collect::<BTreeMap<_, _>>())
         }
     };
-    let places = advice.evidence.iter().map(place).collect::<PyResult<Vec<_>>>()?;
-    let found = PyDict::new(py);
-    found.set_item("simplest", advice.simplest.as_ref().map(|model| model.id()))?;
-    found.set_item("deviations", deviations)?;
-    found.set_item("refused", refused)?;
-    found.set_item("evidence", [advice.summary(), advice.expectations()].concat().join("\n"))?;
-    found.set_item("evidence_at", PyTuple::new(py, places)?)?;
-    found.set_item("off", off)?;
-    found.set_item("text", advice.to_string().trim_end_matches('\n'))?;
-    Ok(found)
+    let places = advice.evidence.iter().map(place).collect::<PyResult<_>>()?;
+    let evidence = [advice.summary(), advice.expectations()].concat().join("\n");
+    let simplest = advice.simplest.as_ref().map(|model| model.id().into());
+    let text = advice.to_string().trim_end_matches('\n').into();
+    Ok((simplest, models.collect::<PyResult<_>>()?, evidence, places, text))
 }

@@ -50,11 +50,10 @@ impl Asked {
         let found = match self.rows.one_scene() {
             Some(scene) => {
                 let few = len <= ROWS_PER_TASK_ON_ONE_SCENE;
-                let contact = py.detach(|| match few {
+                let contact = self.engine().run(py, || match few {
                     true => self.model.contact(scene, &self.request_at(0..len)),
                     false => self.model.compile(scene, &self.request_at(0..1)),
-                });
-                let contact = contact.map_err(|error| self.raise(py, error))?;
+                })?;
                 let run = |range: Range<usize>| {
                     let many = (is_value && !few).then(|| self.filled(&*contact, range.clone()));
                     many.flatten().unwrap_or_else(|| {

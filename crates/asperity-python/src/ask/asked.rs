@@ -68,10 +68,9 @@ impl Asked {
         let (model, request) = (&self.model, &self.request);
         let one = self.rows.one_scene().map(|scene| {
             let few = (0..self.rows.len().min(ROWS_PER_TASK)).map(|row| self.rows.at(row));
-            py.detach(|| model.contact(scene, &request.clone().at(few))).map(Arc::from)
+            self.engine().run(py, || model.contact(scene, &request.clone().at(few)))
         });
-        let one: Option<Arc<dyn Contact>> =
-            one.transpose().map_err(|error| self.raise(py, error))?;
+        let one: Option<Arc<dyn Contact>> = one.transpose()?.map(Arc::from);
         let compiled = |row| match &one {
             Some(one) => Ok(one.clone()),
             None => model.compile(&self.rows.scene(row)?, request).map(Arc::from),

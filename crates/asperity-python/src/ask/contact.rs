@@ -231,6 +231,5 @@ fn compile(
     request: &Request,
 ) -> PyResult<Arc<dyn asperity::Contact>> {
     let model = engine.on(file)?;
-    let compiled = py.detach(|| model.compile(&file.scene, request));
-    compiled.map(Arc::from).map_err(|error| engine.raise(py, error))
+    engine.run(py, || model.compile(&file.scene, request)).map(Arc::from)
 }

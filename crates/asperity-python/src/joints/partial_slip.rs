@@ -8,6 +8,7 @@ use super::{ROWS_PER_TASK, Unloading};
 use crate::ask::over::Given;
 use crate::convert::numbers::texts_in_si;
 use crate::convert::value_error;
+use crate::model::engine::Engine;
 
 /// A joint that is sheared at a constant separation, for the first time or in cycles.
 ///
@@ -73,14 +74,14 @@ impl PartialSlip {
     /// The tangential force [N] at which the joint slides: friction times the normal force.
     #[getter]
     fn limit(&self, py: Python<'_>) -> PyResult<f64> {
-        py.detach(|| self.slip.limit()).map_err(|error| self.raise(py, error))
+        self.engine().run(py, || self.slip.limit())
     }
 
     /// Shift [m] at which the tangential force reaches ``share`` of its limit, friction times the
     /// normal force.
     #[pyo3(signature = (share=0.99))]
     fn shift_at(&self, py: Python<'_>, share: f64) -> PyResult<f64> {
-        py.detach(|| self.slip.shift_at(share)).map_err(|error| self.raise(py, error))
+        self.engine().run(py, || self.slip.shift_at(share))
     }
 
     fn __getnewargs__(&self) -> (&Py<Unloading>, f64) {
@@ -94,8 +95,8 @@ impl PartialSlip {
 }
 
 impl PartialSlip {
-    fn raise(&self, py: Python<'_>, error: ContactError) -> PyErr {
-        self.unloading.get().model.get().raise(py, error)
+    fn engine(&self) -> &Engine {
+        self.unloading.get().model.get()
     }
 
     fn over<'py>(
@@ -106,6 +107,6 @@ impl PartialSlip {
     ) -> PyResult<Bound<'py, PyAny>> {
         let (given, _) = Given::read(numbers, name, unit)?;
         let (py, one) = (numbers.py(), |_, u: f64| Ok([one(&self.slip, u)?]));
-        Ok(given.each(py, ROWS_PER_TASK, one, |error| self.raise(py, error))?.remove(0))
+        Ok(given.each(py, ROWS_PER_TASK, one, |error| self.engine().raise(py, error))?.remove(0))
     }
 }

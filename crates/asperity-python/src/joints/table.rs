@@ -1,7 +1,7 @@
 //! `JointTable`: loading, unloading and reloading, for codes that step in time.
 
 use asperity::joints;
-use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
+use asperity::{ContactError, Datum, SeparationUnit, Tolerance};
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
@@ -60,22 +60,21 @@ impl JointTable {
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let unit: Axis = separation_unit.extract()?;
-        let raise = |error| model.get().raise(py, error);
         let metres = unit.metres(&file.scene);
-        let zero =
-            Separation { value: 0.0, unit: SeparationUnit::Metres, from: file.separation_from };
-        let mean = zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
-        let plane = mean.map_err(raise)?.value;
         for end in [ends.0, ends.1] {
             unit.warn_of_unit(py, "separation", &[end], &file.scene, 1)?;
         }
         let named = model.get().on(&file)?;
-        let range = (metres * ends.0 + plane, metres * ends.1 + plane);
-        let table = py.detach(|| {
-            joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?
-                .table(range, tolerance)
-        });
-        let (table, law) = (table.map_err(raise)?, law.to_string());
+        let (plane, table) = model.get().run(py, || {
+            // The zero of the scene's separations.
+            let zero = file.separation(0.0, SeparationUnit::Metres);
+            let plane =
+                zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)?;
+            let range = (metres * ends.0 + plane.value, metres * ends.1 + plane.value);
+            let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
+            Ok((plane.value, joint.table(range, tolerance)?))
+        })?;
+        let law = law.to_string();
         let separation_unit = separation_unit.extract()?;
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }

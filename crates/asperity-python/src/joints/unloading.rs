@@ -58,13 +58,12 @@ impl Unloading {
         axis.warn_of_unit(py, "separation", &[place.1], &file.scene, 1)?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
-        let joint = py.detach(|| {
+        let (joint, whole, closest) = model.get().run(py, || {
             let whole = joints::Joint::new(&named, &file.scene, law, tolerance)?;
-            Ok((whole.unloading(at)?, whole))
-        });
-        let (joint, whole) = joint.map_err(|error| model.get().raise(py, error))?;
-        let closest = unit.of(joint.closest(), file.separation_from, &file.scene);
-        let closest = closest.map_err(|error| model.get().raise(py, error))?;
+            let joint = whole.unloading(at)?;
+            let closest = unit.of(joint.closest(), file.separation_from, &file.scene)?;
+            Ok((joint, whole, closest))
+        })?;
         let found = py.detach(|| check_scene(model.get(), &named, &file, [at]));
         let found = file.accepted(found).at_least(Severity::Warning);
         found.iter().try_for_each(|found| warn(py, found, 1))?;
@@ -99,16 +98,14 @@ impl Unloading {
 
     /// Retreat at which contact ends: beyond, fewer than one asperity is in contact on average.
     fn last_contact(&self, py: Python<'_>) -> PyResult<f64> {
-        let found = py.detach(|| self.joint.last_contact());
-        Ok(found.map_err(|error| self.model.get().raise(py, error))?
-            / self.unit.metres(self.joint.scene()))
+        let found = self.model.get().run(py, || self.joint.last_contact())?;
+        Ok(found / self.unit.metres(self.joint.scene()))
     }
 
     /// Loss factor of the first closing and opening: the dissipated energy over 2 pi times the work
     /// of closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
-        let factor = self.work(py)?.loss_factor();
-        factor.map_err(|error| self.model.get().raise(py, error))
+        self.work(py)?.loss_factor().map_err(|error| self.model.get().raise(py, error))
     }
 
     /// Energy [J] dissipated in the first closing and opening.
@@ -149,11 +146,10 @@ impl Unloading {
     /// The work of closing and opening; warns if the joint gains energy.
     fn work(&self, py: Python<'_>) -> PyResult<joints::Work> {
         let closest = self.joint.closest().into();
-        let both = py.detach(|| {
+        let (work, gain) = self.model.get().run(py, || {
             let work = self.whole.work(closest)?;
             Ok((work, self.whole.energy_gain(closest, &work)?))
-        });
-        let (work, gain) = both.map_err(|error| self.model.get().raise(py, error))?;
+        })?;
         gain.map_or(Ok(()), |gain| warn(py, gain.finding(), 0))?;
         Ok(work)
     }
