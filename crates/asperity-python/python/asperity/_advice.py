@@ -191,11 +191,12 @@ def recommend(
 
 def check(
     scene: Scene,
-    model: str | Engine | None,
-    separation: float | str | None,
-    load: float | str | None,
-    pressure: float | str | None,
-    separation_unit: str,
+    model: str | Engine | None = None,
+    separation: float | str | None = None,
+    *,
+    load: float | str | None = None,
+    pressure: float | str | None = None,
+    separation_unit: str = "asperity_height_std",
 ) -> Check:
     """The result of ``Scene.check``."""
     given = [number for number in (separation, load, pressure) if number is not None]

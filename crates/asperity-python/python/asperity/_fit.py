@@ -184,28 +184,26 @@ def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:
     return columns
 
 
-def _free(free: Any) -> list[str | tuple[str, tuple[float, float] | None]]:
-    if isinstance(free, str):
-        return [free]
-    if not isinstance(free, Mapping):
-        return list(free)
-    found: list[str | tuple[str, tuple[float, float] | None]] = []
-    for name, bounds in free.items():
-        if bounds is None:
-            found.append((name, None))
-            continue
-        try:
-            low, high = bounds
-        except (TypeError, ValueError):
-            raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
-        texts = [isinstance(one, str) for one in (low, high)]
-        if all(texts):
-            found.append(f"{name}={low}:{high}")
-        elif any(texts):
-            raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
-        else:
-            found.append((name, (float(low), float(high))))
-    return found
+def _free(free: Any) -> list[Any]:
+    if isinstance(free, Mapping):
+        return [_bounded(name, bounds) for name, bounds in free.items()]
+    return [free] if isinstance(free, str) else list(free)
+
+
+def _bounded(name: str, bounds: Any) -> str | tuple[str, tuple[float, float] | None]:
+    """A free parameter as the library reads it."""
+    if bounds is None:
+        return name, None
+    try:
+        low, high = bounds
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
+    texts = [isinstance(one, str) for one in (low, high)]
+    if all(texts):
+        return f"{name}={low}:{high}"
+    if any(texts):
+        raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
+    return name, (float(low), float(high))
 
 
 def _fit(found: dict[str, Any], scene: Scene) -> Fit:

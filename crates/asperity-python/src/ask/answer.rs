@@ -85,13 +85,8 @@ impl Asked {
     /// Many values at once; none if one of them needs a finding.
     fn filled(&self, contact: &dyn Contact, range: Range<usize>) -> Option<Answer> {
         let quantities = &self.request.quantities[..];
-        if quantities.iter().any(|q| q.is_absolute()) {
-            return None;
-        }
         let places = self.rows.sigmas(range, contact.scene())?;
-        let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
-        let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        let filled = contact.fill(quantities, &places, &mut out).ok()?;
+        let (columns, cancels) = filled(contact, quantities, &places)?;
         let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
             let most = match quantity {
                 Quantity::Area => contact.scene().nominal_area,
@@ -100,7 +95,7 @@ impl Asked {
             };
             column.iter().all(|value| *value > 0.0 && *value <= most)
         };
-        let usual = !filled.cancels() && quantities.iter().zip(&columns).all(usual);
+        let usual = !cancels && quantities.iter().zip(&columns).all(usual);
         usual.then(|| Answer { columns, ..Answer::default() })
     }
 
@@ -151,4 +146,18 @@ impl Asked {
         found.warnings.extend(check.finish(self.model.name()));
         found
     }
+}
+
+/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity heights, and
+/// whether values cancel; none if one of them needs more than a number.
+pub(crate) fn filled(
+    contact: &dyn Contact,
+    quantities: &[Quantity],
+    places: &[f64],
+) -> Option<(Vec<Vec<f64>>, bool)> {
+    let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
+    let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    let absolute = quantities.iter().any(|quantity| quantity.is_absolute());
+    let filled = (!absolute).then(|| contact.fill(quantities, places, &mut out).ok()).flatten()?;
+    Some((columns, filled.cancels()))
 }

@@ -1,16 +1,15 @@
 //! `Contact`: one model compiled on one scene for many evaluations.
 
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity::{At, ContactError, ContactModel, Evaluation, Quantity, Request};
-use asperity_answer::Watch;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use rayon::prelude::*;
 
-use crate::ask::answer::ROWS_PER_TASK_ON_ONE_SCENE;
-use crate::ask::long::run_interruptible;
+use crate::ask::answer::{ROWS_PER_TASK_ON_ONE_SCENE, filled};
+use crate::ask::long::run_stretches;
 use crate::ask::over::Given;
 use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
@@ -197,28 +196,19 @@ impl Contact {
         axis: Axis,
         numbers: &[f64],
     ) -> PyResult<Option<[Vec<f64>; N]>> {
-        let is_load = !matches!(axis, Axis::Separation(_));
-        if is_load || numbers.len() < FEW || quantities.iter().any(|q| q.is_absolute()) {
+        if !matches!(axis, Axis::Separation(_)) || numbers.len() < FEW {
             return Ok(None);
         }
         let (scene, from) = (contact.scene(), self.file.separation_from);
-        let mut columns = [(); N].map(|()| vec![0.0; numbers.len()]);
-        for (quantity, column) in quantities.into_iter().zip(&mut columns) {
-            let fill = |(numbers, out): (&[f64], &mut [f64])| {
-                sigmas(numbers, axis, from, scene)
-                    .is_some_and(|places| contact.fill(&[quantity], &places, &mut [out]).is_ok())
-            };
-            let filled = match numbers.len() <= VALUES_PER_TASK {
-                true => py.detach(|| fill((numbers, column))),
-                false => run_interruptible(py, |stop| {
-                    let tasks = numbers.par_chunks(VALUES_PER_TASK);
-                    let tasks = tasks.zip(column.par_chunks_mut(VALUES_PER_TASK));
-                    tasks.all(|task| !stop.is_stopped() && fill(task))
-                })?,
-            };
-            if !filled {
-                return Ok(None);
-            }
+        let fill = |range: Range<usize>| {
+            let places = sigmas(&numbers[range], axis, from, scene)?;
+            Some(filled(contact, &quantities, &places)?.0)
+        };
+        let tasks = (numbers.len(), VALUES_PER_TASK);
+        let mut columns = [(); N].map(|()| Vec::with_capacity(numbers.len()));
+        for found in run_stretches(py, None, tasks, fill, Option::is_none)? {
+            let Some(found) = found else { return Ok(None) };
+            columns.iter_mut().zip(found).for_each(|(column, found)| column.extend(found));
         }
         Ok(Some(columns))
     }

@@ -244,20 +244,17 @@ impl SceneFile {
     /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
     /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
     /// ('error', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
-    #[pyo3(signature = (
-        model=None, separation=None, *, load=None, pressure=None,
-        separation_unit="asperity_height_std"
-    ))]
+    #[pyo3(
+        signature = (*args, **kwargs),
+        text_signature = "(self, model=None, separation=None, *, load=None, pressure=None, separation_unit='asperity_height_std')"
+    )]
     fn check<'py>(
         slf: &Bound<'py, Self>,
-        model: Option<Bound<'py, PyAny>>,
-        separation: Option<Bound<'py, PyAny>>,
-        load: Option<Bound<'py, PyAny>>,
-        pressure: Option<Bound<'py, PyAny>>,
-        separation_unit: &str,
+        args: Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let check = slf.py().import("asperity._advice")?.getattr("check")?;
-        check.call1((slf, model, separation, load, pressure, separation_unit))
+        check.call_method1("__get__", (slf,))?.call(args, kwargs)
     }
 
     /// The arguments of this scene, with dicts of numbers for the interface and the surface, and
