@@ -4,7 +4,7 @@
 //! meanwhile: a model written in Python acquires it on the thread that builds its rules.
 //!
 //! ```text
-//! convert → records → scene → ask, joints, tables, check, fit
+//! convert → records → scene → ask, joints, tables, fit
 //!                     model ↗
 //! ask, scene, topography → bem
 //! topography → reading
@@ -12,7 +12,6 @@
 
 mod ask;
 mod bem;
-mod check;
 mod convert;
 mod fit;
 mod joints;
@@ -29,19 +28,13 @@ mod topography;
 #[pyo3::pymodule]
 mod _asperity {
     #[pymodule_export]
-    use crate::ask::advice::{plan, recommend};
+    use crate::ask::advice::{check, plan, pull_off, recommend};
     #[pymodule_export]
     use crate::ask::contact::Contact;
     #[pymodule_export]
-    use crate::ask::corrected::corrected;
+    use crate::ask::values::{answer, corrected, separations, shares};
     #[pymodule_export]
-    use crate::ask::values::{answer, separations, shares};
-    #[pymodule_export]
-    use crate::bem::contacts::{bem, bem_unloading};
-    #[pymodule_export]
-    use crate::bem::truth::truth;
-    #[pymodule_export]
-    use crate::check::{check, pull_off};
+    use crate::bem::contacts::{bem, bem_unloading, truth};
     #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
     #[pymodule_export]

@@ -1,13 +1,129 @@
-//! Plans of requests, and recommendations of models.
+//! Checks of scenes and answers, plans of requests, and recommendations of models.
 
 use std::collections::BTreeMap;
 
-use asperity::{Comparison, ContactModel, EvidenceAt, Request, Scene};
+use asperity::{
+    At, Check, Comparison, ContactError, ContactModel, EvidenceAt, Finding, Findings, Model,
+    Quantity, Request, Scene, Severity,
+};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
-use crate::convert::{object, value_error};
+use crate::ask::rows::Rows;
+use crate::convert::axis::Axis;
+use crate::convert::{object, refused, value_error};
+use crate::model::engine::{Engine, tolerance};
+use crate::scene::SceneFile;
+
+/// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
+type CheckResult<'py> = (Vec<(String, f64, String, String)>, Bound<'py, PyAny>);
+
+/// Derived numbers and findings of a scene and, at a place, of a model's answer.
+#[pyfunction]
+#[pyo3(signature = (scene, place=None))]
+pub(crate) fn check<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    place: Option<(PyRef<'py, Engine>, Axis, f64)>,
+) -> PyResult<CheckResult<'py>> {
+    let file = &scene.0;
+    let checked = match place {
+        None => file.check(None).map_err(refused)?,
+        Some((engine, axis, number)) => {
+            let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
+            match py.detach(|| file.check(Some((&model, at)))) {
+                Ok(checked) => checked,
+                Err(error) => explain(file, &error).ok_or_else(|| engine.raise(py, error))?,
+            }
+        }
+    };
+    let Check { numbers, findings, .. } = checked;
+    let number =
+        |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
+    Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+}
+
+/// The check of the scene alone, if its warnings or errors explain the refusal.
+fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
+    let mut checked = file.check(None).ok()?;
+    checked.findings.iter().find(|found| found.severity < Severity::Note)?;
+    let refusal = Finding::error("no-answer", "answer", f64::NAN);
+    checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
+    Some(checked)
+}
+
+/// The pull-off force of a model with adhesion [N], below 0, and its separation; none without a
+/// tensile force.
+#[pyfunction]
+pub(crate) fn pull_off(
+    py: Python<'_>,
+    engine: &Engine,
+    scene: &SceneFile,
+    rtol: f64,
+    unit: Axis,
+) -> PyResult<Option<(f64, f64)>> {
+    let (file, tolerance) = (&scene.0, tolerance(rtol)?);
+    let model = engine.on(file)?;
+    if !model.validity().adhesive {
+        let name = model.name();
+        return Err(value_error(format!("{name} ignores adhesion: use dmt or jkr-separation")));
+    }
+    engine.run(py, || {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
+            return Ok(None);
+        };
+        let place = unit.of(found.separation, file.separation_from, &file.scene)?;
+        Ok(Some((found.force.value(), place)))
+    })
+}
+
+/// Findings of the scenes of rows and, on a single scene, of the answers.
+pub(crate) fn check_rows(asked: &Asked) -> Findings {
+    let Asked { rows, model, .. } = asked;
+    match rows.one_file() {
+        // The smallest and the largest number suffice: there may be millions of rows.
+        Some(file) => check_scene(asked.engine(), model, file, rows.ends().map(|row| rows.at(row))),
+        None => check_scenes(rows, model.validity().asperities),
+    }
+}
+
+/// Findings of a scene and of the answers at places on it.
+pub(crate) fn check_scene(
+    engine: &Engine,
+    model: &Model,
+    file: &asperity_inputs::SceneFile,
+    places: impl IntoIterator<Item = At>,
+) -> Findings {
+    let mut found = file.findings().for_asperities(model.validity().asperities);
+    // An exception of a user's law is raised by the answer.
+    if !engine.is_written() {
+        found.extend(file.findings_at(model, &places.into_iter().collect::<Vec<_>>()));
+    }
+    found
+}
+
+/// Each finding once, that of the first scene that has it, with the number of such scenes.
+fn check_scenes(rows: &Rows, asperities: bool) -> Findings {
+    let mut found: Vec<(Finding, usize)> = vec![];
+    let count = rows.scenes();
+    for scene in 0..count {
+        // A refused scene has no findings: its rows have the reason.
+        let Ok(file) = rows.scene_file(scene) else { continue };
+        for new in file.findings().for_asperities(asperities) {
+            match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
+                Some((_, scenes)) => *scenes += 1,
+                None => found.push((new, 1)),
+            }
+        }
+    }
+    let counted = |(found, scenes): (Finding, usize)| match count {
+        1 => found,
+        _ => found.from_origin(format!("{scenes} of {count} scenes")),
+    };
+    found.into_iter().map(counted).collect()
+}
 
 /// The single scene of rows, and the request at them.
 fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {
