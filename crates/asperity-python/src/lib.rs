@@ -28,36 +28,22 @@ mod topography;
 #[pyo3::pymodule]
 mod _asperity {
     #[pymodule_export]
-    use crate::ask::advice::{check, plan, pull_off, recommend};
-    #[pymodule_export]
-    use crate::ask::contact::Contact;
-    #[pymodule_export]
-    use crate::ask::values::{answer, corrected, separations, shares};
-    #[pymodule_export]
-    use crate::bem::contacts::{bem, bem_unloading, truth};
-    #[pymodule_export]
-    use crate::convert::numbers::{floats, in_si};
-    #[pymodule_export]
-    use crate::convert::{ContactWarning, NotConverged, UnsupportedFormat};
-    #[pymodule_export]
-    use crate::fit::fit;
-    #[pymodule_export]
-    use crate::joints::{JointTable, PartialSlip, Unloading};
-    #[pymodule_export]
-    use crate::model::engine::{Engine, model_ids, quantities};
-    #[pymodule_export]
-    use crate::picture::svg;
-    #[pymodule_export]
-    use crate::random_surface::random_surface;
-    #[pymodule_export]
-    use crate::records::{
-        checked, derived, interface_of, material, materials, moments_of_both, numbers_of,
-        surface_of,
+    use crate::{
+        ask::advice::{check, plan, pull_off, recommend},
+        ask::contact::Contact,
+        ask::values::{answer, corrected, separations, shares},
+        bem::contacts::{bem, bem_unloading, truth},
+        convert::numbers::{floats, in_si},
+        convert::{ContactWarning, NotConverged, UnsupportedFormat},
+        fit::fit,
+        joints::{JointTable, PartialSlip, Unloading},
+        model::engine::{Engine, model_ids, quantities},
+        picture::svg,
+        random_surface::random_surface,
+        records::{checked, derived, interface_of, material, materials},
+        records::{moments_of_both, numbers_of, surface_of},
+        scene::{SceneFile, template},
+        tables::{contact_table, correlated, gap_conductance},
+        topography::Topography,
     };
-    #[pymodule_export]
-    use crate::scene::{SceneFile, template};
-    #[pymodule_export]
-    use crate::tables::{contact_table, correlated, gap_conductance};
-    #[pymodule_export]
-    use crate::topography::Topography;
 }

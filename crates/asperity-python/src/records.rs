@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::numbers::{no_number, number};
-use crate::convert::{refused, warn};
+use crate::convert::{Object, refused, warn};
 
 /// A struct of the library behind a class of the package.
 pub(crate) trait Record: Sized + 'static {
@@ -90,12 +90,12 @@ fn read<T: Record>(given: &Bound<'_, PyDict>) -> PyResult<T> {
     Ok(found)
 }
 
-fn class<'py, T: Record>(py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+fn class<'py, T: Record>(py: Python<'py>) -> PyResult<Object<'py>> {
     py.import("asperity._records")?.getattr(T::CLASS)
 }
 
 /// The record of a struct.
-pub(crate) fn record<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn record<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Object<'py>> {
     class::<T>(py)?.call((), Some(&numbers(py, of)?))
 }
 
@@ -104,7 +104,7 @@ pub(crate) fn interface<'py>(
     py: Python<'py>,
     interface: &Interface,
     bodies: &[Body],
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<Object<'py>> {
     let bodies = bodies.iter().map(|body| record(py, body)).collect::<PyResult<Vec<_>>>()?;
     let made = (numbers(py, interface)?, PyTuple::new(py, bodies)?);
     class::<Interface>(py)?.call_method1("_made", made)
@@ -115,7 +115,7 @@ pub(crate) fn surface<'py>(
     py: Python<'py>,
     surface: &Surface,
     roughness: Option<Roughness>,
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<Object<'py>> {
     let made = (numbers(py, surface)?, roughness.map(|one| by_key(py, one)).transpose()?);
     class::<Surface>(py)?.call_method1("_made", made)
 }
@@ -126,7 +126,7 @@ pub(crate) fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_,
 }
 
 /// An argument as the struct of the class; a `TypeError` for another type.
-pub(crate) fn instance<T: Record>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<T> {
+pub(crate) fn instance<T: Record>(name: &str, given: &Object<'_>) -> PyResult<T> {
     if given.is_instance(&class::<T>(given.py())?)? {
         return read(given.getattr("__dict__")?.cast()?);
     }
@@ -141,12 +141,12 @@ pub(crate) fn instance<T: Record>(name: &str, given: &Bound<'_, PyAny>) -> PyRes
 }
 
 /// The bodies from which an interface is made.
-pub(crate) fn bodies(interface: &Bound<'_, PyAny>) -> PyResult<Vec<Body>> {
+pub(crate) fn bodies(interface: &Object<'_>) -> PyResult<Vec<Body>> {
     interface.getattr("_origin")?.try_iter()?.map(|body| instance("body", &body?)).collect()
 }
 
 /// The numbers from which a surface follows.
-pub(crate) fn roughness(surface: &Bound<'_, PyAny>) -> PyResult<Option<Roughness>> {
+pub(crate) fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
     let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
     let Some((keys, numbers)) = origin.map(|origin| three(&origin)).transpose()? else {
         return Ok(None);
@@ -165,7 +165,7 @@ fn three(given: &Bound<'_, PyDict>) -> PyResult<([String; 3], [f64; 3])> {
 }
 
 /// The name of an object's type with its article.
-pub(crate) fn with_article(given: &Bound<'_, PyAny>) -> String {
+pub(crate) fn with_article(given: &Object<'_>) -> String {
     let name = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
     format!("{} {name}", article(&name))
 }
@@ -175,16 +175,19 @@ fn article(noun: &str) -> &'static str {
     if vowel { "an" } else { "a" }
 }
 
-/// The numbers of a record that a section of scene files has: name, whether it is required, and
-/// the text of the documentation.
+/// Name and unit of a number, whether it is required, and its text in the documentation.
+type Described = (&'static str, &'static str, bool, String);
+
+/// The numbers of the record of a section of scene files.
 #[pyfunction]
-pub(crate) fn numbers_of(section: &str) -> Vec<(&'static str, bool, String)> {
-    fn of<T: Record>(section: &str) -> Vec<(&'static str, bool, String)> {
+pub(crate) fn numbers_of(section: &str) -> Vec<Described> {
+    fn of<T: Record>(section: &str) -> Vec<Described> {
         let describe = |number: &Field<T>| {
-            let key = Key::find(section, number.name);
-            let label = key.map_or(["", ""], |key| [key.form[0], key.meaning]);
-            let label: Vec<&str> = label.into_iter().filter(|text| !text.is_empty()).collect();
-            (number.name, (number.get)(&T::BLANK()).is_some(), label.join(", "))
+            let required = (number.get)(&T::BLANK()).is_some();
+            let (unit, texts) = Key::find(section, number.name)
+                .map_or(("", ["", ""]), |key| (key.unit, [key.form[0], key.meaning]));
+            let texts: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+            (number.name, unit, required, texts.join(", "))
         };
         T::NUMBERS.iter().map(describe).collect()
     }
@@ -211,7 +214,7 @@ pub(crate) fn checked<'py>(kind: &str, given: &Bound<'py, PyDict>) -> PyResult<B
 #[pyfunction]
 pub(crate) fn interface_of<'py>(
     bodies: &Bound<'py, PyDict>,
-    work_of_adhesion: Option<&Bound<'py, PyAny>>,
+    work_of_adhesion: Option<&Object<'py>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (py, names) = (bodies.py(), bodies.keys().extract::<Vec<String>>()?);
     let read = names.iter().zip(bodies.values()).map(|(name, body)| instance(name, &body));
@@ -233,7 +236,7 @@ pub(crate) fn interface_of<'py>(
 #[pyfunction]
 pub(crate) fn surface_of<'py>(
     given: &Bound<'py, PyDict>,
-    interface: Option<&Bound<'py, PyAny>>,
+    interface: Option<&Object<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
     let (py, (keys, three)) = (given.py(), three(given)?);
     let Some(roughness) = Roughness::of(keys.each_ref().map(|key| &**key), three) else {
@@ -250,8 +253,8 @@ pub(crate) fn surface_of<'py>(
 /// The sums of the spectral moments of two surfaces.
 #[pyfunction]
 pub(crate) fn moments_of_both<'py>(
-    one: &Bound<'py, PyAny>,
-    other: &Bound<'py, PyAny>,
+    one: &Object<'py>,
+    other: &Object<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let moments = |given| -> PyResult<ProfileMoments> {
         match roughness(given)? {
@@ -266,7 +269,7 @@ pub(crate) fn moments_of_both<'py>(
 
 /// A number that follows from a surface or an asperity.
 #[pyfunction]
-pub(crate) fn derived(record: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+pub(crate) fn derived(record: &Object<'_>, name: &str) -> PyResult<f64> {
     let surface = || instance::<Surface>("surface", record);
     let asperity = || instance::<Asperity>("asperity", record);
     match name {
@@ -290,7 +293,7 @@ pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
 
 /// The body of a material.
 #[pyfunction]
-pub(crate) fn material<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn material<'py>(py: Python<'py>, name: &str) -> PyResult<Object<'py>> {
     let all = asperity_inputs::materials();
     let found = all.iter().find(|material| material.id == name).ok_or_else(|| {
         let near = asperity::nearest_name(name, all.iter().map(|known| &*known.id));

@@ -10,7 +10,7 @@ use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::convert::{object, value_error, warn};
+use crate::convert::{Object, object, value_error, warn};
 use crate::reading::{Spacing, found, unit_of, unreadable};
 use crate::records::record;
 
@@ -34,7 +34,7 @@ pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
-    fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
+    fn new(heights: &Object<'_>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
         let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
         let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
         let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
@@ -106,7 +106,7 @@ impl Topography {
 
     /// The heights [m].
     #[getter]
-    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         let heights = PyArray1::from_slice(py, self.0.heights());
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
@@ -142,7 +142,7 @@ impl Topography {
     /// these. A dict: ``count``, ``largest`` [m] (negative below), ``m4_share`` and
     /// ``kurtosis_share`` (their shares of m4 and of the fourth moment of the heights), and
     /// ``points`` (row and column of each).
-    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         let found = py.detach(|| self.0.outliers());
         let columns = self.0.columns();
         let points = found.points.iter().map(|at| (at / columns, at % columns));
@@ -180,7 +180,7 @@ impl Topography {
 
     /// The equivalent rough surface of this surface against another, without levelling: their
     /// moments add.
-    fn against<'py>(&self, py: Python<'py>, other: &Self) -> PyResult<Bound<'py, PyAny>> {
+    fn against<'py>(&self, py: Python<'py>, other: &Self) -> PyResult<Object<'py>> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
             Statistics::combined(&one?, &two?)
@@ -210,7 +210,7 @@ impl Topography {
         level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         object(py, &self.found(py, level, estimator, cutoff)?)
     }
 
@@ -222,7 +222,7 @@ impl Topography {
         level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let found = self.found(py, level, estimator, cutoff)?.surface();
         record(py, &found.map_err(value_error)?)
     }
@@ -239,7 +239,7 @@ impl Topography {
         level: Option<&str>,
         smooth: Option<f64>,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         object(py, &self.glance(py, level, [smooth, cutoff])?.1)
     }
 
@@ -253,7 +253,7 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
         title: &str,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let (surface, found) = self.glance(py, level, [smooth, cutoff])?;
         let svg = py.detach(|| draw_surface(&surface, &found, Some(title))).map_err(value_error)?;
         py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))

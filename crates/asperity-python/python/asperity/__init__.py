@@ -46,15 +46,15 @@ from asperity._bem import TruthRows as TruthRows
 from asperity._bem import bem as bem
 from asperity._bem import bem_unloading as bem_unloading
 from asperity._bem import truth as truth
-from asperity._corrected import CorrectedCurve as CorrectedCurve
+from asperity._curve import CorrectedCurve as CorrectedCurve
 from asperity._curve import Curve as Curve
 from asperity._fit import Estimate as Estimate
 from asperity._fit import Fit as Fit
 from asperity._fit import Fits as Fits
 from asperity._fit import fit as fit
-from asperity._laws import AsperityLaws as AsperityLaws
 from asperity._materials import Material as Material
 from asperity._materials import materials as materials
+from asperity._model import AsperityLaws as AsperityLaws
 from asperity._model import Model as Model
 from asperity._model import model as model
 from asperity._model import models as models

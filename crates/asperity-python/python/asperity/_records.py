@@ -40,9 +40,10 @@ def _numbers(section):
 
     def add(cls):
         cls.__annotations__, lines = {}, []
-        for name, required, text in _asperity.numbers_of(section):
+        for name, unit, required, text in _asperity.numbers_of(section):
             cls.__annotations__[name] = "float" if required else "float | None"
-            lines.append(f"{name} : float or str{'' if required else ', optional'}\n    {text}")
+            kind = ("float or str" if unit else "float") + ("" if required else ", optional")
+            lines.append(f"{name} : {kind}\n    {text}")
             if not required:
                 setattr(cls, name, None)
         cls.__doc__ = cls.__doc__.replace("PARAMETERS", "\n    ".join("\n".join(lines).split("\n")))

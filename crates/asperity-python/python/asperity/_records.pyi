@@ -14,6 +14,7 @@ class Record:
     def __hash__(self) -> int: ...
 
 class Body(Record):
+    # numbers of Body
     def __init__(
         self,
         youngs_modulus: _Number,
@@ -31,10 +32,12 @@ class Body(Record):
     thermal_conductivity: Final[float | None]
     electrical_resistivity: Final[float | None]
     tangent_modulus: Final[float | None]
+    # end
     @staticmethod
     def material(name: str) -> Body: ...
 
 class Interface(Record):
+    # numbers of Interface
     def __init__(
         self,
         equivalent_modulus: _Number,
@@ -48,12 +51,6 @@ class Interface(Record):
         work_of_adhesion: _Number | None = None,
         tangent_modulus: _Number | None = None,
     ) -> None: ...
-    @staticmethod
-    def between(
-        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
-    ) -> Interface: ...
-    @staticmethod
-    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
     equivalent_modulus: Final[float]
     poissons_ratio: Final[float]
     hardness: Final[float | None]
@@ -64,11 +61,26 @@ class Interface(Record):
     electrical_resistivity: Final[float | None]
     work_of_adhesion: Final[float | None]
     tangent_modulus: Final[float | None]
+    # end
+    @staticmethod
+    def between(
+        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
+    ) -> Interface: ...
+    @staticmethod
+    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
 
 class Surface(Record):
+    # numbers of Surface
     def __init__(
-        self, asperity_radius: _Number, asperity_density: _Number, asperity_height_std: _Number
+        self,
+        asperity_radius: _Number,
+        asperity_density: _Number,
+        asperity_height_std: _Number,
     ) -> None: ...
+    asperity_radius: Final[float]
+    asperity_density: Final[float]
+    asperity_height_std: Final[float]
+    # end
     @staticmethod
     def from_plasticity_index(
         plasticity_index: _Float,
@@ -91,9 +103,6 @@ class Surface(Record):
     ) -> Surface: ...
     @staticmethod
     def from_gradient(sq: _Number, spd: _Number, sdq: _Number) -> Surface: ...
-    asperity_radius: Final[float]
-    asperity_density: Final[float]
-    asperity_height_std: Final[float]
     @property
     def roughness_parameter(self) -> float: ...
     @property

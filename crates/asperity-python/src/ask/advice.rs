@@ -12,12 +12,12 @@ use pyo3::prelude::*;
 use crate::ask::asked::{Arguments, Asked};
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{object, refused, value_error};
+use crate::convert::{Object, object, refused, value_error};
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
-type CheckResult<'py> = (Vec<(String, f64, String, String)>, Bound<'py, PyAny>);
+type CheckResult<'py> = (Vec<(String, f64, String, String)>, Object<'py>);
 
 /// Derived numbers and findings of a scene and, at a place, of a model's answer.
 #[pyfunction]
@@ -136,10 +136,7 @@ fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {
 
 /// The plan of rows on one scene: its text and its steps.
 #[pyfunction]
-pub(crate) fn plan<'py>(
-    py: Python<'py>,
-    asked: Arguments<'py>,
-) -> PyResult<(String, Bound<'py, PyAny>)> {
+pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(String, Object<'py>)> {
     let asked = Asked::new(asked)?;
     let (scene, request) = scene_and_request(&asked)?;
     let plan = asked.engine().run(py, || asked.model.compile(scene, &request)?.plan(&request))?;
@@ -148,9 +145,9 @@ pub(crate) fn plan<'py>(
 
 /// What is known of a model: its id, the deviation of each quantity, why some or all have no value,
 /// and the deviation from boundary elements.
-type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
+type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<'py>>);
 /// The simplest model, all models, the evidence in sentences and place by place, and the text.
-type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Bound<'py, PyAny>>, String);
+type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Object<'py>>, String);
 
 /// Deviations from the reference of the models of a scene, or of the named models.
 #[pyfunction]

@@ -10,8 +10,8 @@ use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::ask::long::run_stretches;
 use crate::ask::rows::Rows;
-use crate::convert::Quantities;
 use crate::convert::numbers::argument;
+use crate::convert::{Object, Quantities};
 use crate::model::engine::Engine;
 
 /// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.
@@ -34,7 +34,7 @@ pub(crate) type Found<T> = Result<T, Box<ContactError>>;
 pub(crate) type Split<T> = (Vec<Option<T>>, Vec<(usize, ContactError)>);
 
 /// Engine, rows, quantities and tolerance, as the package passes them.
-pub(crate) type Arguments<'py> = (Py<Engine>, Rows, Bound<'py, PyAny>, Bound<'py, PyAny>);
+pub(crate) type Arguments<'py> = (Py<Engine>, Rows, Object<'py>, Object<'py>);
 
 impl Asked {
     pub(crate) fn new((engine, rows, quantities, rtol): Arguments<'_>) -> PyResult<Self> {

@@ -13,7 +13,7 @@ use crate::ask::long::run_stretches;
 use crate::ask::over::Given;
 use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
-use crate::convert::{Quantities, value_error};
+use crate::convert::{Object, Quantities, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -54,7 +54,7 @@ impl Contact {
         scene: Py<SceneFile>,
         quantities: Quantities,
         rtol: f64,
-        separation_unit: Bound<'_, PyAny>,
+        separation_unit: Object<'_>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let request = quantities.request(rtol)?.at_loads([1.0]);
@@ -64,15 +64,12 @@ impl Contact {
     }
 
     /// Force [N] at separations.
-    fn force<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn force<'py>(&self, separation: &Object<'py>) -> PyResult<Object<'py>> {
         self.values(Quantity::Force, self.axis, separation)
     }
 
     /// Force [N] and tangent -dF/dd [N/m] at separations, in one pass.
-    fn force_and_tangent<'py>(
-        &self,
-        separation: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyTuple>> {
+    fn force_and_tangent<'py>(&self, separation: &Object<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let one = |contact: &dyn asperity::Contact, at| {
             contact.force_and_tangent_at(at).map(|(force, tangent)| [force, tangent])
         };
@@ -86,10 +83,10 @@ impl Contact {
     fn evaluate<'py>(
         &self,
         quantity: &str,
-        separation: Option<&Bound<'py, PyAny>>,
-        load: Option<&Bound<'py, PyAny>>,
-        pressure: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+        separation: Option<&Object<'py>>,
+        load: Option<&Object<'py>>,
+        pressure: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
         let quantity: Quantity = quantity.parse().map_err(value_error)?;
         match (separation, load, pressure) {
             (Some(separation), None, None) => self.values(quantity, self.axis, separation),
@@ -155,8 +152,8 @@ impl Contact {
         &self,
         quantity: Quantity,
         axis: Axis,
-        numbers: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+        numbers: &Object<'py>,
+    ) -> PyResult<Object<'py>> {
         let one = |contact: &dyn asperity::Contact, at| Ok([contact.evaluate_at(quantity, at)?]);
         Ok(self.over([quantity], axis, numbers, one)?.remove(0))
     }
@@ -167,9 +164,9 @@ impl Contact {
         &self,
         quantities: [Quantity; N],
         axis: Axis,
-        numbers: &Bound<'py, PyAny>,
+        numbers: &Object<'py>,
         one: impl Fn(&dyn asperity::Contact, At) -> Result<[Evaluation; N], ContactError> + Sync,
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         let (py, from) = (numbers.py(), self.file.separation_from);
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));

@@ -62,17 +62,9 @@ impl Watch for Interrupt {
     }
 }
 
-/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
-/// them; a signal stops `work`.
+/// Runs `work` on a number of threads, or on those of this process, while this thread, which gets
+/// the signals, checks for them; a signal stops `work`.
 pub(crate) fn run_interruptible<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&Interrupt) -> T + Send,
-) -> PyResult<T> {
-    run_on(py, None, work)
-}
-
-/// The same on a number of threads.
-fn run_on<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
     work: impl FnOnce(&Interrupt) -> T + Send,
@@ -125,7 +117,7 @@ pub(crate) fn run_stretches<S: Send>(
         return Ok(py.detach(|| vec![stretch(0)]));
     }
     let last = AtomicUsize::new(usize::MAX);
-    run_on(py, threads, |stop| {
+    run_interruptible(py, threads, |stop| {
         let one = |k: usize| {
             if stop.is_stopped() || k > last.load(Ordering::Relaxed) {
                 return None;

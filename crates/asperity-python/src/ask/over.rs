@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyFloat;
 
 use crate::ask::long::run_stretches;
+use crate::convert::Object;
 use crate::convert::numbers::{floats, scalar, texts_in_si};
 
 /// A float, or an array of floats.
@@ -18,11 +19,7 @@ pub(crate) enum Given<'py> {
 
 impl<'py> Given<'py> {
     /// Reads numbers, or texts with a unit as numbers in an SI unit; and whether they were texts.
-    pub(crate) fn read(
-        numbers: &Bound<'py, PyAny>,
-        name: &str,
-        si: &str,
-    ) -> PyResult<(Self, bool)> {
+    pub(crate) fn read(numbers: &Object<'py>, name: &str, si: &str) -> PyResult<(Self, bool)> {
         if let Some(number) = scalar(numbers) {
             return Ok((Self::One([number]), false));
         }
@@ -32,7 +29,7 @@ impl<'py> Given<'py> {
         }
     }
 
-    pub(crate) fn of(numbers: &Bound<'py, PyAny>, name: &str) -> PyResult<Self> {
+    pub(crate) fn of(numbers: &Object<'py>, name: &str) -> PyResult<Self> {
         Ok(match scalar(numbers) {
             Some(number) => Self::One([number]),
             None => Self::Many(floats(numbers, name)?.readonly()),
@@ -51,7 +48,7 @@ impl<'py> Given<'py> {
         &self,
         py: Python<'py>,
         columns: [Vec<f64>; N],
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         let shaped = |column: Vec<f64>| match self {
             Self::One(_) => {
                 Ok(PyFloat::new(py, column.first().copied().unwrap_or(f64::NAN)).into_any())
@@ -70,7 +67,7 @@ impl<'py> Given<'py> {
         together: usize,
         one: impl Fn(usize, f64) -> Result<[f64; N], ContactError> + Sync,
         raise: impl Fn(ContactError) -> PyErr,
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         if let Self::One([number]) = self {
             let found = py.detach(|| one(0, *number)).map_err(raise)?;
             return Ok(found.map(|value| PyFloat::new(py, value).into_any()).into());

@@ -12,6 +12,7 @@ use pyo3::types::{IntoPyDict, PyDict};
 use crate::ask::advice::check_rows;
 use crate::ask::answer::Aspect;
 use crate::ask::asked::{Arguments, Asked, Failures, ROWS_PER_TASK, arrays, split};
+use crate::convert::Object;
 use crate::convert::axis::Axis;
 
 /// The model's name on these scenes; quantities of every row, NaN where a row fails, by name; the
@@ -54,7 +55,7 @@ pub(crate) fn separations<'py>(
     unit: Axis,
     all: bool,
     stop: bool,
-) -> PyResult<(Bound<'py, PyAny>, Failures)> {
+) -> PyResult<(Object<'py>, Failures)> {
     let asked = Asked::new(asked)?;
     let rows = &asked.rows;
     let of = |contact: &dyn Contact, row, found| unit.of(found, rows.datum(row), contact.scene());

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
-use crate::convert::{Quantities, object, refused, value_error, warn};
+use crate::convert::{Object, Quantities, object, refused, value_error, warn};
 use crate::scene::SceneFile;
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
@@ -58,7 +58,7 @@ pub(crate) fn bem<'py>(
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
     let mut columns: Vec<Vec<f64>> = vec![missing(1); HEADS.len() + quantities.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, |stop| {
+    run_interruptible(py, None, |stop| {
         let mut fail = |index, error: PyErr, message| match mask {
             true => drop(failures.insert(index, message)),
             false => {
@@ -126,7 +126,7 @@ pub(crate) fn bem_unloading<'py>(
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_cases(given, area).remove(0);
-    let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
+    let (retreats, end, found) = run_interruptible(py, None, |stop| -> Result<_, BemError> {
         let path = elements.unloading_from(greatest)?;
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
@@ -162,7 +162,7 @@ type Sentences = (Option<String>, Vec<String>);
 /// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
 /// and the boundary.
 type Truths<'py> =
-    (Bound<'py, PyAny>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+    (Object<'py>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -187,7 +187,7 @@ pub(crate) fn truth<'py>(
     };
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = run_interruptible(py, |stop| {
+        let found = run_interruptible(py, None, |stop| {
             compare_with_bem(&scene.scene, bem, &pressures, models, |_| stop.step(""))
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();

@@ -4,7 +4,7 @@ use asperity::bem::{Bem, Continuation, LoadCase};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::convert::{value_error, warn};
+use crate::convert::{Object, value_error, warn};
 use crate::records::{instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
@@ -20,7 +20,7 @@ pub(super) struct Pressed {
 /// A surface, the two bodies of a topography, the form to remove, whether the hardness is ignored,
 /// and what lies beyond the edges.
 pub(super) type Arguments<'py> =
-    (Bound<'py, PyAny>, Option<Bound<'py, PyAny>>, Option<String>, bool, Option<String>);
+    (Object<'py>, Option<Object<'py>>, Option<String>, bool, Option<String>);
 
 impl Pressed {
     /// The scan of a scene, or a topography with the two bodies and the form to remove.

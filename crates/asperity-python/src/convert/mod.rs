@@ -34,6 +34,9 @@ create_exception!(
     "A file of a scan in a format without a reader here."
 );
 
+/// Any object of Python.
+pub(crate) type Object<'py> = Bound<'py, PyAny>;
+
 /// A `ValueError` with the message of an error of the library.
 pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
@@ -55,11 +58,11 @@ pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize
 }
 
 /// The dict, list or number of a serialisable value; None for NaN.
-pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Object<'py>> {
     converted(py, &serde_json::to_value(of).map_err(value_error)?)
 }
 
-fn converted<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+fn converted<'py>(py: Python<'py>, value: &Value) -> PyResult<Object<'py>> {
     match value {
         Value::Null => Ok(py.None().into_bound(py)),
         Value::Bool(value) => value.into_bound_py_any(py),

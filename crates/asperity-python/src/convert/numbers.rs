@@ -5,10 +5,10 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
 
-use crate::convert::value_error;
+use crate::convert::{Object, value_error};
 
 /// A number, also a NumPy scalar; none for arrays and booleans.
-pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
+pub(crate) fn scalar(number: &Object<'_>) -> Option<f64> {
     // Python would convert True to 1.
     if number.is_instance_of::<PyBool>() {
         return None;
@@ -21,7 +21,7 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
 
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
-pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
+pub(crate) fn number(owner: &str, name: &str, given: &Object<'_>) -> PyResult<f64> {
     let has_unit = asperity_inputs::unit_of(name).is_some();
     if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
         let read = |text: &str| asperity_inputs::quantity_of(name, text);
@@ -38,7 +38,7 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
 /// An argument of the package's function; a `TypeError` has its name.
 pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
     name: &str,
-    given: &'a Bound<'py, PyAny>,
+    given: &'a Object<'py>,
 ) -> PyResult<T> {
     given.extract().map_err(|error: PyErr| match error.is_instance_of::<PyTypeError>(given.py()) {
         true => PyTypeError::new_err(format!("argument '{name}': {}", error.value(given.py()))),
@@ -63,10 +63,7 @@ fn with_unit(text: &str, read: impl Fn(&str) -> Result<f64, String>) -> PyResult
 }
 
 /// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit; none for numbers.
-pub(crate) fn texts_in_si<'py>(
-    numbers: &Bound<'py, PyAny>,
-    si: &str,
-) -> PyResult<Option<Bound<'py, PyAny>>> {
+pub(crate) fn texts_in_si<'py>(numbers: &Object<'py>, si: &str) -> PyResult<Option<Object<'py>>> {
     let py = numbers.py();
     let read = |text: &Bound<'_, PyString>| {
         with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si))
@@ -81,7 +78,7 @@ pub(crate) fn texts_in_si<'py>(
     if !items.iter().any(|item| item.is_instance_of::<PyString>()) {
         return Ok(None);
     }
-    let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
+    let each = |item: &Object<'_>| match item.cast::<PyString>() {
         Ok(text) => read(text),
         Err(_) => {
             let shown = item.repr()?;
@@ -95,7 +92,7 @@ pub(crate) fn texts_in_si<'py>(
 
 /// Texts with a unit as numbers in an SI unit; numbers as they are.
 #[pyfunction]
-pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn in_si<'py>(numbers: Object<'py>, si: &str) -> PyResult<Object<'py>> {
     Ok(texts_in_si(&numbers, si)?.unwrap_or(numbers))
 }
 
@@ -103,7 +100,7 @@ pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound
 /// booleans and texts are refused.
 #[pyfunction]
 pub(crate) fn floats<'py>(
-    values: &Bound<'py, PyAny>,
+    values: &Object<'py>,
     name: &str,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let numpy = values.py().import("numpy")?;

@@ -9,7 +9,7 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::ask::over::Given;
 use crate::convert::axis::Axis;
 use crate::convert::numbers::{floats, scalar};
-use crate::convert::value_error;
+use crate::convert::{Object, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -55,7 +55,7 @@ impl JointTable {
         ends: (f64, f64),
         law: &str,
         tolerance: f64,
-        separation_unit: Bound<'_, PyAny>,
+        separation_unit: Object<'_>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
@@ -96,8 +96,8 @@ impl JointTable {
     #[pyo3(signature = (separation, closest=None))]
     fn step<'py>(
         &self,
-        separation: &Bound<'py, PyAny>,
-        closest: Option<&Bound<'py, PyAny>>,
+        separation: &Object<'py>,
+        closest: Option<&Object<'py>>,
     ) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
         let infinity = PyFloat::new(py, f64::INFINITY).into_any();
@@ -111,7 +111,7 @@ impl JointTable {
         if separation.shape() != closest.shape() {
             let numpy = py.import("numpy")?;
             let both = numpy.call_method1("broadcast_arrays", (separation, closest))?;
-            let both: (Bound<'py, PyAny>, Bound<'py, PyAny>) = both.extract()?;
+            let both: (Object<'py>, Object<'py>) = both.extract()?;
             (separation, closest) = (floats(&both.0, "separation")?, floats(&both.1, "closest")?);
         }
         let (separation, closest) =
@@ -122,7 +122,7 @@ impl JointTable {
     }
 
     /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
-    fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+    fn history<'py>(&self, separation: &Object<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
         let given = Given::Many(floats(separation, "separation")?.readonly());
         let mut closest = f64::INFINITY;

@@ -8,7 +8,7 @@ use crate::ask::advice::check_scene;
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::texts_in_si;
-use crate::convert::{value_error, warn};
+use crate::convert::{Object, value_error, warn};
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
@@ -47,10 +47,10 @@ impl Unloading {
         py: Python<'_>,
         model: Py<Engine>,
         scene: Py<SceneFile>,
-        place: (Bound<'_, PyAny>, f64),
+        place: (Object<'_>, f64),
         law: &str,
         rtol: f64,
-        separation_unit: Bound<'_, PyAny>,
+        separation_unit: Object<'_>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
@@ -72,27 +72,27 @@ impl Unloading {
     }
 
     /// Force [N] at retreats.
-    fn force<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn force<'py>(&self, retreat: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(retreat, |joint, u| Ok(joint.force(u)?.value()))
     }
 
     /// Real contact area [m^2] at retreats; not for the law "etsion".
-    fn area<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn area<'py>(&self, retreat: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(retreat, |joint, u| Ok(joint.area(u)?.value()))
     }
 
     /// Stiffness -dF/dd [N/m] at retreats.
-    fn stiffness<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn stiffness<'py>(&self, retreat: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(retreat, |joint, u| Ok(joint.stiffness(u)?.value()))
     }
 
     /// Work [J] returned by unloading up to retreats.
-    fn returned<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn returned<'py>(&self, retreat: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(retreat, |joint, u| Ok(joint.returned(u)?.value()))
     }
 
     /// Mean number of asperities in contact at retreats.
-    fn contacts<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn contacts<'py>(&self, retreat: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(retreat, |joint, u| Ok(joint.contacts(u)?.value()))
     }
 
@@ -156,9 +156,9 @@ impl Unloading {
 
     fn over<'py>(
         &self,
-        retreat: &Bound<'py, PyAny>,
+        retreat: &Object<'py>,
         one: impl Fn(&joints::Unloading, f64) -> Result<f64, ContactError> + Sync,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let (py, scene) = (retreat.py(), self.joint.scene());
         let (given, is_si) = Given::read(retreat, "retreat", "m")?;
         let unit = if is_si { METRES } else { self.unit };
@@ -194,7 +194,7 @@ impl PartialSlip {
     }
 
     /// Tangential force [N] at shifts of the first loading.
-    fn force<'py>(&self, shift: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn force<'py>(&self, shift: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(shift, ("shift", "m"), |slip, u| Ok(slip.force(u)?.value()))
     }
 
@@ -203,29 +203,29 @@ impl PartialSlip {
     #[pyo3(signature = (shift, amplitude, *, forth=false))]
     fn loop_force<'py>(
         &self,
-        shift: &Bound<'py, PyAny>,
-        amplitude: &Bound<'py, PyAny>,
+        shift: &Object<'py>,
+        amplitude: &Object<'py>,
         forth: bool,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let amplitude: f64 =
             texts_in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
         self.over(shift, ("shift", "m"), |slip, u| slip.loop_force(u, amplitude, forth))
     }
 
     /// Energy [J] dissipated per cycle between -amplitude and +amplitude.
-    fn loss<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn loss<'py>(&self, amplitude: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(amplitude, ("amplitude", "m"), |slip, u| Ok(slip.loss(u)?.value()))
     }
 
     /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi
     /// times force times amplitude; 4/pi in full sliding.
-    fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn loss_factor<'py>(&self, amplitude: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(amplitude, ("amplitude", "m"), joints::PartialSlip::loss_factor)
     }
 
     /// Amplitude of shift [m] of cycles with these amplitudes of the tangential force [N], which
     /// are below ``limit``.
-    fn amplitude_at<'py>(&self, force: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn amplitude_at<'py>(&self, force: &Object<'py>) -> PyResult<Object<'py>> {
         self.over(force, ("tangential_force", "N"), joints::PartialSlip::amplitude_at)
     }
 
@@ -259,10 +259,10 @@ impl PartialSlip {
 
     fn over<'py>(
         &self,
-        numbers: &Bound<'py, PyAny>,
+        numbers: &Object<'py>,
         (name, unit): (&str, &str),
         one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let (given, _) = Given::read(numbers, name, unit)?;
         let (py, one) = (numbers.py(), |_, u: f64| Ok([one(&self.slip, u)?]));
         Ok(given.each(py, ROWS_PER_TASK, one, |error| self.engine().raise(py, error))?.remove(0))

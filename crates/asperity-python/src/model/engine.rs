@@ -10,7 +10,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::{Quantities, refused, value_error};
+use crate::convert::{Object, Quantities, refused, value_error};
 use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, arguments::OptionValue};
 
@@ -27,9 +27,9 @@ enum Kind {
 #[pymethods]
 impl Engine {
     /// A model by its id, with options that replace those of a scene; or a model written in Python,
-    /// as the package's `_laws.Laws` of a class.
+    /// as the package's `_model.Laws` of a class.
     #[new]
-    fn new(model: &Bound<'_, PyAny>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
+    fn new(model: &Object<'_>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
             let model = Model::new(PythonModel::new(model, raised.clone())?);

@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 use serde::Serialize;
 
 use crate::convert::numbers::texts_in_si;
-use crate::convert::{refused, value_error};
+use crate::convert::{Object, refused, value_error};
 use crate::records::{by_key, numbers};
 use crate::scene::SceneFile;
 
@@ -56,7 +56,7 @@ impl Heights {
         }
     }
 
-    pub(crate) fn of(given: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub(crate) fn of(given: &Object<'_>) -> PyResult<Self> {
         given.extract().map_err(|_| {
             let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
             PyTypeError::new_err(format!("heights is {shown}: {HEIGHTS} was required"))

@@ -13,7 +13,7 @@ use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 
 use crate::convert::numbers::number;
-use crate::convert::{object, refused, value_error, warn};
+use crate::convert::{Object, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
 use arguments::{Heights, OptionValue, inputs, inputs_in_si};
@@ -68,12 +68,12 @@ impl SceneFile {
         text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None)"
     )]
     fn new(
-        interface: &Bound<'_, PyAny>,
-        surface: &Bound<'_, PyAny>,
-        nominal_area: &Bound<'_, PyAny>,
-        heights: Option<&Bound<'_, PyAny>>,
+        interface: &Object<'_>,
+        surface: &Object<'_>,
+        nominal_area: &Object<'_>,
+        heights: Option<&Object<'_>>,
         separation_from: &str,
-        mean_plane_offset: Option<&Bound<'_, PyAny>>,
+        mean_plane_offset: Option<&Object<'_>>,
         options: Option<BTreeMap<String, OptionValue>>,
     ) -> PyResult<Self> {
         let scene = asperity::Scene::new(
@@ -119,13 +119,13 @@ impl SceneFile {
 
     /// The two bodies.
     #[getter]
-    fn interface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn interface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         records::interface(py, &self.0.scene.interface, &self.0.bodies)
     }
 
     /// The equivalent rough surface.
     #[getter]
-    fn surface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         records::surface(py, &self.0.scene.surface, self.0.roughness)
     }
 
@@ -137,7 +137,7 @@ impl SceneFile {
 
     /// The distribution of the asperity heights: its name, its skewness, or a table.
     #[getter]
-    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         match Heights::in_file(&self.0) {
             Heights::Table(z, density) => {
                 (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
@@ -148,7 +148,7 @@ impl SceneFile {
 
     /// The plane of separation 0.
     #[getter]
-    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         object(py, &self.0.separation_from)
     }
 
@@ -161,22 +161,20 @@ impl SceneFile {
 
     /// The options that differ from the defaults.
     #[getter]
-    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn options<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         object(py, &self.0.options.changed())
     }
 
-    /// A copy with other numbers, by the names of a scene file: equivalent_modulus,
-    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, tangent_modulus,
-    /// pressure_factor, thermal_conductivity, electrical_resistivity, work_of_adhesion,
-    /// asperity_radius, asperity_density, asperity_height_std, nominal_area; or plasticity_index
-    /// and roughness_parameter in the place of radius and density.
+    /// A copy with other numbers, by the names of a scene file: those of ``Interface`` and
+    /// ``Surface``, and nominal_area; or plasticity_index and roughness_parameter in the place of
+    /// radius and density.
     ///
     /// Of a scene with bodies also body1_youngs_modulus, body2_hardness and so on, and
     /// youngs_modulus of both, if it is the same; of a surface from moments m0, m2 and m4, from ISO
     /// 25178 sq, spd and spc, from the standard deviation of the surface heights
     /// surface_height_std. The interface and the surface are made from them again.
     #[pyo3(signature = (**numbers))]
-    fn replace(&self, numbers: Option<BTreeMap<String, Bound<'_, PyAny>>>) -> PyResult<Self> {
+    fn replace(&self, numbers: Option<BTreeMap<String, Object<'_>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();
         let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
         let inputs = inputs(&self.0, numbers.keys())?;
@@ -190,14 +188,14 @@ impl SceneFile {
     fn vary<'py>(
         slf: &Bound<'py, Self>,
         columns: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let scenes = slf.py().import("asperity._scene")?.getattr("Scenes")?;
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
     /// One asperity of the surface with every input resolved.
     #[getter]
-    fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
@@ -252,7 +250,7 @@ impl SceneFile {
         slf: &Bound<'py, Self>,
         args: Bound<'py, PyTuple>,
         kwargs: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         let check = slf.py().import("asperity._advice")?.getattr("check")?;
         check.call_method1("__get__", (slf,))?.call(args, kwargs)
     }
@@ -281,9 +279,7 @@ impl SceneFile {
         self.shown(py)
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, Bound<'py, PyTuple>)> {
         let arguments = PyTuple::new(slf.py(), slf.get().arguments(slf.py())?.values())?;
         Ok((slf.get_type().into_any(), arguments))
     }

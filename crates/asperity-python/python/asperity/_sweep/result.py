@@ -14,8 +14,7 @@ import numpy.typing as npt
 
 from asperity._asperity import ContactWarning, floats
 from asperity._scene import Floats
-from asperity._sweep.progress import Run
-from asperity._sweep.store import Folder, Memory, Part, column_name
+from asperity._sweep.store import Folder, Memory, Part, Run, column_name
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -20,10 +20,9 @@ from asperity._asperity import ContactWarning
 from asperity._model import Model, as_model
 from asperity._scene import Floats
 from asperity._sweep.design import Design
-from asperity._sweep.progress import Run, peak_memory
 from asperity._sweep.result import SweepResult
 from asperity._sweep.space import Space
-from asperity._sweep.store import Folder, Memory, Part
+from asperity._sweep.store import Folder, Memory, Part, Run, peak_memory
 
 if TYPE_CHECKING:
     from distributed import Client
