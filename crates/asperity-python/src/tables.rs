@@ -1,35 +1,44 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
 use asperity::Tolerance;
-use asperity::joints::conductance::{self, GapRoughness};
+use asperity::joints::conductance::{self, Correlation, GapRoughness};
 use asperity_answer::{
-    ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
+    Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
-use numpy::{PyArray1, ToPyArray};
+use numpy::ToPyArray;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
+use crate::ask::asked::arrays;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::{refused, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
-/// Clearances [m], pressures [Pa], tangents [Pa/m], the relative errors of pressure and tangent
+/// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
 /// between the nodes, and the text.
-type Table = (Vec<f64>, Vec<f64>, Vec<f64>, f64, f64, String);
+type Table<'py> = (Bound<'py, PyDict>, f64, f64, String);
+
+/// The columns of a sheet by their heads; NaN for blanks.
+fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
+    let number = |cell: &Cell| cell.number().unwrap_or(f64::NAN);
+    let column = |k: usize| sheet.rows.iter().map(|row| number(&row[k])).collect();
+    arrays(py, sheet.heads.iter().enumerate().map(|(k, head)| (head, column(k))))
+}
 
 /// A table between two places, with nodes at equal distances or, if an error is given, as many as
 /// that error needs; conductance and friction are added to the text, if given.
 #[pyfunction]
-pub(crate) fn contact_table(
-    py: Python<'_>,
+pub(crate) fn contact_table<'py>(
+    py: Python<'py>,
     engine: &Engine,
     scene: &SceneFile,
     ends: (Axis, f64, f64),
     spacing: (usize, Option<f64>, f64),
     form: (&str, &str),
     beside: (Option<String>, Option<f64>),
-) -> PyResult<Table> {
+) -> PyResult<Table<'py>> {
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
     let format =
@@ -55,27 +64,20 @@ pub(crate) fn contact_table(
     };
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
-    let column = |k: usize| sheet.rows.iter().filter_map(|row| row[k].number()).collect();
-    let [pressure_error, tangent_error] = [found.pressure_error, found.tangent_error];
-    Ok((column(0), column(1), column(2), pressure_error, tangent_error, found.text))
+    Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
 }
 
-/// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds at
-/// them.
-type Correlated<'py> =
-    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<bool>>);
-
-/// A correlation at loads or pressures on scenes, with their roughness or the one given (height_std
-/// [m] and mean slope), its range of relative pressures, and the plasticity index of a scene if the
-/// correlation is for other contacts.
+/// Conductances per area [W/(m^2 K)] and relative pressures by a correlation at loads or pressures
+/// on scenes, with their roughness or the one given (height_std [m] and mean slope); its range of
+/// relative pressures, and the plasticity index of a scene if it is for other contacts.
 #[pyfunction]
 pub(crate) fn correlated<'py>(
     py: Python<'py>,
     name: &str,
     rows: Rows,
     given: Option<(f64, f64)>,
-) -> PyResult<(Correlated<'py>, [f64; 2], Option<String>)> {
-    let all = conductance::Correlation::ALL;
+) -> PyResult<(Bound<'py, PyDict>, [f64; 2], Option<String>)> {
+    let all = Correlation::ALL;
     let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
         let needed = "\"cmy\" or \"mikic\" was required";
         return Err(value_error(format!("correlation is {name:?}: {needed}")));
@@ -84,21 +86,18 @@ pub(crate) fn correlated<'py>(
     let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
     let mut reason = None;
     for row in 0..rows.len() {
-        let found = rows.file_of(row).and_then(|file| {
-            let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
-            let roughness = given.unwrap_or_else(|| file.gap_roughness());
-            if reason.is_none() {
-                reason = correlation.reason_against(&file.scene);
-            }
-            correlation.at(&file.scene, &roughness, pressure)
-        });
-        let found = found.map_err(value_error)?;
+        let file = rows.file_of(row).map_err(value_error)?;
+        let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
+        let roughness = given.unwrap_or_else(|| file.gap_roughness());
+        reason = reason.or_else(|| correlation.reason_against(&file.scene));
+        let found = correlation.at(&file.scene, &roughness, pressure).map_err(value_error)?;
         conductances.push(found.conductance);
         relative.push(found.relative_pressure);
         holds.push(found.holds);
     }
-    let [conductances, relative] = [conductances, relative].map(|column| column.to_pyarray(py));
-    Ok(((conductances, relative, holds.to_pyarray(py)), correlation.range(), reason))
+    let columns = arrays(py, [("conductance", conductances), ("relative_pressure", relative)])?;
+    columns.set_item("holds", holds.to_pyarray(py))?;
+    Ok((columns, correlation.range(), reason))
 }
 
 /// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.

@@ -338,8 +338,13 @@ impl Topography {
         level: Option<Level>,
         [smooth, cutoff]: [Option<f64>; 2],
     ) -> Result<asperity_topography::Topography, TopographyError> {
-        let level = self.0.clone().levelled(level)?;
-        let smooth = smooth.map_or(Ok(level.clone()), |length| level.smooth(length))?;
-        cutoff.map_or(Ok(smooth.clone()), |length| smooth.filter(length))
+        let mut surface = self.0.clone().levelled(level)?;
+        if let Some(length) = smooth {
+            surface = surface.smooth(length)?;
+        }
+        if let Some(length) = cutoff {
+            surface = surface.filter(length)?;
+        }
+        Ok(surface)
     }
 }

@@ -87,9 +87,9 @@ def export(
     spacing, form = (count, max_error, rtol), (format, units)
     beside = conductance, None if friction is None else float(friction)
     found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, beside)
-    clearance, pressures, tangent, pressure_error, tangent_error, text = found
-    columns = np.array(clearance), np.array(pressures), np.array(tangent)
-    return ContactTable(*columns, pressure_error, tangent_error, text)
+    columns, pressure_error, tangent_error, text = found
+    clearance, pressures, tangent = columns.values()
+    return ContactTable(clearance, pressures, tangent, pressure_error, tangent_error, text)
 
 
 @dataclass(frozen=True)
@@ -141,17 +141,17 @@ def correlated_conductance(
         std = one_number("surface_height_std", in_si(surface_height_std, "m"))
         roughness = std, one_number("mean_slope", mean_slope)
     columns, (first, last), reason = _asperity.correlated(correlation, rows, roughness)
-    conductance, relative, holds = map(rows.shaped, columns)
-    if reason is not None and holds.size:
+    found = Correlated(**{name: rows.shaped(column) for name, column in columns.items()})
+    if reason is not None and found.holds.size:
         warn(f"{correlation}: {reason}", 1)
-    elif not holds.all():
-        worst = relative[~holds].ravel()[0]
+    elif not found.holds.all():
+        worst = found.relative_pressure[~found.holds].ravel()[0]
         message = (
             f"{correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
             f"{last:g}"
         )
         warn(message, 1)
-    return Correlated(conductance, relative, holds)
+    return found
 
 
 def gap_conductance(

@@ -69,17 +69,13 @@ impl Asked {
                 run_stretches(py, threads, (len, ROWS_PER_TASK), run, ends)?
             }
         };
-        let mut answer = self.empty();
+        let mut answer = Answer::default();
         found.into_iter().for_each(|found| answer.append(found));
         Ok(answer)
     }
 
     fn request_at(&self, range: Range<usize>) -> Request {
         self.request.clone().at(range.map(|row| self.rows.at(row)))
-    }
-
-    fn empty(&self) -> Answer {
-        Answer { columns: vec![vec![]; self.request.quantities.len()], ..Answer::default() }
     }
 
     /// Many values at once; none if one of them needs a finding.
@@ -118,7 +114,8 @@ impl Asked {
     }
 
     fn on_many(&self, aspect: Aspect, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
-        let (mut found, quantities) = (self.empty(), &self.request.quantities);
+        let quantities = &self.request.quantities;
+        let mut found = Answer { columns: vec![vec![]; quantities.len()], ..Answer::default() };
         let mut check = RowCheck::new(self.model.validity().adhesive);
         for (row, case, answer) in self.rows.evaluate(range, |cases| sweep.evaluate_all(cases)) {
             // Other quantities of a refused row may have values.

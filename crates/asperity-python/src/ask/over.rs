@@ -23,17 +23,13 @@ impl<'py> Given<'py> {
         if let Some(number) = scalar(numbers) {
             return Ok((Self::One([number]), false));
         }
-        match texts_in_si(numbers, si)? {
-            Some(read) => Ok((Self::of(&read, name)?, true)),
-            None => Ok((Self::of(numbers, name)?, false)),
-        }
-    }
-
-    pub(crate) fn of(numbers: &Object<'py>, name: &str) -> PyResult<Self> {
-        Ok(match scalar(numbers) {
+        let texts = texts_in_si(numbers, si)?;
+        let numbers = texts.as_ref().unwrap_or(numbers);
+        let given = match scalar(numbers) {
             Some(number) => Self::One([number]),
             None => Self::Many(floats(numbers, name)?.readonly()),
-        })
+        };
+        Ok((given, texts.is_some()))
     }
 
     pub(crate) fn numbers(&self) -> PyResult<&[f64]> {

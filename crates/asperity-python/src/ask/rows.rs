@@ -59,11 +59,6 @@ impl Rows {
         self.index.get(row).map_or(0, |place| *place as usize)
     }
 
-    /// The scene of a row, or the scene that columns of numbers vary.
-    fn file(&self, row: usize) -> &asperity_inputs::SceneFile {
-        &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
-    }
-
     /// The number of scenes.
     pub(crate) fn scenes(&self) -> usize {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
@@ -124,7 +119,8 @@ impl Rows {
 
     /// The plane that a row's separations are measured from.
     pub(crate) fn datum(&self, row: usize) -> Datum {
-        self.file(row).separation_from
+        // Columns of numbers vary a single scene.
+        self.files[if self.columns.is_empty() { self.place(row) } else { 0 }].separation_from
     }
 
     /// The single scene of all rows, with its options; none if there are several.

@@ -5,12 +5,11 @@ pub(crate) mod numbers;
 
 use asperity::{ContactError, Quantity, Request};
 use asperity_quadrature::QuadratureError;
+use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
-use pyo3::{IntoPyObjectExt, create_exception};
+use pyo3::types::PyString;
 use serde::Serialize;
-use serde_json::Value;
 
 use crate::model::engine::tolerance;
 
@@ -57,32 +56,10 @@ pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize
     py.import("asperity._warn")?.call_method1("warn", (message.to_string(), above)).map(drop)
 }
 
-/// The dict, list or number of a serialisable value; None for NaN.
+/// The dict, list or number of a serialisable value; None for NaN. Keys are sorted.
 pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Object<'py>> {
-    converted(py, &serde_json::to_value(of).map_err(value_error)?)
-}
-
-fn converted<'py>(py: Python<'py>, value: &Value) -> PyResult<Object<'py>> {
-    match value {
-        Value::Null => Ok(py.None().into_bound(py)),
-        Value::Bool(value) => value.into_bound_py_any(py),
-        Value::String(text) => text.into_bound_py_any(py),
-        Value::Number(number) => match number.as_i64() {
-            Some(integer) => integer.into_bound_py_any(py),
-            None => number.as_f64().into_bound_py_any(py),
-        },
-        Value::Array(items) => {
-            let items = items.iter().map(|item| converted(py, item));
-            items.collect::<PyResult<Vec<_>>>()?.into_bound_py_any(py)
-        }
-        Value::Object(entries) => {
-            let dict = PyDict::new(py);
-            for (name, value) in entries {
-                dict.set_item(name, converted(py, value)?)?;
-            }
-            Ok(dict.into_any())
-        }
-    }
+    let text = serde_json::to_value(of).map_err(value_error)?.to_string();
+    py.import("json")?.call_method1("loads", (text,))
 }
 
 /// One quantity or more, each once.
