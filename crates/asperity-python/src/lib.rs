@@ -33,7 +33,7 @@ mod _asperity {
         ask::contact::Contact,
         ask::values::{answer, corrected, separations, shares},
         bem::contacts::{bem, bem_unloading, truth},
-        convert::numbers::{floats, in_si},
+        convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,
         joints::{JointTable, PartialSlip, Unloading},

@@ -72,7 +72,7 @@ impl Record for Asperity {
 }
 
 /// The numbers of a struct by name; None for those that it does not have.
-pub(crate) fn numbers<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Bound<'py, PyDict>> {
+fn numbers<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Bound<'py, PyDict>> {
     T::NUMBERS.iter().map(|number| (number.name, (number.get)(of))).into_py_dict(py)
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn surface<'py>(
 }
 
 /// The numbers of a roughness by their keys.
-pub(crate) fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_, PyDict>> {
+fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_, PyDict>> {
     roughness.keys().iter().zip(roughness.numbers()).into_py_dict(py)
 }
 
@@ -148,20 +148,17 @@ pub(crate) fn bodies(interface: &Object<'_>) -> PyResult<Vec<Body>> {
 /// The numbers from which a surface follows.
 pub(crate) fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
     let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
-    let Some((keys, numbers)) = origin.map(|origin| three(&origin)).transpose()? else {
-        return Ok(None);
-    };
-    Ok(Roughness::of(keys.each_ref().map(|key| &**key), numbers))
+    Ok(origin.map(|origin| three(&origin)).transpose()?.and_then(|(roughness, _)| roughness))
 }
 
-/// Three named numbers of a surface.
-fn three(given: &Bound<'_, PyDict>) -> PyResult<([String; 3], [f64; 3])> {
+/// Three named numbers of a surface as a roughness, if they are one, and by themselves.
+fn three(given: &Bound<'_, PyDict>) -> PyResult<(Option<Roughness>, [f64; 3])> {
     let keys: [String; 3] = given.keys().extract()?;
     let mut numbers = [0.0; 3];
     for (found, (key, value)) in numbers.iter_mut().zip(keys.iter().zip(given.values())) {
         *found = number("Surface", key, &value)?;
     }
-    Ok((keys, numbers))
+    Ok((Roughness::of(keys.each_ref().map(|key| &**key), numbers), numbers))
 }
 
 /// The name of an object's type with its article.
@@ -238,8 +235,8 @@ pub(crate) fn surface_of<'py>(
     given: &Bound<'py, PyDict>,
     interface: Option<&Object<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
-    let (py, (keys, three)) = (given.py(), three(given)?);
-    let Some(roughness) = Roughness::of(keys.each_ref().map(|key| &**key), three) else {
+    let (py, (roughness, three)) = (given.py(), three(given)?);
+    let Some(roughness) = roughness else {
         let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
         let interface = interface.unwrap_or_else(Interface::BLANK);
         let [index, parameter, std] = three;

@@ -28,6 +28,7 @@ from asperity._advice import PlanStep as PlanStep
 from asperity._advice import Recommendation as Recommendation
 from asperity._advice import plan as plan
 from asperity._advice import recommend as recommend
+from asperity._arguments import Scenes as Scenes
 from asperity._asperity import Contact as Contact
 from asperity._asperity import ContactWarning as ContactWarning
 from asperity._asperity import JointTable as JointTable
@@ -62,7 +63,6 @@ from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface
 from asperity._records import Surface as Surface
-from asperity._scene import Scenes as Scenes
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._surfaces import topography as topography

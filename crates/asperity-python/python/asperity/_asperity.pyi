@@ -18,9 +18,9 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
+from asperity._arguments import Scenes
 from asperity._advice import Check
 from asperity._records import Asperity, Body, Interface, Surface
-from asperity._scene import Scenes
 
 __all__ = [
     "Contact",
@@ -39,14 +39,13 @@ __all__ = [
     "contact_table",
     "correlated",
     "fit",
-    "floats",
     "gap_conductance",
-    "in_si",
     "materials",
     "model_ids",
     "plan",
     "pull_off",
     "quantities",
+    "quantity",
     "random_surface",
     "recommend",
     "separations",
@@ -128,7 +127,7 @@ class Scene:
         pressure: float | str | None = None,
         separation_unit: str = "asperity_height_std",
     ) -> Check: ...
-    def _fields(self) -> _Fields: ...
+    def _arguments(self) -> _Fields: ...
     def _inputs_in_si(self, given: dict[str, Any]) -> dict[str, Any]: ...
     def _usual_reference(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -140,7 +139,7 @@ def check(
 def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
-def in_si(numbers: Any, si: str) -> Any: ...
+def quantity(text: str, si: str) -> float: ...
 def correlated(
     name: str, rows: _Rows, given: tuple[float, float] | None
 ) -> tuple[dict[str, Any], list[float], str | None]: ...
@@ -417,7 +416,6 @@ def fit(
     free: Sequence[str | tuple[str, tuple[float, float] | None]],
     engines: Sequence[Engine],
 ) -> dict[str, Any]: ...
-def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
 def numbers_of(section: str) -> list[tuple[str, str, bool, str]]: ...
 def checked(kind: str, given: _Fields) -> _Fields: ...

@@ -11,10 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import checked_errors, place
-from asperity._asperity import Scene, Topography, floats, in_si
+from asperity._arguments import Floats, checked_errors, floats, in_si, place
+from asperity._asperity import Scene, Topography
 from asperity._records import Interface
-from asperity._scene import Floats
 
 Boundary = Literal["periodic", "periodic-part", "free"]
 

@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import AXES, LOADS, Aspect, Rows, SceneLike
+from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike
 from asperity._asperity import Engine
-from asperity._scene import Floats
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -11,10 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import one_scene, record
-from asperity._asperity import Scene, floats
+from asperity._arguments import Floats, floats, one_scene, record
+from asperity._asperity import Scene
 from asperity._model import Model, as_model
-from asperity._scene import Floats
 
 
 @dataclass(frozen=True)

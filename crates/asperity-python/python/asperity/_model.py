@@ -11,26 +11,21 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import (
     LOADS,
+    Floats,
+    Options,
     Rows,
     SceneLike,
     checked_errors,
     checked_unit,
+    floats,
+    in_si,
     one_number,
     one_scene,
     place,
 )
-from asperity._asperity import (
-    Contact,
-    Engine,
-    JointTable,
-    Scene,
-    Unloading,
-    floats,
-    in_si,
-)
+from asperity._asperity import Contact, Engine, JointTable, Scene, Unloading
 from asperity._curve import CorrectedCurve, Curve
 from asperity._records import Asperity
-from asperity._scene import Floats, Options
 from asperity._warn import warn
 
 

@@ -29,8 +29,11 @@ class Record:
         """A copy with other numbers, by their names."""
         return replace(self, **numbers)
 
+    def _numbers(self):
+        return {one.name: getattr(self, one.name) for one in fields(self)}
+
     def __repr__(self):
-        numbers = ((one.name, getattr(self, one.name)) for one in fields(self))
+        numbers = self._numbers().items()
         given = (f"{name}={value!r}" for name, value in numbers if value is not None)
         return f"{type(self).__name__}({', '.join(given)})"
 

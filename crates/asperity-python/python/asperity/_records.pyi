@@ -9,6 +9,7 @@ _Number: TypeAlias = _Float | str
 
 class Record:
     def replace(self, **numbers: _Number | None) -> Self: ...
+    def _numbers(self) -> dict[str, float | None]: ...
     def __post_init__(self) -> None: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -37,6 +38,7 @@ class Body(Record):
     def material(name: str) -> Body: ...
 
 class Interface(Record):
+    _origin: tuple[Body, ...]
     # numbers of Interface
     def __init__(
         self,
@@ -70,6 +72,7 @@ class Interface(Record):
     def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
 
 class Surface(Record):
+    _origin: dict[str, float] | None
     # numbers of Surface
     def __init__(
         self,

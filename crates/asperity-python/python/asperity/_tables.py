@@ -10,10 +10,19 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Rows, SceneLike, one_number, one_scene, place, two_numbers
-from asperity._asperity import Scene, in_si
+from asperity._arguments import (
+    LOADS,
+    Floats,
+    Rows,
+    SceneLike,
+    in_si,
+    one_number,
+    one_scene,
+    place,
+    two_numbers,
+)
+from asperity._asperity import Scene
 from asperity._model import Model, as_model
-from asperity._scene import Floats
 from asperity._warn import warn
 
 

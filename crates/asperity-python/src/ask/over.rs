@@ -9,7 +9,7 @@ use pyo3::types::PyFloat;
 
 use crate::ask::long::run_stretches;
 use crate::convert::Object;
-use crate::convert::numbers::{floats, scalar, texts_in_si};
+use crate::convert::numbers::{floats, in_si, scalar};
 
 /// A float, or an array of floats.
 pub(crate) enum Given<'py> {
@@ -23,13 +23,12 @@ impl<'py> Given<'py> {
         if let Some(number) = scalar(numbers) {
             return Ok((Self::One([number]), false));
         }
-        let texts = texts_in_si(numbers, si)?;
-        let numbers = texts.as_ref().unwrap_or(numbers);
-        let given = match scalar(numbers) {
+        let read = in_si(numbers, si)?;
+        let given = match scalar(&read) {
             Some(number) => Self::One([number]),
-            None => Self::Many(floats(numbers, name)?.readonly()),
+            None => Self::Many(floats(&read, name)?.readonly()),
         };
-        Ok((given, texts.is_some()))
+        Ok((given, !read.is(numbers)))
     }
 
     pub(crate) fn numbers(&self) -> PyResult<&[f64]> {

@@ -7,7 +7,7 @@ use super::ROWS_PER_TASK;
 use crate::ask::advice::check_scene;
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
-use crate::convert::numbers::texts_in_si;
+use crate::convert::numbers::in_si;
 use crate::convert::{Object, value_error, warn};
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
@@ -207,8 +207,7 @@ impl PartialSlip {
         amplitude: &Object<'py>,
         forth: bool,
     ) -> PyResult<Object<'py>> {
-        let amplitude: f64 =
-            texts_in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
+        let amplitude: f64 = in_si(amplitude, "m")?.extract()?;
         self.over(shift, ("shift", "m"), |slip, u| slip.loop_force(u, amplitude, forth))
     }
 

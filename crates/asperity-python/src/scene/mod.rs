@@ -189,7 +189,7 @@ impl SceneFile {
         slf: &Bound<'py, Self>,
         columns: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Object<'py>> {
-        let scenes = slf.py().import("asperity._scene")?.getattr("Scenes")?;
+        let scenes = slf.py().import("asperity._arguments")?.getattr("Scenes")?;
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
@@ -255,10 +255,17 @@ impl SceneFile {
         check.call_method1("__get__", (slf,))?.call(args, kwargs)
     }
 
-    /// The arguments of this scene, with dicts of numbers for the interface and the surface, and
-    /// for the numbers from which these follow.
-    fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.fields(py)
+    /// The arguments of this scene, in the order of the signature.
+    fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("interface", self.interface(py)?)?;
+        arguments.set_item("surface", self.surface(py)?)?;
+        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("heights", self.heights(py)?)?;
+        arguments.set_item("separation_from", self.separation_from(py)?)?;
+        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
+        arguments.set_item("options", self.options(py)?)?;
+        Ok(arguments)
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
@@ -272,15 +279,15 @@ impl SceneFile {
     }
 
     fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
-        self.arguments(py)?.eq(other.arguments(py)?)
+        self._arguments(py)?.eq(other._arguments(py)?)
     }
 
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.shown(py)
+    fn __repr__<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        py.import("asperity._arguments")?.getattr("shown")?.call1((self._arguments(py)?,))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, Bound<'py, PyTuple>)> {
-        let arguments = PyTuple::new(slf.py(), slf.get().arguments(slf.py())?.values())?;
+        let arguments = PyTuple::new(slf.py(), slf.get()._arguments(slf.py())?.values())?;
         Ok((slf.get_type().into_any(), arguments))
     }
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity._scene import Floats
+from asperity._arguments import Floats
 
 DESIGNS = ("sobol", "latin-hypercube", "saltelli", "saltelli-pairs")
 # Bits of a coordinate of scipy's Sobol points: 2^BITS is their number.

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from asperity._asperity import ContactWarning, floats
-from asperity._scene import Floats
+from asperity._arguments import Floats, floats
+from asperity._asperity import ContactWarning
 from asperity._sweep.store import Folder, Memory, Part, Run, column_name
 
 if TYPE_CHECKING:

@@ -15,10 +15,9 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from asperity import _asperity
-from asperity._arguments import checked_errors, checked_unit, placed, reason
+from asperity._arguments import Floats, checked_errors, checked_unit, placed, reason
 from asperity._asperity import ContactWarning
 from asperity._model import Model, as_model
-from asperity._scene import Floats
 from asperity._sweep.design import Design
 from asperity._sweep.result import SweepResult
 from asperity._sweep.space import Space

@@ -8,9 +8,8 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import LOADS, Rows, place
+from asperity._arguments import LOADS, Floats, Rows, place
 from asperity._asperity import Scene
-from asperity._scene import Floats
 
 
 class HasPpf(Protocol):
@@ -113,7 +112,14 @@ class Space:
             inputs[name] = {"is": _description(given) + unit}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
-        return {**self.scene._fields(), "inputs": inputs}
+        interface, surface = self.scene.interface, self.scene.surface
+        fields = self.scene._arguments()
+        fields |= {"interface": interface._numbers(), "surface": surface._numbers()}
+        if interface._origin:
+            fields["bodies"] = [body._numbers() for body in interface._origin]
+        if surface._origin:
+            fields["roughness"] = surface._origin
+        return {**fields, "inputs": inputs}
 
     def __repr__(self) -> str:
         inputs = ", ".join(f"{name}={_description(given)}" for name, given in self.inputs.items())

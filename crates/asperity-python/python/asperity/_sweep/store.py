@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
+from asperity._arguments import Floats
 from asperity._asperity import quantities as column_names
-from asperity._scene import Floats
 
 FINGERPRINT = b"asperity.sweep"
 MANIFEST = "manifest.json"
