@@ -85,7 +85,7 @@ impl Axis {
     ) -> Option<String> {
         let Self::Separation(unit) = self else { return None };
         let mistaken = |number| asperity_inputs::mistaken_unit(name, number, unit, height_std);
-        let largest = largest_magnitude(numbers);
+        let largest = if let [one] = numbers { one.abs() } else { largest_magnitude(numbers) };
         // Most arrays need no search for the number.
         mistaken(largest)?;
         let found = mistaken(*numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?)?;

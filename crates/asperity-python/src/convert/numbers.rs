@@ -86,8 +86,16 @@ pub(crate) fn floats<'py>(
 
 /// The largest magnitude of finite numbers; 0 without any.
 pub(crate) fn largest_magnitude(numbers: &[f64]) -> f64 {
-    // Bits of magnitudes are ordered as these, and integers are compared side by side.
-    let infinite = f64::INFINITY.to_bits();
-    let bits = numbers.iter().map(|x| x.abs().to_bits());
-    f64::from_bits(bits.map(|bits| if bits < infinite { bits } else { 0 }).max().unwrap_or(0))
+    let magnitude = |x: f64| if x.abs() < f64::INFINITY { x.abs() } else { 0.0 };
+    // Side by side: a single maximum would wait for the one before.
+    let mut largest = [0.0; 16];
+    let (chunks, rest) = numbers.as_chunks::<16>();
+    for chunk in chunks {
+        for (largest, x) in largest.iter_mut().zip(chunk) {
+            let size = magnitude(*x);
+            *largest = if size > *largest { size } else { *largest };
+        }
+    }
+    let rest = rest.iter().map(|x| magnitude(*x));
+    rest.chain(largest).fold(0.0, f64::max)
 }
