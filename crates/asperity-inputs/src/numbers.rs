@@ -59,7 +59,8 @@ impl Way {
 
     /// The description by the numbers of these keys; `None` for asperities and dimensionless
     /// numbers.
-    pub(crate) fn of(keys: [&str; 3]) -> Option<Self> {
+    #[must_use]
+    pub fn of(keys: [&str; 3]) -> Option<Self> {
         Self::ALL.into_iter().find(|way| *way.keys() == keys)
     }
 }

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use asperity::Severity;
 use asperity::fit::{DataColumn, FitError, Fitted, MeasuredTable, rank};
+use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
-use crate::ask::long::{continue_unless, run_interruptible};
-use crate::convert::error::{value_error, warn};
-use crate::convert::objects::object;
+use crate::ask::long::run_interruptible;
+use crate::convert::{Object, object, value_error, warn};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -35,7 +35,7 @@ pub(crate) fn fit<'py>(
     data: Measurements,
     free: Vec<FreeBounds>,
     engines: Vec<Py<Engine>>,
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<Object<'py>> {
     let file = &*scene.0;
     let table = match data {
         Measurements::Columns(columns) => MeasuredTable { columns, lines: vec![] },
@@ -51,8 +51,8 @@ pub(crate) fn fit<'py>(
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
-        let found = run_interruptible(py, |stop| {
-            file.fit(&model, &data, &free, &mut |_| continue_unless(stop))
+        let found = run_interruptible(py, None, |stop| {
+            file.fit(&model, &data, &free, &mut |_| stop.step(""))
         })?;
         match found {
             Ok(found) => {

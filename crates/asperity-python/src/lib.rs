@@ -4,20 +4,16 @@
 //! meanwhile: a model written in Python acquires it on the thread that builds its rules.
 //!
 //! ```text
-//! convert → records → scene → ask, joints, contact_table, check, fit
+//! convert → records → scene → ask, joints, tables, fit
 //!                     model ↗
 //! ask, scene, topography → bem
-//! topography → glance, reading
+//! topography → reading
 //! ```
 
 mod ask;
 mod bem;
-mod check;
-mod conductance;
-mod contact_table;
 mod convert;
 mod fit;
-mod glance;
 mod joints;
 mod model;
 mod picture;
@@ -25,49 +21,29 @@ mod random_surface;
 mod reading;
 mod records;
 mod scene;
+mod tables;
 mod topography;
 
 /// The compiled part of the package `asperity`.
 #[pyo3::pymodule]
 mod _asperity {
     #[pymodule_export]
-    use crate::ask::advice::{plan, recommend};
-    #[pymodule_export]
-    use crate::ask::contact::Contact;
-    #[pymodule_export]
-    use crate::ask::corrected::corrected;
-    #[pymodule_export]
-    use crate::ask::values::{answer, separations, shares};
-    #[pymodule_export]
-    use crate::bem::contacts::bem;
-    #[pymodule_export]
-    use crate::bem::truth::truth;
-    #[pymodule_export]
-    use crate::bem::unloading::bem_unloading;
-    #[pymodule_export]
-    use crate::check::{check, pull_off};
-    #[pymodule_export]
-    use crate::conductance::{correlated, gap_conductance};
-    #[pymodule_export]
-    use crate::contact_table::contact_table;
-    #[pymodule_export]
-    use crate::convert::error::{ContactWarning, NotConverged, UnsupportedFormat};
-    #[pymodule_export]
-    use crate::convert::numbers::{floats, in_si};
-    #[pymodule_export]
-    use crate::fit::fit;
-    #[pymodule_export]
-    use crate::joints::{JointTable, PartialSlip, Unloading};
-    #[pymodule_export]
-    use crate::model::engine::{Engine, model_ids, quantities};
-    #[pymodule_export]
-    use crate::picture::svg;
-    #[pymodule_export]
-    use crate::random_surface::random_surface;
-    #[pymodule_export]
-    use crate::records::{Asperity, Body, Interface, Surface, materials};
-    #[pymodule_export]
-    use crate::scene::{SceneFile, template};
-    #[pymodule_export]
-    use crate::topography::Topography;
+    use crate::{
+        ask::advice::{check, plan, pull_off, recommend},
+        ask::contact::Contact,
+        ask::values::{answer, corrected, separations, shares},
+        bem::contacts::{bem, bem_unloading, truth},
+        convert::numbers::quantity,
+        convert::{ContactWarning, NotConverged, UnsupportedFormat},
+        fit::fit,
+        joints::{JointTable, PartialSlip, Unloading},
+        model::engine::{Engine, model_ids, quantities},
+        picture::svg,
+        random_surface::random_surface,
+        records::{checked, derived, interface_of, material, materials},
+        records::{moments_of_both, numbers_of, surface_of},
+        scene::{SceneFile, template},
+        tables::{contact_table, correlated, gap_conductance},
+        topography::Topography,
+    };
 }

@@ -3,7 +3,7 @@
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use pyo3::prelude::*;
 
-use crate::convert::error::value_error;
+use crate::convert::value_error;
 
 /// A column with its label, and whether its axis is logarithmic.
 type Column = (String, String, bool);

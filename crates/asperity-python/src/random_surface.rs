@@ -5,7 +5,7 @@ use asperity_topography::LengthUnit;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::convert::error::value_error;
+use crate::convert::value_error;
 use crate::reading::Spacing;
 use crate::topography::Topography;
 

@@ -6,7 +6,7 @@ use asperity_topography::{Distance, LengthUnit, TopographyError};
 use pyo3::exceptions::{PyFileNotFoundError, PyTypeError};
 use pyo3::prelude::*;
 
-use crate::convert::error::{UnsupportedFormat, value_error};
+use crate::convert::{Object, UnsupportedFormat, value_error};
 
 /// The distance of points along a row and along a column: numbers, or texts with a unit.
 pub(crate) struct Spacing(pub(crate) [Distance; 2]);
@@ -18,7 +18,7 @@ impl<'py> FromPyObject<'_, 'py> for Spacing {
         if let Ok(one) = distance(&given) {
             return one.map(|one| Self([one; 2]));
         }
-        if let Ok((dx, dy)) = given.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()
+        if let Ok((dx, dy)) = given.extract::<(Object<'_>, Object<'_>)>()
             && let (Ok(dx), Ok(dy)) = (distance(&dx), distance(&dy))
         {
             return Ok(Self([dx?, dy?]));
@@ -31,7 +31,7 @@ impl<'py> FromPyObject<'_, 'py> for Spacing {
 }
 
 /// A number or a text; the inner error is that of the text.
-fn distance(given: &Bound<'_, PyAny>) -> PyResult<PyResult<Distance>> {
+fn distance(given: &Object<'_>) -> PyResult<PyResult<Distance>> {
     if let Ok(number) = given.extract::<f64>() {
         return Ok(Ok(number.into()));
     }

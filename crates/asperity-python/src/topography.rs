@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 
 use asperity_plot::draw_surface;
-use asperity_topography::{Alignment, Estimator, Level, ReadOptions, Statistics, TopographyError};
+use asperity_topography::{
+    Alignment, Estimator, Glance, Level, ReadOptions, Statistics, TopographyError,
+};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::convert::error::{value_error, warn};
-use crate::convert::objects::object;
-use crate::glance::glance;
+use crate::convert::{Object, object, value_error, warn};
 use crate::reading::{Spacing, found, unit_of, unreadable};
-use crate::records::Surface;
+use crate::records::record;
 
 /// A measured surface: heights on a regular grid.
 ///
@@ -34,7 +34,7 @@ pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
-    fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
+    fn new(heights: &Object<'_>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
         let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
         let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
         let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
@@ -106,7 +106,7 @@ impl Topography {
 
     /// The heights [m].
     #[getter]
-    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         let heights = PyArray1::from_slice(py, self.0.heights());
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
@@ -142,7 +142,7 @@ impl Topography {
     /// these. A dict: ``count``, ``largest`` [m] (negative below), ``m4_share`` and
     /// ``kurtosis_share`` (their shares of m4 and of the fourth moment of the heights), and
     /// ``points`` (row and column of each).
-    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         let found = py.detach(|| self.0.outliers());
         let columns = self.0.columns();
         let points = found.points.iter().map(|at| (at / columns, at % columns));
@@ -180,14 +180,14 @@ impl Topography {
 
     /// The equivalent rough surface of this surface against another, without levelling: their
     /// moments add.
-    fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
+    fn against<'py>(&self, py: Python<'py>, other: &Self) -> PyResult<Object<'py>> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
             Statistics::combined(&one?, &two?)
         });
         let both = both.map_err(value_error)?;
         both.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
-        Surface::of(Ok(both.surface().map_err(value_error)?))
+        record(py, &both.surface().map_err(value_error)?)
     }
 
     /// The sum of the heights of this surface and of an aligned one, point by point: against a flat
@@ -210,21 +210,21 @@ impl Topography {
         level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Object<'py>> {
         object(py, &self.found(py, level, estimator, cutoff)?)
     }
 
     /// The equivalent rough surface of this surface on a flat; see ``statistics``.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
-    fn surface(
+    fn surface<'py>(
         &self,
-        py: Python<'_>,
+        py: Python<'py>,
         level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Surface> {
+    ) -> PyResult<Object<'py>> {
         let found = self.found(py, level, estimator, cutoff)?.surface();
-        Surface::of(Ok(found.map_err(value_error)?))
+        record(py, &found.map_err(value_error)?)
     }
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
@@ -239,10 +239,8 @@ impl Topography {
         level: Option<&str>,
         smooth: Option<f64>,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let level = self.form(py, level, 0)?;
-        let found = py.detach(|| glance(&self.0, level, smooth, cutoff));
-        object(py, &found.map_err(value_error)?.1)
+    ) -> PyResult<Object<'py>> {
+        object(py, &self.glance(py, level, [smooth, cutoff])?.1)
     }
 
     /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density
@@ -255,12 +253,9 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
         title: &str,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let level = self.form(py, level, 0)?;
-        let svg = py.detach(|| {
-            let found = glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
-            draw_surface(&found.0, &found.1, Some(title)).map_err(value_error)
-        })?;
+    ) -> PyResult<Object<'py>> {
+        let (surface, found) = self.glance(py, level, [smooth, cutoff])?;
+        let svg = py.detach(|| draw_surface(&surface, &found, Some(title))).map_err(value_error)?;
         py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
     }
 
@@ -315,15 +310,41 @@ impl Topography {
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
         let level = self.form(py, level, 0)?;
-        let statistics = || {
-            let estimator = estimator.parse()?;
-            let levelled = self.0.clone().levelled(level)?;
-            cutoff
-                .map_or(Ok(levelled.clone()), |cutoff| levelled.filter(cutoff))?
-                .statistics(estimator)
-        };
+        let statistics = || self.prepared(level, [None, cutoff])?.statistics(estimator.parse()?);
         let found = py.detach(statistics).map_err(value_error)?;
         found.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(found)
+    }
+
+    /// The surface levelled and filtered, and its report.
+    fn glance(
+        &self,
+        py: Python<'_>,
+        level: Option<&str>,
+        cutoffs: [Option<f64>; 2],
+    ) -> PyResult<(asperity_topography::Topography, Glance)> {
+        let level = self.form(py, level, 0)?.unwrap_or(Level::usual(self.0.is_periodic()));
+        let glance = || {
+            let surface = self.prepared(Some(level), cutoffs)?;
+            let glance = Glance::new(&self.0, level, cutoffs, &surface)?;
+            Ok((surface, glance))
+        };
+        py.detach(glance).map_err(|error: TopographyError| value_error(error))
+    }
+
+    /// The surface levelled and, with cut-offs, without shorter and longer waves.
+    fn prepared(
+        &self,
+        level: Option<Level>,
+        [smooth, cutoff]: [Option<f64>; 2],
+    ) -> Result<asperity_topography::Topography, TopographyError> {
+        let mut surface = self.0.clone().levelled(level)?;
+        if let Some(length) = smooth {
+            surface = surface.smooth(length)?;
+        }
+        if let Some(length) = cutoff {
+            surface = surface.filter(length)?;
+        }
+        Ok(surface)
     }
 }

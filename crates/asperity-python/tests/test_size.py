@@ -19,7 +19,7 @@ import pytest
 MEMORY = """
     import sys
     import asperity, numpy as np
-    from asperity._sweep.progress import peak_memory
+    from asperity._sweep.store import peak_memory
 
     scene = asperity.Scene.parse(asperity.template())
     n, model, quantities = 1_000_000, asperity.model("ke"), ["force", "area", "tangent"]

@@ -4,19 +4,44 @@ from __future__ import annotations
 
 import doctest
 import inspect
+import os
+import re
 import sys
+from pathlib import Path
 from typing import Any
 
 import asperity
 import mypy.stubtest
 import pytest
-from asperity import _asperity
+from asperity import _asperity, _records
 
 CLASSES = [value for value in vars(_asperity).values() if inspect.isclass(value)]
 
 
+def numbers(section: str) -> str:
+    """The numbers of a section of scene files in the stub of its record."""
+    call, attributes = "", ""
+    for name, unit, required, _ in _asperity.numbers_of(section):
+        kind, none = "_Number" if unit else "_Float", "" if required else " | None"
+        call += f"        {name}: {kind}{none}{none and ' = None'},\n"
+        attributes += f"    {name}: Final[float{none}]\n"
+    return f"    def __init__(\n        self,\n{call}    ) -> None: ...\n{attributes}"
+
+
+def test_the_stub_of_records_has_the_numbers_of_scene_files() -> None:
+    """With ASPERITY_BLESS=1 in the environment it is written."""
+    stub = Path(_records.__file__).with_suffix(".pyi")
+    text = stub.read_text()
+    for name in ("Body", "Interface", "Surface"):
+        part = re.compile(f"(    # numbers of {name}\\n).*?(    # end\\n)", re.DOTALL)
+        text = part.sub(lambda found: found[1] + numbers(name.lower()) + found[2], text)  # noqa: B023
+    if os.environ.get("ASPERITY_BLESS"):
+        stub.write_text(text)
+    assert stub.read_text() == text
+
+
 def test_stubs_are_those_of_the_module(capsys: pytest.CaptureFixture[str]) -> None:
-    options = mypy.stubtest.parse_options(["asperity._asperity", "--concise"])
+    options = mypy.stubtest.parse_options(["asperity._asperity", "asperity._records", "--concise"])
     findings = mypy.stubtest.test_stubs(options)
     assert findings == 0, capsys.readouterr().out
 

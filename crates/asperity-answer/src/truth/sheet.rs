@@ -74,7 +74,10 @@ pub fn truth(
         sheet.note("evidence", line);
     }
     for (truth, half) in found.iter().zip(&half) {
-        add_rows(sheet, truth, half.as_ref(), (file.scene.nominal_area, bem));
+        for mut row in truth.rows(half.as_ref(), file.scene.nominal_area) {
+            row.push(bem.continuation().name().into());
+            sheet.rows.push(row);
+        }
     }
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
     if !models.is_empty() && states.all(|state| state == ContactState::default()) {
@@ -91,15 +94,19 @@ fn missing(found: &[Truth]) -> Vec<(&str, &ContactError)> {
     kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
 }
 
-fn add_rows(sheet: &mut Sheet, truth: &Truth, half: Option<&Truth>, (area, bem): (f64, &Bem)) {
-    let models = truth.models.iter().map(|(model, state)| (model.id(), state));
-    let half = half.map(|half| ("bem-half-grid", &half.bem));
-    for (id, state) in [("bem", &truth.bem)].into_iter().chain(half).chain(models) {
-        let off = truth.deviation(state);
-        let mut row: Vec<Cell> =
-            vec![(truth.pressure * area).into(), truth.pressure.into(), id.into()];
-        row.extend(COLUMNS.iter().flat_map(|(.., of)| [of(state).into(), of(&off).into()]));
-        row.push(bem.continuation().name().into());
-        sheet.rows.push(row);
+impl Truth {
+    /// Its rows on a nominal area \[m^2\], by boundary elements, on `half` the grid and by each model:
+    /// load, pressure, model, and area, gap and stiffness, each with its deviation.
+    #[must_use]
+    pub fn rows(&self, half: Option<&Self>, area: f64) -> Vec<Vec<Cell>> {
+        let models = self.models.iter().map(|(model, state)| (model.id(), state));
+        let half = half.map(|half| ("bem-half-grid", &half.bem));
+        let row = |(id, state): (&str, &ContactState)| {
+            let off = self.deviation(state);
+            let numbers = COLUMNS.iter().flat_map(|(.., of)| [of(state), of(&off)]);
+            let place = [(self.pressure * area).into(), self.pressure.into(), id.into()];
+            place.into_iter().chain(numbers.map(Cell::from)).collect()
+        };
+        [("bem", &self.bem)].into_iter().chain(half).chain(models).map(row).collect()
     }
 }

@@ -4,14 +4,60 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import LOADS, Rows, one_scene, place, record
 from asperity._asperity import Engine, Scene
-from asperity._check import Check
-from asperity._model import Model
+from asperity._model import Model, as_model
+
+
+@dataclass(frozen=True)
+class Finding:
+    """An unusual number of a scene or an answer."""
+
+    #: The kind of finding: ``unusual-size``, ``crowded``.
+    code: str
+    #: ``error``: results are invalid until this is corrected; ``warning``; ``note``.
+    severity: str
+    #: The name of the number in scene files.
+    field: str
+    #: Its value, in SI units.
+    value: float
+    #: The usual range; None for an open end.
+    usual: tuple[float | None, float | None]
+    #: The text with the advice.
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.severity}: {self.message}"
+
+
+@dataclass(frozen=True)
+class Check:
+    """Derived numbers and findings of a scene and, at a load, of a model; ``print`` it."""
+
+    #: Numbers by their names, in SI units.
+    numbers: dict[str, float]
+    #: Unusual numbers, most severe first.
+    findings: tuple[Finding, ...]
+    text: str = field(repr=False)
+
+    @staticmethod
+    def _of(numbers: list[tuple[str, float, str, str]], findings: list[dict[str, Any]]) -> Check:
+        found = tuple(record(Finding, one) for one in findings)
+        width = max(len(name) for name, *_ in numbers)
+        lines = [
+            f"{name:<{width}}  {value:<12.6g} {unit:<5} {meaning}".rstrip()
+            for name, value, unit, meaning in numbers
+        ]
+        text = "\n".join([*lines, *map(str, found)])
+        return Check({name: value for name, value, *_ in numbers}, found, text)
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @dataclass(frozen=True)
@@ -71,10 +117,6 @@ class Recommendation:
         return self.text
 
 
-def _model(model: str | Model) -> Model:
-    return model if isinstance(model, Model) else Model(model)
-
-
 def plan(
     model: str | Model,
     scene: Scene,
@@ -100,7 +142,7 @@ def plan(
         plastic: sum of powers
     """
     rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
-    text, found = _asperity.plan(_model(model), rows, quantities, rtol)
+    text, found = _asperity.plan((as_model(model), rows, quantities, rtol))
     steps = tuple(record(PlanStep, step) for step in found["steps"])
     return Plan(steps, text.rstrip("\n"))
 
@@ -136,19 +178,25 @@ def recommend(
     rows = Rows(one_scene(scene, "recommend"), axis, numbers)
     if quantities is None:
         quantities = ("area",) if axis in LOADS else ("force", "area")
-    against = _model(reference or scene._usual_reference())
+    against = as_model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
-    found = _asperity.recommend(against, rows, quantities, within, rtol, ids)
-    return Recommendation(reference=against.id, within=within, **found)
+    asked = against, rows, quantities, rtol
+    simplest, compared, evidence, places, text = _asperity.recommend(asked, within, ids)
+    deviations = {id: dict(known) for id, known, _, _ in compared if known}
+    refused = {id: reason for id, _, reason, _ in compared if reason is not None}
+    off = {id: off for id, _, _, off in compared if off is not None}
+    found = deviations, refused, evidence, tuple(places), off, text
+    return Recommendation(simplest, against.id, within, *found)
 
 
 def check(
     scene: Scene,
-    model: str | Engine | None,
-    separation: float | str | None,
-    load: float | str | None,
-    pressure: float | str | None,
-    separation_unit: str,
+    model: str | Engine | None = None,
+    separation: float | str | None = None,
+    *,
+    load: float | str | None = None,
+    pressure: float | str | None = None,
+    separation_unit: str = "asperity_height_std",
 ) -> Check:
     """The result of ``Scene.check``."""
     given = [number for number in (separation, load, pressure) if number is not None]

@@ -1,4 +1,4 @@
-"""Arguments broadcast by NumPy's rules, and answers in their shape."""
+"""Arguments and scenes broadcast by NumPy's rules, and answers in their shape."""
 
 from __future__ import annotations
 
@@ -11,8 +11,89 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import Engine, NotConverged, Scene, floats, in_si
-from asperity._scene import Floats, Scenes
+from asperity._asperity import Engine, NotConverged, Scene
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
+
+
+def in_si(numbers: Any, si: str) -> Any:
+    """Texts with a unit, "100 nm" or a sequence of them, in an SI unit; numbers as they are."""
+
+    def one(given: Any) -> float:
+        if isinstance(given, str):
+            return _asperity.quantity(given, si)
+        raise TypeError(f"{given!r} has no unit: give every value a unit, or no value")
+
+    if isinstance(numbers, str):
+        return one(numbers)
+    texts = isinstance(numbers, list | tuple) and any(isinstance(given, str) for given in numbers)
+    return tuple(map(one, numbers)) if texts else numbers
+
+
+def floats(values: npt.ArrayLike, name: str) -> Floats:
+    """A contiguous array of doubles. Masked arrays, whose masks would be lost, and complex numbers,
+    booleans and texts are refused."""
+    if np.ma.isMaskedArray(values):
+        raise ValueError(
+            f"{name} is a masked array: an array without a mask was required; use its filled() or "
+            "compressed()"
+        )
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} has values of type {array.dtype}: real numbers were required")
+    # ascontiguousarray returns one dimension for a scalar.
+    return np.ascontiguousarray(array, np.float64).reshape(array.shape)
+
+
+class Scenes:
+    """Many scenes that differ from one in some of its numbers; made by ``Scene.vary``.
+
+    They may replace a scene, and are broadcast against separations and loads.
+
+    Examples
+    --------
+    >>> import asperity
+    >>> interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+    >>> scene = asperity.Scene(interface, asperity.Surface(3.6e-4, 1.1e8, 1e-6), nominal_area=3e-5)
+    >>> scenes = scene.vary(asperity_height_std=[1e-6, 2e-6, 3e-6])
+    >>> scenes
+    <asperity.Scenes of shape (3,), asperity_height_std varies>
+    >>> asperity.model("gw").solve(scenes, separation=1.0).force.shape
+    (3,)
+    """
+
+    def __init__(self, base: Scene, columns: Mapping[str, npt.ArrayLike]) -> None:
+        given = base._inputs_in_si(dict(columns))
+        arrays = np.broadcast_arrays(*(floats(values, name) for name, values in given.items()))
+        self._base = base
+        self._columns = {
+            name: floats(values, name) for name, values in zip(columns, arrays, strict=True)
+        }
+        #: Shape of the columns, broadcast.
+        self.shape: tuple[int, ...] = arrays[0].shape if arrays else ()
+
+    def reshape(self, *shape: int) -> Scenes:
+        """The same scenes in another shape; -1 stands for the remaining length."""
+        columns = {name: values.reshape(shape) for name, values in self._columns.items()}
+        return Scenes(self._base, columns)
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("len() of one scene")
+        return self.shape[0]
+
+    def __getitem__(self, index: int | tuple[int, ...]) -> Scene:
+        numbers = {name: values[index] for name, values in self._columns.items()}
+        if any(np.ndim(number) for number in numbers.values()):
+            raise IndexError("one index for each axis was required: slices of scenes are not supported")
+        return self._base.replace(**numbers)
+
+    def __repr__(self) -> str:
+        names = ", ".join(self._columns) or "nothing"
+        verb = "vary" if len(self._columns) > 1 else "varies"
+        return f"<asperity.Scenes of shape {self.shape}, {names} {verb}>"
+
 
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
@@ -90,6 +171,15 @@ def _short(given: Any) -> str:
         return text
     shape = np.shape(given) if isinstance(given, np.ndarray | list | tuple) else ()
     return f"a {type(given).__name__}" + (f" of shape {shape}" if shape else "")
+
+
+def shown(given: dict[str, Any]) -> str:
+    """The arguments of a scene that differ from the defaults, as text; of a table of heights its size."""
+    usual = {"heights": "gaussian", "separation_from": "asperity-mean", "options": {}}
+    texts = {name: repr(v) for name, v in given.items() if v is not None and v != usual.get(name)}
+    if isinstance(given["heights"], tuple):
+        texts["heights"] = f"<table of {len(given['heights'][0])} points>"
+    return f"Scene({', '.join(f'{name}={text}' for name, text in texts.items())})"
 
 
 def record(kind: type[Record], found: Mapping[str, Any]) -> Record:
@@ -213,9 +303,8 @@ class Rows:
     ) -> tuple[str, dict[str, Floats], dict[int, str], list[str]]:
         """The model's name on these scenes, quantities of the rows in their shape, the reasons of
         failures, and the texts of findings, with ``checked`` also those of the scenes."""
-        stop = errors == "raise"
-        arguments = self, quantities, rtol, aspect, stop, None, checked
-        name, columns, failures, findings = _asperity.answer(engine, *arguments)
+        asked, stop = (engine, self, quantities, rtol), errors == "raise"
+        name, columns, failures, findings = _asperity.answer(asked, aspect, stop, None, checked)
         reasons = self.failed(failures, errors)
         return name, {q: self.shaped(v) for q, v in columns.items()}, reasons, findings
 
@@ -223,8 +312,8 @@ class Rows:
         self, engine: Engine, unit: str, rtol: float, errors: str, all: bool = False
     ) -> Any:
         """The separations of the loads in their shape: the largest of each, or arrays of all."""
-        arguments = self, unit, rtol, all, errors == "raise"
-        found, failures = _asperity.separations(engine, *arguments)
+        asked = engine, self, "force", rtol
+        found, failures = _asperity.separations(asked, unit, all, errors == "raise")
         self.failed(failures, errors)
         values = np.fromiter(found, object if all else float, len(found))
         missing = np.isin(np.arange(len(found)), [row for row, _ in failures])

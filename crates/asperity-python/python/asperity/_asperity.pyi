@@ -18,21 +18,18 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
-from asperity._check import Check
-from asperity._scene import Scenes
+from asperity._arguments import Scenes
+from asperity._advice import Check
+from asperity._records import Asperity, Body, Interface, Surface
 
 __all__ = [
-    "Asperity",
-    "Body",
     "Contact",
     "ContactWarning",
     "Engine",
-    "Interface",
     "JointTable",
     "NotConverged",
     "PartialSlip",
     "Scene",
-    "Surface",
     "Topography",
     "Unloading",
     "UnsupportedFormat",
@@ -42,14 +39,13 @@ __all__ = [
     "contact_table",
     "correlated",
     "fit",
-    "floats",
     "gap_conductance",
-    "in_si",
     "materials",
     "model_ids",
     "plan",
     "pull_off",
     "quantities",
+    "quantity",
     "random_surface",
     "recommend",
     "separations",
@@ -59,6 +55,13 @@ __all__ = [
     "truth",
     "bem_unloading",
     "corrected",
+    "checked",
+    "derived",
+    "interface_of",
+    "material",
+    "moments_of_both",
+    "numbers_of",
+    "surface_of",
 ]
 
 _Floats: TypeAlias = npt.NDArray[np.float64]
@@ -69,6 +72,12 @@ _Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
+# A scan, and how it is pressed.
+_Pressed: TypeAlias = tuple[
+    Topography | Scene, Interface | None, str | None, bool, str | None
+]
+# A model, rows, quantities and the relative tolerance.
+_Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
@@ -78,123 +87,6 @@ class ContactWarning(UserWarning): ...
 _Number: TypeAlias = _Float | str
 _Heights: TypeAlias = str | Mapping[str, float] | tuple[npt.ArrayLike, npt.ArrayLike]
 _Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
-
-@final
-class Body:
-    def __new__(
-        cls,
-        youngs_modulus: _Number,
-        poissons_ratio: _Float,
-        hardness: _Number | None = None,
-        yield_strength: _Number | None = None,
-        thermal_conductivity: _Number | None = None,
-        electrical_resistivity: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Body: ...
-    youngs_modulus: Final[float]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    thermal_conductivity: Final[float | None]
-    electrical_resistivity: Final[float | None]
-    tangent_modulus: Final[float | None]
-    def replace(self, **numbers: _Number | None) -> Body: ...
-    @staticmethod
-    def material(name: str) -> Body: ...
-
-@final
-class Interface:
-    def __new__(
-        cls,
-        equivalent_modulus: _Number,
-        poissons_ratio: _Float,
-        hardness: _Number | None = None,
-        yield_strength: _Number | None = None,
-        equivalent_shear_modulus: _Number | None = None,
-        pressure_factor: _Float | None = None,
-        thermal_conductivity: _Number | None = None,
-        electrical_resistivity: _Number | None = None,
-        work_of_adhesion: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Interface: ...
-    @staticmethod
-    def between(
-        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
-    ) -> Interface: ...
-    @staticmethod
-    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
-    equivalent_modulus: Final[float]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    equivalent_shear_modulus: Final[float | None]
-    pressure_factor: Final[float | None]
-    thermal_conductivity: Final[float | None]
-    electrical_resistivity: Final[float | None]
-    work_of_adhesion: Final[float | None]
-    tangent_modulus: Final[float | None]
-    def replace(self, **numbers: _Number | None) -> Interface: ...
-
-@final
-class Surface:
-    def __new__(
-        cls, asperity_radius: _Number, asperity_density: _Number, asperity_height_std: _Number
-    ) -> Surface: ...
-    @staticmethod
-    def from_plasticity_index(
-        plasticity_index: _Float,
-        roughness_parameter: _Float,
-        asperity_height_std: _Number,
-        interface: Interface,
-    ) -> Surface: ...
-    @staticmethod
-    def from_moments(m0: _Number, m2: _Float, m4: _Number) -> Surface: ...
-    @staticmethod
-    def from_iso25178(sq: _Number, spd: _Number, spc: _Number) -> Surface: ...
-    @staticmethod
-    def from_surface_std(
-        asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
-    ) -> Surface: ...
-    def against(self, other: Surface) -> Surface: ...
-    @staticmethod
-    def from_mean_slope(
-        surface_height_std: _Number, mean_slope: _Number, asperity_density: _Number
-    ) -> Surface: ...
-    @staticmethod
-    def from_gradient(sq: _Number, spd: _Number, sdq: _Number) -> Surface: ...
-    asperity_radius: Final[float]
-    asperity_density: Final[float]
-    asperity_height_std: Final[float]
-    roughness_parameter: Final[float]
-    mean_plane_offset: Final[float]
-    def replace(self, **numbers: _Number) -> Surface: ...
-
-@final
-class Asperity:
-    def __new__(
-        cls,
-        equivalent_modulus: _Number,
-        equivalent_shear_modulus: _Number | None,
-        poissons_ratio: _Float,
-        hardness: _Number | None,
-        yield_strength: _Number | None,
-        pressure_factor: _Float,
-        radius: _Float,
-        work_of_adhesion: _Number | None = None,
-        tangent_modulus: _Number | None = None,
-    ) -> Asperity: ...
-    equivalent_modulus: Final[float]
-    equivalent_shear_modulus: Final[float | None]
-    poissons_ratio: Final[float]
-    hardness: Final[float | None]
-    yield_strength: Final[float | None]
-    pressure_factor: Final[float]
-    radius: Final[float]
-    work_of_adhesion: Final[float | None]
-    tangent_modulus: Final[float | None]
-    critical_interference: Final[float]
-    critical_force: Final[float]
-    def replace(self, **numbers: _Number | None) -> Asperity: ...
 
 @final
 class Scene:
@@ -235,7 +127,7 @@ class Scene:
         pressure: float | str | None = None,
         separation_unit: str = "asperity_height_std",
     ) -> Check: ...
-    def _fields(self) -> _Fields: ...
+    def _arguments(self) -> _Fields: ...
     def _inputs_in_si(self, given: dict[str, Any]) -> dict[str, Any]: ...
     def _usual_reference(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -247,10 +139,10 @@ def check(
 def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
-def in_si(numbers: Any, si: str) -> Any: ...
+def quantity(text: str, si: str) -> float: ...
 def correlated(
     name: str, rows: _Rows, given: tuple[float, float] | None
-) -> tuple[tuple[_Floats, _Floats, npt.NDArray[np.bool_]], list[float], str | None]: ...
+) -> tuple[dict[str, Any], list[float], str | None]: ...
 def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
 def svg(
     csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str
@@ -262,7 +154,7 @@ def contact_table(
     spacing: tuple[int, _Float | None, _Float],
     form: tuple[str, str],
     beside: tuple[str | None, _Float | None],
-) -> tuple[list[float], list[float], list[float], float, float, str]: ...
+) -> tuple[dict[str, _Floats], float, float, str]: ...
 
 @final
 class Topography:
@@ -469,57 +361,41 @@ class PartialSlip:
     limit: Final[float]
 
 def answer(
-    engine: Engine,
-    rows: _Rows,
-    quantities: str | Iterable[str],
-    rtol: _Float,
+    asked: _Asked,
     aspect: Literal["value", "ln", "error"],
     stop: bool,
     threads: int | None,
     checked: bool,
 ) -> tuple[str, dict[str, _Floats], _Failures, list[str]]: ...
 def separations(
-    engine: Engine, rows: _Rows, unit: str, rtol: _Float, all: bool, stop: bool
+    asked: _Asked, unit: str, all: bool, stop: bool
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
-def shares(engine: Engine, rows: _Rows, quantity: str, rtol: _Float) -> dict[str, _Floats]: ...
-def plan(
-    engine: Engine, rows: _Rows, quantities: str | Iterable[str], rtol: _Float
-) -> tuple[str, _Fields]: ...
+def shares(asked: _Asked) -> dict[str, _Floats]: ...
+def plan(asked: _Asked) -> tuple[str, _Fields]: ...
 def corrected(
-    engine: Engine, rows: _Rows, unit: str, quantities: str | Iterable[str], rtol: _Float
+    asked: _Asked, unit: str
 ) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
 def recommend(
-    reference: Engine,
-    rows: _Rows,
-    quantities: str | Iterable[str],
-    within: _Float,
-    rtol: _Float,
-    models: Sequence[str] | None,
-) -> _Fields: ...
+    asked: _Asked, within: _Float, models: Sequence[str] | None
+) -> tuple[
+    str | None,
+    list[tuple[str, list[tuple[str, float]], str | None, _Fields | None]],
+    str,
+    list[str | _Fields],
+    str,
+]: ...
 def bem(
-    scan: tuple[Topography | Scene, Interface | None, str | None],
-    given: str,
-    values: Sequence[_Float],
-    elastic: bool,
-    boundary: str | None,
+    pressed: _Pressed,
+    given: tuple[str, Sequence[_Float]],
     maps_and_mask: tuple[bool, bool],
     quantities: str | Iterable[str] | None,
-) -> tuple[
-    dict[str, _Floats],
-    list[_Floats] | None,
-    list[int],
-    dict[int, str],
-    str,
-    float,
-]: ...
+) -> tuple[_Fields, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
-    scan: tuple[Topography | Scene, Interface | None, str | None],
-    given: tuple[str, _Float],
-    elastic: bool,
-    boundary: str | None,
+    pressed: _Pressed,
+    given: tuple[str, Sequence[_Float]],
     retreats: Sequence[_Float] | None,
     points: int,
-) -> tuple[dict[str, _Floats], float, str, float]: ...
+) -> _Fields: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
@@ -528,7 +404,7 @@ def truth(
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[_Fields],
+    list[list[str | float | None]],
     tuple[str | None, list[str]],
     dict[str, str],
     dict[int, str],
@@ -540,8 +416,14 @@ def fit(
     free: Sequence[str | tuple[str, tuple[float, float] | None]],
     engines: Sequence[Engine],
 ) -> dict[str, Any]: ...
-def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
+def numbers_of(section: str) -> list[tuple[str, str, bool, str]]: ...
+def checked(kind: str, given: _Fields) -> _Fields: ...
+def interface_of(bodies: dict[str, Body], work_of_adhesion: _Number | None) -> _Fields: ...
+def surface_of(given: _Fields, interface: Interface | None) -> tuple[_Fields, _Fields | None]: ...
+def moments_of_both(one: Surface, other: Surface) -> _Fields: ...
+def derived(record: Surface | Asperity, name: str) -> float: ...
+def material(name: str) -> Body: ...
 def materials() -> dict[str, tuple[str, Body, str]]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...

@@ -1,19 +1,19 @@
-"""Contacts of a scan by boundary elements."""
+"""Boundary elements on scans: contacts, unloading, and models compared with them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any, Literal, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import checked_errors
-from asperity._asperity import Interface, Scene, Topography, in_si
-from asperity._scene import Floats
+from asperity._arguments import Floats, checked_errors, floats, in_si, place
+from asperity._asperity import Scene, Topography
+from asperity._records import Interface
 
 Boundary = Literal["periodic", "periodic-part", "free"]
 
@@ -122,44 +122,31 @@ def bem(
     >>> contacts.pressures.shape, contacts.area_fraction.round(3), contacts.patches
     ((2, 192, 192), array([0.021, 0.126]), array([72, 72]))
     """
-    name, values = load_given(pressure, load, gap)
-    mask = checked_errors(errors) == "mask"
-    scan, level = pressed(surface, pixel_size, level)
-    numbers, kept, (rows, columns), failures, used, area = _asperity.bem(
-        (scan, interface, level),
-        name,
-        values.ravel().tolist(),
-        elastic,
-        boundary,
-        (maps, mask),
-        quantities or None,
-    )
+    name, values = _load_given(pressure, load, gap)
+    maps_and_mask = maps, checked_errors(errors) == "mask"
+    scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
+    given = name, values.ravel().tolist()
+    found, kept, pixels = _asperity.bem(scan, given, maps_and_mask, quantities or None)
+    failures = found["failures"]
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
         array = array.reshape((*values.shape, *pixels))
         return np.ma.masked_invalid(array) if failures else array
 
-    contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
-    fields = BemContacts.__dataclass_fields__
-    joints = {name: contacts.pop(name) for name in numbers if name not in fields}
+    arrays = [name for name, value in found.items() if isinstance(value, np.ndarray)]
+    numbers = {name: shaped(found.pop(name)) for name in arrays}
     for count in ("patches", "iterations"):
         # NaN has no integer.
-        counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
-        missing = np.ma.getmask(contacts[count])
-        contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
-    pressures, gaps = (None, None) if kept is None else (shaped(k, rows, columns) for k in kept)
-    return BemContacts(
-        **contacts,
-        pressures=pressures,
-        gaps=gaps,
-        failures=failures,
-        boundary=used,
-        nominal_area=area,
-        quantities=MappingProxyType(joints),
-    )
+        counts = np.nan_to_num(np.ma.getdata(numbers[count])).astype(np.int64)
+        missing = np.ma.getmask(numbers[count])
+        numbers[count] = np.ma.MaskedArray(counts, missing) if failures else counts
+    own = BemContacts.__dataclass_fields__
+    joints = MappingProxyType({name: numbers.pop(name) for name in arrays if name not in own})
+    pressures, gaps = (None, None) if kept is None else (shaped(k, *pixels) for k in kept)
+    return BemContacts(**found, **numbers, pressures=pressures, gaps=gaps, quantities=joints)
 
 
-def load_given(
+def _load_given(
     pressure: npt.ArrayLike | None, load: npt.ArrayLike | None, gap: npt.ArrayLike | None
 ) -> tuple[str, Floats]:
     """The one of them that was given."""
@@ -168,27 +155,25 @@ def load_given(
     if len(named) != 1:
         raise TypeError(f"{len(named)} of pressure, load and gap were given: exactly one was required")
     ((name, value),) = named
-    return name, _asperity.floats(value, name)
+    return name, floats(value, name)
 
 
-def pressed(
-    surface: Topography | Scene | npt.ArrayLike,
+def _pressed(
+    surface: Any,
+    interface: Interface | None,
     pixel_size: float | str | tuple[float, float] | None,
     level: str | None,
-) -> tuple[Topography | Scene, str | None]:
-    """The scan, and the form to remove."""
+    elastic: bool,
+    boundary: Boundary | None,
+) -> tuple[Any, Interface | None, str | None, bool, str | None]:
+    """The scan, also of heights [m] in an array, and how it is pressed."""
     if isinstance(surface, Topography | Scene):
         if pixel_size is not None:
             raise TypeError("pixel_size was given beside a Topography or a Scene, which has its own")
-        return surface, level
-    return _scan(surface, pixel_size), level or "none"
-
-
-def _scan(heights: npt.ArrayLike, pixel_size: float | str | tuple[float, float] | None) -> Topography:
-    """Heights [m] as a scan."""
-    if np.ndim(heights) != 2:
+        return surface, interface, level, elastic, boundary
+    if np.ndim(surface) != 2:
         raise TypeError(
-            f"surface has {np.ndim(heights)} dimensions: a Topography, a Scene or heights in two "
+            f"surface has {np.ndim(surface)} dimensions: a Topography, a Scene or heights in two "
             "dimensions was required"
         )
     if pixel_size is None:
@@ -197,4 +182,171 @@ def _scan(heights: npt.ArrayLike, pixel_size: float | str | tuple[float, float] 
     if size.shape not in ((), (2,)):
         raise TypeError("pixel_size must be a length or two, along a row and along a column")
     along_row, along_column = np.broadcast_to(size, 2).tolist()
-    return Topography(heights, (along_row, along_column), "m")
+    scan = Topography(surface, (along_row, along_column), "m")
+    return scan, interface, level or "none", elastic, boundary
+
+
+@dataclass(frozen=True)
+class BemUnloading:
+    """The opening of a scan from its greatest load; made by ``bem_unloading``."""
+
+    #: Retreats from the greatest load [m].
+    retreat: Floats
+    #: Load on the nominal area [N].
+    load: Floats
+    #: Mean pressure [Pa].
+    pressure: Floats
+    #: Real over nominal area.
+    area_fraction: Floats
+    #: Mean gap from the mean plane of the first surface [m].
+    mean_gap: Floats
+    #: Stiffness of the contact held as it is [N/m].
+    stiffness: Floats
+    #: The retreat at which the last pixel parts [m].
+    last_contact: float
+    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
+    boundary: str
+    #: The area of the loads [m^2]: the nominal area of the scene or, without one, that of the scan.
+    nominal_area: float
+
+    def __repr__(self) -> str:
+        return f"<asperity.BemUnloading of {self.retreat.size} retreats>"
+
+
+def bem_unloading(
+    surface: Topography | Scene | npt.ArrayLike,
+    *,
+    pressure: float | str | None = None,
+    load: float | str | None = None,
+    gap: float | str | None = None,
+    retreat: npt.ArrayLike | None = None,
+    points: int = 21,
+    interface: Interface | None = None,
+    pixel_size: float | str | tuple[float, float] | None = None,
+    level: str | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
+) -> BemUnloading:
+    """The contact of a scan as it opens from its greatest load, solved by boundary elements.
+
+    Yielding has flattened the surface; on the way back the contact shrinks elastically.
+
+    Parameters
+    ----------
+    pressure, load, gap : float or str
+        The greatest load, by one of them.
+    retreat : array_like
+        Retreats from there [m]; by default ``points`` of them to the end of contact.
+    points : int
+        The number of default retreats.
+    surface, interface, pixel_size, level, elastic, boundary
+        As in ``bem``.
+
+    Examples
+    --------
+    >>> import asperity, numpy as np
+    >>> wave = np.cos(2 * np.pi * 6 * np.arange(96) / 96)
+    >>> scan = asperity.Topography(1e-7 * wave * wave[:, None], dx=2e-6, unit="m", periodic=True)
+    >>> soft = asperity.Interface(116e9, 0.3, hardness=5e8)
+    >>> path = asperity.bem_unloading(scan, interface=soft, pressure=1e8, points=3)
+    >>> path.pressure[0] > path.pressure[1] > path.pressure[2]
+    np.True_
+    """
+    name, value = _load_given(pressure, load, gap)
+    if value.size != 1:
+        raise TypeError(f"{name} has {value.size} values: one greatest load was required")
+    if not 2 <= points <= 100_000:
+        raise ValueError(f"points is {points}: 2 to 100000 were required")
+    retreats = None if retreat is None else floats(in_si(retreat, "m"), "retreat")
+    scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
+    given = None if retreats is None else retreats.ravel().tolist()
+    found = _asperity.bem_unloading(scan, (name, value.ravel().tolist()), given, points)
+    shape = (-1,) if retreats is None else retreats.shape
+    arrays = {name: v.reshape(shape) for name, v in found.items() if isinstance(v, np.ndarray)}
+    return BemUnloading(**found | arrays)
+
+
+class TruthRow(TypedDict):
+    """One model at one pressure, compared with boundary elements."""
+
+    load: float
+    pressure: float
+    model: str
+    area_fraction: float | None
+    area_deviation: float | None
+    mean_gap: float | None
+    mean_gap_deviation: float | None
+    stiffness: float | None
+    stiffness_deviation: float | None
+
+
+class TruthRows(list[TruthRow]):
+    """Rows of ``truth``."""
+
+    #: The models nearest to boundary elements, in a sentence; None if none was compared.
+    nearest: str | None = None
+    #: How far the usual reference model is from boundary elements on this scan, and whether solved
+    #: surfaces would have said the same, a sentence for each quantity; or why they say nothing.
+    solved_surfaces: tuple[str, ...] = ()
+    #: The reasons of models without a row or with blanks, by model.
+    refused: Mapping[str, str] = MappingProxyType({})
+    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
+    boundary: str = "periodic"
+    #: The reasons of pressures without rows with ``errors="mask"``, by place.
+    failures: Mapping[int, str] = MappingProxyType({})
+
+    def __str__(self) -> str:
+        """A table of the rows, and the nearest models."""
+        heads = list(TruthRow.__annotations__)
+        table = [heads, *([_cell(value) for value in row.values()] for row in self)]
+        widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+        cells = (zip(line, widths, strict=True) for line in table)
+        lines = ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in cells]
+        return "\n".join([*lines, *([self.nearest] if self.nearest else []), *self.solved_surfaces])
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return ""
+    return value if isinstance(value, str) else f"{value:.4g}"
+
+
+def truth(
+    scene: Scene,
+    *,
+    pressure: npt.ArrayLike | None = None,
+    load: npt.ArrayLike | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
+    models: Sequence[str] | None = None,
+    refine: bool = False,
+    errors: str = "raise",
+) -> TruthRows:
+    """Models compared with boundary elements on a scan.
+
+    The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
+    one for every model: all that the scene allows, or the named ones. Deviations are relative to
+    bem; that of the mean gap is over the rms height of the scan. A quantity that a model lacks is
+    None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
+    a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
+    the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
+    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and
+    with ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without a
+    solution raises or, with ``errors="mask"``, has no rows and a reason in ``rows.failures``.
+    """
+    if (pressure is None) == (load is None):
+        raise TypeError("exactly one of pressure and load was required")
+    name, value = place(None, load, pressure, "m")
+    pressures = floats(value, name).ravel()
+    if name == "load":
+        pressures = pressures / scene.nominal_area
+    ids = None if models is None else list(models)
+    refine_and_mask = refine, checked_errors(errors) == "mask"
+    found, (nearest, beside), refused, failures, used = _asperity.truth(
+        scene, pressures.tolist(), elastic, boundary, ids, refine_and_mask
+    )
+    names = TruthRow.__annotations__
+    rows = TruthRows(TruthRow(**dict(zip(names, row, strict=True))) for row in found)  # type: ignore[typeddict-item]
+    rows.nearest, rows.refused, rows.failures = nearest, refused, failures
+    rows.boundary, rows.solved_surfaces = used, tuple(beside)
+    return rows

@@ -11,10 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import one_scene, record
-from asperity._asperity import Engine, Scene, floats
-from asperity._model import Model
-from asperity._scene import Floats
+from asperity._arguments import Floats, floats, one_scene, record
+from asperity._asperity import Scene
+from asperity._model import Model, as_model
 
 
 @dataclass(frozen=True)
@@ -164,7 +163,7 @@ def fit(
     scene = one_scene(scene, "fit")
     chosen = [scene._usual_reference()] if model is None else model
     chosen = [chosen] if isinstance(chosen, str | Model) else list(chosen)
-    engines = [one if isinstance(one, Engine) else Engine(one, {}) for one in chosen]
+    engines = [as_model(one) for one in chosen]
     if not engines:
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
@@ -184,28 +183,26 @@ def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:
     return columns
 
 
-def _free(free: Any) -> list[str | tuple[str, tuple[float, float] | None]]:
-    if isinstance(free, str):
-        return [free]
-    if not isinstance(free, Mapping):
-        return list(free)
-    found: list[str | tuple[str, tuple[float, float] | None]] = []
-    for name, bounds in free.items():
-        if bounds is None:
-            found.append((name, None))
-            continue
-        try:
-            low, high = bounds
-        except (TypeError, ValueError):
-            raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
-        texts = [isinstance(one, str) for one in (low, high)]
-        if all(texts):
-            found.append(f"{name}={low}:{high}")
-        elif any(texts):
-            raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
-        else:
-            found.append((name, (float(low), float(high))))
-    return found
+def _free(free: Any) -> list[Any]:
+    if isinstance(free, Mapping):
+        return [_bounded(name, bounds) for name, bounds in free.items()]
+    return [free] if isinstance(free, str) else list(free)
+
+
+def _bounded(name: str, bounds: Any) -> str | tuple[str, tuple[float, float] | None]:
+    """A free parameter as the library reads it."""
+    if bounds is None:
+        return name, None
+    try:
+        low, high = bounds
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
+    texts = [isinstance(one, str) for one in (low, high)]
+    if all(texts):
+        return f"{name}={low}:{high}"
+    if any(texts):
+        raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
+    return name, (float(low), float(high))
 
 
 def _fit(found: dict[str, Any], scene: Scene) -> Fit:

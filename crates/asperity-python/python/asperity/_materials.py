@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from asperity import _asperity
-from asperity._asperity import Body
+from asperity._records import Body
 
 
 # Annotations are classes, not texts: pdoc does not find the names of texts in named tuples.

@@ -1,63 +1,164 @@
-//! Plans of requests, and recommendations of models.
+//! Checks of scenes and answers, plans of requests, and recommendations of models.
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactModel, EvidenceAt, Request, Scene};
-use asperity_inputs::LeftOut;
+use asperity::{
+    At, Check, Comparison, ContactError, ContactModel, EvidenceAt, Finding, Findings, Model,
+    Quantity, Request, Scene, Severity,
+};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
+use crate::ask::asked::{Arguments, Asked};
 use crate::ask::rows::Rows;
-use crate::convert::error::value_error;
-use crate::convert::objects::object;
-use crate::convert::quantities::Quantities;
-use crate::model::engine::Engine;
+use crate::convert::axis::Axis;
+use crate::convert::{Object, object, refused, value_error};
+use crate::model::engine::{Engine, tolerance};
+use crate::scene::SceneFile;
 
-/// The single scene of rows, and their request.
-fn scene_and_request<'r>(
-    rows: &'r Rows,
-    quantities: &Quantities,
+/// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
+type CheckResult<'py> = (Vec<(String, f64, String, String)>, Object<'py>);
+
+/// Derived numbers and findings of a scene and, at a place, of a model's answer.
+#[pyfunction]
+#[pyo3(signature = (scene, place=None))]
+pub(crate) fn check<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    place: Option<(PyRef<'py, Engine>, Axis, f64)>,
+) -> PyResult<CheckResult<'py>> {
+    let file = &scene.0;
+    let checked = match place {
+        None => file.check(None).map_err(refused)?,
+        Some((engine, axis, number)) => {
+            let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
+            match py.detach(|| file.check(Some((&model, at)))) {
+                Ok(checked) => checked,
+                Err(error) => explain(file, &error).ok_or_else(|| engine.raise(py, error))?,
+            }
+        }
+    };
+    let Check { numbers, findings, .. } = checked;
+    let number =
+        |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
+    Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+}
+
+/// The check of the scene alone, if its warnings or errors explain the refusal.
+fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
+    let mut checked = file.check(None).ok()?;
+    checked.findings.iter().find(|found| found.severity < Severity::Note)?;
+    let refusal = Finding::error("no-answer", "answer", f64::NAN);
+    checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
+    Some(checked)
+}
+
+/// The pull-off force of a model with adhesion [N], below 0, and its separation; none without a
+/// tensile force.
+#[pyfunction]
+pub(crate) fn pull_off(
+    py: Python<'_>,
+    engine: &Engine,
+    scene: &SceneFile,
     rtol: f64,
-) -> PyResult<(&'r Scene, Request)> {
-    let request = quantities.request(rtol)?;
+    unit: Axis,
+) -> PyResult<Option<(f64, f64)>> {
+    let (file, tolerance) = (&scene.0, tolerance(rtol)?);
+    let model = engine.on(file)?;
+    if !model.validity().adhesive {
+        let name = model.name();
+        return Err(value_error(format!("{name} ignores adhesion: use dmt or jkr-separation")));
+    }
+    engine.run(py, || {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
+            return Ok(None);
+        };
+        let place = unit.of(found.separation, file.separation_from, &file.scene)?;
+        Ok(Some((found.force.value(), place)))
+    })
+}
+
+/// Findings of the scenes of rows and, on a single scene, of the answers.
+pub(crate) fn check_rows(asked: &Asked) -> Findings {
+    let Asked { rows, model, .. } = asked;
+    match rows.one_file() {
+        // The smallest and the largest number suffice: there may be millions of rows.
+        Some(file) => check_scene(asked.engine(), model, file, rows.ends().map(|row| rows.at(row))),
+        None => check_scenes(rows, model.validity().asperities),
+    }
+}
+
+/// Findings of a scene and of the answers at places on it.
+pub(crate) fn check_scene(
+    engine: &Engine,
+    model: &Model,
+    file: &asperity_inputs::SceneFile,
+    places: impl IntoIterator<Item = At>,
+) -> Findings {
+    let mut found = file.findings().for_asperities(model.validity().asperities);
+    // An exception of a user's law is raised by the answer.
+    if !engine.is_written() {
+        found.extend(file.findings_at(model, &places.into_iter().collect::<Vec<_>>()));
+    }
+    found
+}
+
+/// Each finding once, that of the first scene that has it, with the number of such scenes.
+fn check_scenes(rows: &Rows, asperities: bool) -> Findings {
+    let mut found: Vec<(Finding, usize)> = vec![];
+    let count = rows.scenes();
+    for scene in 0..count {
+        // A refused scene has no findings: its rows have the reason.
+        let Ok(file) = rows.scene_file(scene) else { continue };
+        for new in file.findings().for_asperities(asperities) {
+            match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
+                Some((_, scenes)) => *scenes += 1,
+                None => found.push((new, 1)),
+            }
+        }
+    }
+    let counted = |(found, scenes): (Finding, usize)| match count {
+        1 => found,
+        _ => found.from_origin(format!("{scenes} of {count} scenes")),
+    };
+    found.into_iter().map(counted).collect()
+}
+
+/// The single scene of rows, and the request at them.
+fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {
+    let Asked { rows, request, .. } = asked;
     match rows.one_scene() {
-        Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
+        Some(scene) => Ok((scene, request.clone().at((0..rows.len()).map(|row| rows.at(row))))),
         None => Err(value_error("many scenes were given: one scene was required")),
     }
 }
 
 /// The plan of rows on one scene: its text and its steps.
 #[pyfunction]
-pub(crate) fn plan<'py>(
-    py: Python<'py>,
-    engine: &Engine,
-    rows: Rows,
-    quantities: Quantities,
-    rtol: f64,
-) -> PyResult<(String, Bound<'py, PyAny>)> {
-    let (model, (scene, request)) =
-        (engine.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
-    let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
-    let plan = plan.map_err(|error| engine.raise(py, error))?;
+pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(String, Object<'py>)> {
+    let asked = Asked::new(asked)?;
+    let (scene, request) = scene_and_request(&asked)?;
+    let plan = asked.engine().run(py, || asked.model.compile(scene, &request)?.plan(&request))?;
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// Deviations from the reference of the models of a scene, or of the named models: the fields of
-/// the package's `Recommendation`.
+/// What is known of a model: its id, the deviation of each quantity, why some or all have no value,
+/// and the deviation from boundary elements.
+type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<'py>>);
+/// The simplest model, all models, the evidence in sentences and place by place, and the text.
+type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Object<'py>>, String);
+
+/// Deviations from the reference of the models of a scene, or of the named models.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
-    reference: &Engine,
-    rows: Rows,
-    quantities: Quantities,
+    asked: Arguments<'_>,
     within: f64,
-    rtol: f64,
     models: Option<Vec<String>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let (model, (_, request)) =
-        (reference.on_all(&rows.files)?, scene_and_request(&rows, &quantities, rtol)?);
-    let file = &rows.files[0];
+) -> PyResult<Advice<'py>> {
+    let asked = Asked::new(asked)?;
+    let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
     let (among, left_out) = match models {
         None => {
             let mut models = file.options.models();
@@ -74,25 +175,18 @@ pub(crate) fn recommend<'py>(
             (models.collect::<PyResult<_>>()?, vec![])
         }
     };
-    let advice = py.detach(|| file.recommend_among(among, &request, &model, within));
-    let advice = advice.map_err(|error| reference.raise(py, error))?;
-    let [deviations, refused, off] = [(); 3].map(|()| PyDict::new(py));
-    for found in &advice.comparisons {
-        let (id, lacking) = (found.model.id(), found.lacking.first().map(|(_, reason)| reason));
-        if let Some(all) = found.deviations.as_ref().ok().filter(|all| !all.is_empty()) {
-            let all = all.iter().map(|(quantity, deviation)| (quantity.to_string(), *deviation));
-            deviations.set_item(id, all.into_py_dict(py)?)?;
-        }
-        if let Some(reason) = found.deviations.as_ref().err().or(lacking) {
-            refused.set_item(id, reason.to_string())?;
-        }
-        if let Some(deviation) = &found.off {
-            off.set_item(id, object(py, deviation)?)?;
-        }
-    }
-    for LeftOut { id, reason } in left_out {
-        refused.set_item(id, reason.to_string())?;
-    }
+    let advice =
+        asked.engine().run(py, || file.recommend_among(among, &request, &asked.model, within))?;
+    let compared = |found: &Comparison| -> PyResult<Compared<'py>> {
+        let (all, lacking) = (&found.deviations, found.lacking.first().map(|(_, reason)| reason));
+        let known = all.iter().flatten().map(|(quantity, off)| (quantity.to_string(), *off));
+        let reason = all.as_ref().err().or(lacking).map(ToString::to_string);
+        let off = found.off.as_ref().map(|off| object(py, off)).transpose()?;
+        Ok((found.model.id().into(), known.collect(), reason, off))
+    };
+    let left_out = left_out.into_iter();
+    let left_out = left_out.map(|one| Ok((one.id, vec![], Some(one.reason.to_string()), None)));
+    let models = advice.comparisons.iter().map(compared).chain(left_out);
     let place = |place: &EvidenceAt| match &place.expected {
         Err(reason) => reason.to_string().into_bound_py_any(py),
         Ok(_) => {
@@ -101,14 +195,9 @@ pub(crate) fn recommend<'py>(
             object(py, &off.collect::<BTreeMap<_, _>>())
         }
     };
-    let places = advice.evidence.iter().map(place).collect::<PyResult<Vec<_>>>()?;
-    let found = PyDict::new(py);
-    found.set_item("simplest", advice.simplest.as_ref().map(|model| model.id()))?;
-    found.set_item("deviations", deviations)?;
-    found.set_item("refused", refused)?;
-    found.set_item("evidence", [advice.summary(), advice.expectations()].concat().join("\n"))?;
-    found.set_item("evidence_at", PyTuple::new(py, places)?)?;
-    found.set_item("off", off)?;
-    found.set_item("text", advice.to_string().trim_end_matches('\n'))?;
-    Ok(found)
+    let places = advice.evidence.iter().map(place).collect::<PyResult<_>>()?;
+    let evidence = [advice.summary(), advice.expectations()].concat().join("\n");
+    let simplest = advice.simplest.as_ref().map(|model| model.id().into());
+    let text = advice.to_string().trim_end_matches('\n').into();
+    Ok((simplest, models.collect::<PyResult<_>>()?, evidence, places, text))
 }

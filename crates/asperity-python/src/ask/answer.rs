@@ -3,32 +3,19 @@
 use std::ops::Range;
 
 use asperity::{
-    Case, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
-    Response, RowCheck, Sweep,
+    Case, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Response,
+    RowCheck, Sweep,
 };
 use pyo3::prelude::*;
 
+use crate::ask::asked::{Asked, ROWS_PER_TASK};
 use crate::ask::long::run_stretches;
-use crate::ask::rows::Rows;
 
-/// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.
-pub(crate) const ROWS_PER_TASK: usize = 16;
 /// Rows of one task on a single scene, where most rows are fast.
 pub(crate) const ROWS_PER_TASK_ON_ONE_SCENE: usize = 256;
 
 /// The number read from every evaluation: the value, its logarithm or the bound on its error.
 pub(crate) type Aspect = fn(&Evaluation, Quantity) -> f64;
-
-/// Rows, the model that evaluates them, and the request.
-pub(crate) struct Question<'q> {
-    pub(crate) rows: &'q Rows,
-    pub(crate) model: &'q Model,
-    /// Quantities and tolerance.
-    pub(crate) request: Request,
-    pub(crate) aspect: Aspect,
-    /// Whether that is the value.
-    pub(crate) is_value: bool,
-}
 
 /// Columns in the order of the quantities, NaN for missing values; failed rows with the reasons,
 /// ascending; and findings.
@@ -48,41 +35,41 @@ impl Answer {
     }
 }
 
-impl Question<'_> {
-    /// Evaluates all rows; with `stop`, ends soon after the first failure.
+impl Asked {
+    /// Evaluates all rows, for an aspect that may be the value; with `stop`, ends soon after the
+    /// first failure.
     pub(crate) fn answer(
         &self,
         py: Python<'_>,
+        (aspect, is_value): (Aspect, bool),
         threads: Option<usize>,
         stop: bool,
-        raise: impl Fn(ContactError) -> PyErr,
     ) -> PyResult<Answer> {
         let len = self.rows.len();
         let ends = |found: &Answer| stop && !found.failures.is_empty();
         let found = match self.rows.one_scene() {
             Some(scene) => {
                 let few = len <= ROWS_PER_TASK_ON_ONE_SCENE;
-                let contact = py.detach(|| match few {
+                let contact = self.engine().run(py, || match few {
                     true => self.model.contact(scene, &self.request_at(0..len)),
                     false => self.model.compile(scene, &self.request_at(0..1)),
-                });
-                let contact = contact.map_err(raise)?;
+                })?;
                 let run = |range: Range<usize>| {
-                    let filled = if few { None } else { self.filled(&*contact, range.clone()) };
-                    filled.unwrap_or_else(|| {
-                        self.read(range.start, contact.respond(&self.request_at(range)))
+                    let many = (is_value && !few).then(|| self.filled(&*contact, range.clone()));
+                    many.flatten().unwrap_or_else(|| {
+                        self.read(aspect, range.start, contact.respond(&self.request_at(range)))
                     })
                 };
                 run_stretches(py, threads, (len, ROWS_PER_TASK_ON_ONE_SCENE), run, ends)?
             }
             None => {
                 let sweep =
-                    Sweep::new(self.model, &self.request.quantities, self.request.tolerance);
-                let run = |range| self.on_many(&sweep, range);
+                    Sweep::new(&self.model, &self.request.quantities, self.request.tolerance);
+                let run = |range| self.on_many(aspect, &sweep, range);
                 run_stretches(py, threads, (len, ROWS_PER_TASK), run, ends)?
             }
         };
-        let mut answer = self.empty();
+        let mut answer = Answer::default();
         found.into_iter().for_each(|found| answer.append(found));
         Ok(answer)
     }
@@ -91,20 +78,11 @@ impl Question<'_> {
         self.request.clone().at(range.map(|row| self.rows.at(row)))
     }
 
-    fn empty(&self) -> Answer {
-        Answer { columns: vec![vec![]; self.request.quantities.len()], ..Answer::default() }
-    }
-
     /// Many values at once; none if one of them needs a finding.
     fn filled(&self, contact: &dyn Contact, range: Range<usize>) -> Option<Answer> {
         let quantities = &self.request.quantities[..];
-        if !self.is_value || quantities.iter().any(|q| q.is_absolute()) {
-            return None;
-        }
         let places = self.rows.sigmas(range, contact.scene())?;
-        let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
-        let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        let filled = contact.fill(quantities, &places, &mut out).ok()?;
+        let (columns, cancels) = filled(contact, quantities, &places)?;
         let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
             let most = match quantity {
                 Quantity::Area => contact.scene().nominal_area,
@@ -113,16 +91,16 @@ impl Question<'_> {
             };
             column.iter().all(|value| *value > 0.0 && *value <= most)
         };
-        let usual = !filled.cancels() && quantities.iter().zip(&columns).all(usual);
+        let usual = !cancels && quantities.iter().zip(&columns).all(usual);
         usual.then(|| Answer { columns, ..Answer::default() })
     }
 
     /// The values of a response to rows from `first` on.
-    fn read(&self, first: usize, response: Response) -> Answer {
+    fn read(&self, aspect: Aspect, first: usize, response: Response) -> Answer {
         let mut found = Answer { warnings: response.warnings, ..Answer::default() };
         for column in response.columns {
             let values = column.rows.into_iter().zip(first..).map(|(value, row)| match value {
-                Ok(value) => (self.aspect)(&value, column.quantity),
+                Ok(value) => aspect(&value, column.quantity),
                 Err(error) => {
                     found.failures.push((row, *error));
                     f64::NAN
@@ -135,12 +113,11 @@ impl Question<'_> {
         found
     }
 
-    fn on_many(&self, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
-        let (mut found, quantities) = (self.empty(), &self.request.quantities);
+    fn on_many(&self, aspect: Aspect, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
+        let quantities = &self.request.quantities;
+        let mut found = Answer { columns: vec![vec![]; quantities.len()], ..Answer::default() };
         let mut check = RowCheck::new(self.model.validity().adhesive);
-        for (row, case, answer) in
-            evaluate_cases(self.rows, range, |cases| sweep.evaluate_all(cases))
-        {
+        for (row, case, answer) in self.rows.evaluate(range, |cases| sweep.evaluate_all(cases)) {
             // Other quantities of a refused row may have values.
             let alone = |case: &Case| {
                 let request = self.request.clone().at([case.at]);
@@ -150,11 +127,11 @@ impl Question<'_> {
                 (Ok(values), Some(case)) => {
                     for (k, (quantity, value)) in quantities.iter().zip(values).enumerate() {
                         check.check(*quantity, Ok(&value), case.at, &case.scene, |_| None);
-                        found.columns[k].push((self.aspect)(&value, *quantity));
+                        found.columns[k].push(aspect(&value, *quantity));
                     }
                 }
                 (Err(error), case) => match case.as_ref().and_then(alone) {
-                    Some(response) => found.append(self.read(row, response)),
+                    Some(response) => found.append(self.read(aspect, row, response)),
                     None => {
                         found.columns.iter_mut().for_each(|column| column.push(f64::NAN));
                         found.failures.push((row, error));
@@ -168,18 +145,16 @@ impl Question<'_> {
     }
 }
 
-/// Rows with their cases and the results of `evaluate`; no case if its scene is refused.
-pub(crate) fn evaluate_cases<T>(
-    rows: &Rows,
-    range: Range<usize>,
-    evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
-) -> impl Iterator<Item = (usize, Option<Case>, Result<T, ContactError>)> {
-    let mut cases = vec![];
-    let mut place = |row| rows.case(row).map(|case| cases.push(case)).err();
-    let refused: Vec<_> = range.clone().map(&mut place).collect();
-    let mut found = evaluate(&cases).into_iter().zip(cases);
-    range.zip(refused).filter_map(move |(row, refused)| match refused {
-        Some(error) => Some((row, None, Err(error))),
-        None => found.next().map(|(found, case)| (row, Some(case), found)),
-    })
+/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity heights, and
+/// whether values cancel; none if one of them needs more than a number.
+pub(crate) fn filled(
+    contact: &dyn Contact,
+    quantities: &[Quantity],
+    places: &[f64],
+) -> Option<(Vec<Vec<f64>>, bool)> {
+    let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
+    let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    let absolute = quantities.iter().any(|quantity| quantity.is_absolute());
+    let filled = (!absolute).then(|| contact.fill(quantities, places, &mut out).ok()).flatten()?;
+    Some((columns, filled.cancels()))
 }

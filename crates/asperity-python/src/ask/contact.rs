@@ -1,21 +1,19 @@
 //! `Contact`: one model compiled on one scene for many evaluations.
 
-use std::sync::atomic::Ordering;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity::{At, ContactError, ContactModel, Evaluation, Quantity, Request};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use rayon::prelude::*;
 
-use crate::ask::answer::ROWS_PER_TASK_ON_ONE_SCENE;
-use crate::ask::long::run_interruptible;
+use crate::ask::answer::{ROWS_PER_TASK_ON_ONE_SCENE, filled};
+use crate::ask::long::run_stretches;
 use crate::ask::over::Given;
 use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
-use crate::convert::error::value_error;
-use crate::convert::quantities::Quantities;
+use crate::convert::{Object, Quantities, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -56,7 +54,7 @@ impl Contact {
         scene: Py<SceneFile>,
         quantities: Quantities,
         rtol: f64,
-        separation_unit: Bound<'_, PyAny>,
+        separation_unit: Object<'_>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let request = quantities.request(rtol)?.at_loads([1.0]);
@@ -66,15 +64,12 @@ impl Contact {
     }
 
     /// Force [N] at separations.
-    fn force<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn force<'py>(&self, separation: &Object<'py>) -> PyResult<Object<'py>> {
         self.values(Quantity::Force, self.axis, separation)
     }
 
     /// Force [N] and tangent -dF/dd [N/m] at separations, in one pass.
-    fn force_and_tangent<'py>(
-        &self,
-        separation: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyTuple>> {
+    fn force_and_tangent<'py>(&self, separation: &Object<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let one = |contact: &dyn asperity::Contact, at| {
             contact.force_and_tangent_at(at).map(|(force, tangent)| [force, tangent])
         };
@@ -88,10 +83,10 @@ impl Contact {
     fn evaluate<'py>(
         &self,
         quantity: &str,
-        separation: Option<&Bound<'py, PyAny>>,
-        load: Option<&Bound<'py, PyAny>>,
-        pressure: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+        separation: Option<&Object<'py>>,
+        load: Option<&Object<'py>>,
+        pressure: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
         let quantity: Quantity = quantity.parse().map_err(value_error)?;
         match (separation, load, pressure) {
             (Some(separation), None, None) => self.values(quantity, self.axis, separation),
@@ -157,8 +152,8 @@ impl Contact {
         &self,
         quantity: Quantity,
         axis: Axis,
-        numbers: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+        numbers: &Object<'py>,
+    ) -> PyResult<Object<'py>> {
         let one = |contact: &dyn asperity::Contact, at| Ok([contact.evaluate_at(quantity, at)?]);
         Ok(self.over([quantity], axis, numbers, one)?.remove(0))
     }
@@ -169,9 +164,9 @@ impl Contact {
         &self,
         quantities: [Quantity; N],
         axis: Axis,
-        numbers: &Bound<'py, PyAny>,
+        numbers: &Object<'py>,
         one: impl Fn(&dyn asperity::Contact, At) -> Result<[Evaluation; N], ContactError> + Sync,
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         let (py, from) = (numbers.py(), self.file.separation_from);
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
@@ -198,28 +193,19 @@ impl Contact {
         axis: Axis,
         numbers: &[f64],
     ) -> PyResult<Option<[Vec<f64>; N]>> {
-        let is_load = !matches!(axis, Axis::Separation(_));
-        if is_load || numbers.len() < FEW || quantities.iter().any(|q| q.is_absolute()) {
+        if !matches!(axis, Axis::Separation(_)) || numbers.len() < FEW {
             return Ok(None);
         }
         let (scene, from) = (contact.scene(), self.file.separation_from);
-        let mut columns = [(); N].map(|()| vec![0.0; numbers.len()]);
-        for (quantity, column) in quantities.into_iter().zip(&mut columns) {
-            let fill = |(numbers, out): (&[f64], &mut [f64])| {
-                sigmas(numbers, axis, from, scene)
-                    .is_some_and(|places| contact.fill(&[quantity], &places, &mut [out]).is_ok())
-            };
-            let filled = match numbers.len() <= VALUES_PER_TASK {
-                true => py.detach(|| fill((numbers, column))),
-                false => run_interruptible(py, |stop| {
-                    let tasks = numbers.par_chunks(VALUES_PER_TASK);
-                    let tasks = tasks.zip(column.par_chunks_mut(VALUES_PER_TASK));
-                    tasks.all(|task| !stop.load(Ordering::Relaxed) && fill(task))
-                })?,
-            };
-            if !filled {
-                return Ok(None);
-            }
+        let fill = |range: Range<usize>| {
+            let places = sigmas(&numbers[range], axis, from, scene)?;
+            Some(filled(contact, &quantities, &places)?.0)
+        };
+        let tasks = (numbers.len(), VALUES_PER_TASK);
+        let mut columns = [(); N].map(|()| Vec::with_capacity(numbers.len()));
+        for found in run_stretches(py, None, tasks, fill, Option::is_none)? {
+            let Some(found) = found else { return Ok(None) };
+            columns.iter_mut().zip(found).for_each(|(column, found)| column.extend(found));
         }
         Ok(Some(columns))
     }
@@ -232,6 +218,5 @@ fn compile(
     request: &Request,
 ) -> PyResult<Arc<dyn asperity::Contact>> {
     let model = engine.on(file)?;
-    let compiled = py.detach(|| model.compile(&file.scene, request));
-    compiled.map(Arc::from).map_err(|error| engine.raise(py, error))
+    engine.run(py, || model.compile(&file.scene, request)).map(Arc::from)
 }

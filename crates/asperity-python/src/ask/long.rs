@@ -1,17 +1,18 @@
 //! Long work without the interpreter: on all cores, in order, and interruptible by Ctrl-C.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use asperity_answer::Watch;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::convert::error::value_error;
+use crate::convert::value_error;
 
 /// Time between two checks for signals.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
@@ -45,22 +46,30 @@ fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     }
 }
 
-/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
-/// them; a signal sets the flag that stops `work`.
-pub(crate) fn run_interruptible<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&AtomicBool) -> T + Send,
-) -> PyResult<T> {
-    run_on(py, None, work)
+/// Long work that Ctrl-C ends.
+#[derive(Default)]
+pub(crate) struct Interrupt(AtomicBool);
+
+impl Interrupt {
+    pub(crate) fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
 }
 
-/// The same on a number of threads.
-fn run_on<T: Send>(
+impl Watch for Interrupt {
+    fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Runs `work` on a number of threads, or on those of this process, while this thread, which gets
+/// the signals, checks for them; a signal stops `work`.
+pub(crate) fn run_interruptible<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
-    work: impl FnOnce(&AtomicBool) -> T + Send,
+    work: impl FnOnce(&Interrupt) -> T + Send,
 ) -> PyResult<T> {
-    let stop = AtomicBool::new(false);
+    let stop = Interrupt::default();
     if rayon::current_thread_index().is_some() {
         // The law of a user asks: waiting would block the thread that is to work.
         return Ok(py.detach(|| work(&stop)));
@@ -75,7 +84,7 @@ fn run_on<T: Send>(
                 }
                 Err(RecvTimeoutError::Timeout) if raised.is_none() => {
                     raised = Python::attach(|py| py.check_signals()).err();
-                    stop.store(raised.is_some(), Ordering::Relaxed);
+                    raised.iter().for_each(|_| stop.stop());
                 }
                 Err(RecvTimeoutError::Timeout) => {}
             }
@@ -108,9 +117,9 @@ pub(crate) fn run_stretches<S: Send>(
         return Ok(py.detach(|| vec![stretch(0)]));
     }
     let last = AtomicUsize::new(usize::MAX);
-    run_on(py, threads, |stop| {
+    run_interruptible(py, threads, |stop| {
         let one = |k: usize| {
-            if stop.load(Ordering::Relaxed) || k > last.load(Ordering::Relaxed) {
+            if stop.is_stopped() || k > last.load(Ordering::Relaxed) {
                 return None;
             }
             let found = stretch(k);
@@ -123,9 +132,4 @@ pub(crate) fn run_stretches<S: Send>(
         let last = last.load(Ordering::Relaxed);
         all.into_iter().take(last.saturating_add(1)).flatten().collect()
     })
-}
-
-/// Continues until the flag is set.
-pub(crate) fn continue_unless(stop: &AtomicBool) -> ControlFlow<()> {
-    if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

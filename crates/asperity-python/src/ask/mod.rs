@@ -2,8 +2,8 @@
 
 pub(crate) mod advice;
 pub(crate) mod answer;
+pub(crate) mod asked;
 pub(crate) mod contact;
-pub(crate) mod corrected;
 pub(crate) mod long;
 pub(crate) mod over;
 pub(crate) mod rows;

@@ -8,7 +8,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyFloat;
 
 use crate::ask::long::run_stretches;
-use crate::convert::numbers::{floats, scalar, texts_in_si};
+use crate::convert::Object;
+use crate::convert::numbers::{floats, in_si, scalar};
 
 /// A float, or an array of floats.
 pub(crate) enum Given<'py> {
@@ -18,25 +19,16 @@ pub(crate) enum Given<'py> {
 
 impl<'py> Given<'py> {
     /// Reads numbers, or texts with a unit as numbers in an SI unit; and whether they were texts.
-    pub(crate) fn read(
-        numbers: &Bound<'py, PyAny>,
-        name: &str,
-        si: &str,
-    ) -> PyResult<(Self, bool)> {
+    pub(crate) fn read(numbers: &Object<'py>, name: &str, si: &str) -> PyResult<(Self, bool)> {
         if let Some(number) = scalar(numbers) {
             return Ok((Self::One([number]), false));
         }
-        match texts_in_si(numbers, si)? {
-            Some(read) => Ok((Self::of(&read, name)?, true)),
-            None => Ok((Self::of(numbers, name)?, false)),
-        }
-    }
-
-    pub(crate) fn of(numbers: &Bound<'py, PyAny>, name: &str) -> PyResult<Self> {
-        Ok(match scalar(numbers) {
+        let read = in_si(numbers, si)?;
+        let given = match scalar(&read) {
             Some(number) => Self::One([number]),
-            None => Self::Many(floats(numbers, name)?.readonly()),
-        })
+            None => Self::Many(floats(&read, name)?.readonly()),
+        };
+        Ok((given, !read.is(numbers)))
     }
 
     pub(crate) fn numbers(&self) -> PyResult<&[f64]> {
@@ -51,7 +43,7 @@ impl<'py> Given<'py> {
         &self,
         py: Python<'py>,
         columns: [Vec<f64>; N],
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         let shaped = |column: Vec<f64>| match self {
             Self::One(_) => {
                 Ok(PyFloat::new(py, column.first().copied().unwrap_or(f64::NAN)).into_any())
@@ -70,7 +62,7 @@ impl<'py> Given<'py> {
         together: usize,
         one: impl Fn(usize, f64) -> Result<[f64; N], ContactError> + Sync,
         raise: impl Fn(ContactError) -> PyErr,
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    ) -> PyResult<Vec<Object<'py>>> {
         if let Self::One([number]) = self {
             let found = py.detach(|| one(0, *number)).map_err(raise)?;
             return Ok(found.map(|value| PyFloat::new(py, value).into_any()).into());

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use crate::convert::axis::Axis;
 use crate::convert::numbers::largest_magnitude;
 use crate::scene::SceneFile;
-use crate::scene::inputs::inputs;
+use crate::scene::arguments::inputs;
 
 /// The `Rows` of the package, for threads without the interpreter.
 pub(crate) struct Rows {
@@ -59,11 +59,6 @@ impl Rows {
         self.index.get(row).map_or(0, |place| *place as usize)
     }
 
-    /// The scene of a row, or the scene that columns of numbers vary.
-    fn file(&self, row: usize) -> &asperity_inputs::SceneFile {
-        &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
-    }
-
     /// The number of scenes.
     pub(crate) fn scenes(&self) -> usize {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
@@ -96,8 +91,26 @@ impl Rows {
         })
     }
 
-    pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
-        Ok(Case::new(self.scene(row)?, self.at(row)))
+    /// Rows with their cases and the results of `evaluate`; no case if its scene is refused.
+    pub(crate) fn evaluate<T>(
+        &self,
+        range: Range<usize>,
+        evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
+    ) -> impl Iterator<Item = (usize, Option<Case>, Result<T, ContactError>)> {
+        let mut cases = vec![];
+        let mut place = |row| match self.scene(row) {
+            Ok(scene) => {
+                cases.push(Case::new(scene, self.at(row)));
+                None
+            }
+            Err(error) => Some(error),
+        };
+        let refused: Vec<_> = range.clone().map(&mut place).collect();
+        let mut found = evaluate(&cases).into_iter().zip(cases);
+        range.zip(refused).filter_map(move |(row, refused)| match refused {
+            Some(error) => Some((row, None, Err(error))),
+            None => found.next().map(|(found, case)| (row, Some(case), found)),
+        })
     }
 
     pub(crate) fn at(&self, row: usize) -> At {
@@ -106,7 +119,8 @@ impl Rows {
 
     /// The plane that a row's separations are measured from.
     pub(crate) fn datum(&self, row: usize) -> Datum {
-        self.file(row).separation_from
+        // Columns of numbers vary a single scene.
+        self.files[if self.columns.is_empty() { self.place(row) } else { 0 }].separation_from
     }
 
     /// The single scene of all rows, with its options; none if there are several.
@@ -144,14 +158,10 @@ impl Rows {
 
     /// A warning if the separation of largest magnitude has probably another unit.
     pub(crate) fn mistaken_unit(&self) -> Option<String> {
-        if let Some(scene) = self.one_scene() {
-            let height_std = scene.surface.asperity_height_std;
-            return self.axis.mistaken_among("separation", &self.numbers, height_std);
-        }
-        let largest = largest_magnitude(&self.numbers);
-        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest.to_bits())?;
+        let largest = largest_magnitude(&self.numbers).to_bits();
+        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
         let height_std = self.scene(row).ok()?.surface.asperity_height_std;
-        self.axis.mistaken_unit("separation", self.numbers[row], height_std)
+        self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)
     }
 }
 

@@ -1,29 +1,23 @@
-//! Contacts of a scan under loads, by boundary elements.
+//! Contacts of a scan under loads and on its way back, and models compared with them.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::Ordering;
 
-use asperity::bem::{LoadCase, Solution};
-use asperity::{ContactModel, Findings, Request};
+use asperity::bem::{Bem, BemError, Solution};
+use asperity::{ContactModel, Described, Findings, Model, Request, linspace};
+use asperity_answer::{Truth, Watch, beside_table, compare_with_bem, summary};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
-use super::scan::{Pressed, load_case};
-use crate::ask::long::{continue_unless, run_interruptible};
-use crate::convert::error::{refused, value_error, warn};
-use crate::convert::quantities::Quantities;
+use super::scan::{Arguments, Pressed, load_cases};
+use crate::ask::asked::arrays;
+use crate::ask::long::run_interruptible;
+use crate::convert::{Object, Quantities, object, refused, value_error, warn};
+use crate::scene::SceneFile;
 
-/// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
-/// if kept; rows and columns; the reasons of failures by place; the boundary; the area of loads.
-type Contacts<'py> = (
-    Bound<'py, PyDict>,
-    Option<[Bound<'py, PyArray1<f64>>; 2]>,
-    [usize; 2],
-    BTreeMap<usize, String>,
-    &'static str,
-    f64,
-);
+/// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
+/// rows and columns.
+type Contacts<'py> = (Bound<'py, PyDict>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
 /// The name of a number of a solution, and the number.
 type Head = (&'static str, fn(&Solution) -> f64);
@@ -44,41 +38,38 @@ const HEADS: [Head; 9] = [
 /// Solves contacts at mean pressures, loads or mean gaps.
 #[pyfunction]
 pub(crate) fn bem<'py>(
-    scan: (Bound<'py, PyAny>, Option<Bound<'py, PyAny>>, Option<String>),
-    given: &str,
-    values: Vec<f64>,
-    elastic: bool,
-    boundary: Option<&str>,
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    given: (String, Vec<f64>),
     maps_and_mask: (bool, bool),
     quantities: Option<Quantities>,
 ) -> PyResult<Contacts<'py>> {
-    let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
+    let (maps, mask) = maps_and_mask;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene: contact } = Pressed::new(&scan, boundary, elastic)?;
+    let Pressed { bem, scene: contact } = Pressed::new(pressed)?;
     let elements = bem.elements(&contact.interface).map_err(refused)?;
     let area = contact.nominal_area;
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
     bem.compile(&contact, &request).map_err(refused)?;
-    let all: Vec<LoadCase> =
-        values.into_iter().map(|value| load_case(given, value, area)).collect();
+    let all = load_cases(given, area);
     let pixels = bem.map().heights().len();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
     let mut columns: Vec<Vec<f64>> = vec![missing(1); HEADS.len() + quantities.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, |stop| {
+    run_interruptible(py, None, |stop| {
         let mut fail = |index, error: PyErr, message| match mask {
             true => drop(failures.insert(index, message)),
             false => {
                 // This error is raised, so the other contacts are not needed.
-                stop.store(true, Ordering::Relaxed);
+                stop.stop();
                 failed.get_or_insert(error);
             }
         };
         elements.solve_each(
             &all,
-            |_| continue_unless(stop),
+            |_| stop.step(""),
             |index, solution| match solution {
                 Ok(solution) => {
                     let (heads, of_joints) = columns.split_at_mut(HEADS.len());
@@ -113,8 +104,128 @@ pub(crate) fn bem<'py>(
     notes.iter().try_for_each(|note| warn(py, note, 1))?;
     let names = HEADS.iter().map(|(name, _)| (*name).to_string());
     let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
-    let arrays = columns.into_iter().map(|column| PyArray1::from_vec(py, column));
-    let numbers = names.zip(arrays).into_py_dict(py)?;
+    let fields = arrays(py, names.zip(columns))?;
+    fields.set_item("failures", failures)?;
+    fields.set_item("boundary", bem.continuation().name())?;
+    fields.set_item("nominal_area", area)?;
     let maps = maps.map(|maps| maps.map(|map| PyArray1::from_vec(py, map)));
-    Ok((numbers, maps, bem.map().shape(), failures, bem.continuation().name(), area))
+    Ok((fields, maps, bem.map().shape()))
+}
+
+/// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
+/// given, or `points` of them to the end of contact. The fields of the package's class.
+#[pyfunction]
+pub(crate) fn bem_unloading<'py>(
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    given: (String, Vec<f64>),
+    retreats: Option<Vec<f64>>,
+    points: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    let Pressed { bem, scene } = Pressed::new(pressed)?;
+    let elements = bem.elements(&scene.interface).map_err(refused)?;
+    let area = scene.nominal_area;
+    let greatest = load_cases(given, area).remove(0);
+    let (retreats, end, found) = run_interruptible(py, None, |stop| -> Result<_, BemError> {
+        let path = elements.unloading_from(greatest)?;
+        let end = path.last_contact();
+        let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
+        if stop.is_stopped() {
+            return Err(BemError::Cancelled);
+        }
+        let found = path.at_retreats(&retreats, |_| stop.step(""));
+        Ok((retreats, end, found.into_iter().collect::<Result<Vec<_>, _>>()?))
+    })?
+    .map_err(value_error)?;
+    let stiffness = found.iter().map(|contact| match &contact.stiffness {
+        Some(Ok(stiffness)) => Ok(stiffness * area),
+        Some(Err(error)) => Err(value_error(error)),
+        None => Ok(f64::NAN),
+    });
+    let columns = [
+        ("retreat", retreats),
+        ("load", found.iter().map(|contact| contact.mean_pressure * area).collect()),
+        ("pressure", found.iter().map(|contact| contact.mean_pressure).collect()),
+        ("area_fraction", found.iter().map(|contact| contact.area).collect()),
+        ("mean_gap", found.iter().map(|contact| contact.mean_gap).collect()),
+        ("stiffness", stiffness.collect::<PyResult<_>>()?),
+    ];
+    let fields = arrays(py, columns)?;
+    fields.set_item("last_contact", end)?;
+    fields.set_item("boundary", bem.continuation().name())?;
+    fields.set_item("nominal_area", area)?;
+    Ok(fields)
+}
+
+/// Sentences about the nearest models, and beside solved surfaces.
+type Sentences = (Option<String>, Vec<String>);
+/// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
+/// and the boundary.
+type Truths<'py> =
+    (Object<'py>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+
+/// Models of a scene compared with boundary elements on its scan.
+#[pyfunction]
+pub(crate) fn truth<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    pressures: Vec<f64>,
+    elastic: bool,
+    boundary: Option<&str>,
+    models: Option<Vec<String>>,
+    refine_and_mask: (bool, bool),
+) -> PyResult<Truths<'py>> {
+    let (refine, mask) = refine_and_mask;
+    let scene = &*scene.0;
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary, elastic)?;
+    let (models, left_out) = match models {
+        None => scene.models_beside_bem(),
+        Some(ids) => {
+            let all = ids.iter().map(|id| scene.model(id));
+            (all.collect::<Result<_, _>>().map_err(value_error)?, vec![])
+        }
+    };
+    let mut failures = BTreeMap::new();
+    let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
+        let found = run_interruptible(py, None, |stop| {
+            compare_with_bem(&scene.scene, bem, &pressures, models, |_| stop.step(""))
+        })?;
+        let found = found.map_err(refused)?.into_iter().enumerate();
+        let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
+            Err(error) if !mask => Err(value_error(error)),
+            Err(error) => {
+                failures.entry(k).or_insert(error.to_string());
+                Ok(None)
+            }
+            Ok(one) => Ok(Some(one)),
+        };
+        found.map(kept).collect()
+    };
+    let found = solved(&bem, &models)?;
+    let half = match refine {
+        true => solved(&bem.half_grid().map_err(value_error)?, &[])?,
+        false => vec![None; found.len()],
+    };
+    let (found, half): (Vec<Truth>, Vec<_>) =
+        found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
+    let of_truth = |truth: &Truth| {
+        let refused = truth.refused.iter().map(|(_, why)| why.clone());
+        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+    };
+    let notes: Findings = found.iter().flat_map(of_truth).collect();
+    notes.by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
+    let mut refused: BTreeMap<String, String> =
+        left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
+    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
+        if !refused.contains_key(model.id()) {
+            warn(py, format!("{model}: {why}"), 1)?;
+            refused.insert(model.id().into(), why.to_string());
+        }
+    }
+    let area = scene.scene.nominal_area;
+    let rows = found.iter().zip(&half).flat_map(|(one, half)| one.rows(half.as_ref(), area));
+    let rows: Vec<_> = rows.collect();
+    let nearest = (!models.is_empty() && !found.is_empty()).then(|| summary(&found));
+    let sentences = (nearest, py.detach(|| beside_table(scene, &found)));
+    Ok((object(py, &rows)?, sentences, refused, failures, bem.continuation().name()))
 }

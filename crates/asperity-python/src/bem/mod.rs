@@ -2,5 +2,3 @@
 
 pub(crate) mod contacts;
 mod scan;
-pub(crate) mod truth;
-pub(crate) mod unloading;

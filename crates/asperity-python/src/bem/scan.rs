@@ -4,8 +4,8 @@ use asperity::bem::{Bem, Continuation, LoadCase};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::convert::error::{value_error, warn};
-use crate::records::{Interface, instance, with_article};
+use crate::convert::{Object, value_error, warn};
+use crate::records::{instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
@@ -17,13 +17,17 @@ pub(super) struct Pressed {
     pub(super) scene: asperity::Scene,
 }
 
+/// A surface, the two bodies of a topography, the form to remove, whether the hardness is ignored,
+/// and what lies beyond the edges.
+pub(super) type Arguments<'py> =
+    (Object<'py>, Option<Object<'py>>, Option<String>, bool, Option<String>);
+
 impl Pressed {
     /// The scan of a scene, or a topography with the two bodies and the form to remove.
     pub(super) fn new(
-        (surface, interface, level): &(Bound<'_, PyAny>, Option<Bound<'_, PyAny>>, Option<String>),
-        boundary: Option<&str>,
-        elastic: bool,
+        (surface, interface, level, elastic, boundary): Arguments<'_>,
     ) -> PyResult<Self> {
+        let boundary = boundary.as_deref();
         if let Ok(scene) = surface.cast::<SceneFile>() {
             return match interface {
                 None => Self::of_scene(surface.py(), &scene.get().0, boundary, elastic),
@@ -33,7 +37,7 @@ impl Pressed {
             };
         }
         let Ok(topography) = surface.cast::<Topography>() else {
-            let found = with_article(surface);
+            let found = with_article(&surface);
             let reason = format!("surface must be a Topography or a Scene, not {found}");
             return Err(PyTypeError::new_err(reason));
         };
@@ -41,7 +45,7 @@ impl Pressed {
             let needed = "a Topography has none, pass an asperity.Interface";
             return Err(PyTypeError::new_err(format!("interface is missing: {needed}")));
         };
-        let interface = instance::<Interface>("interface", interface)?.get().0;
+        let interface = instance("interface", &interface)?;
         let (boundary, topography) = (continuation(boundary)?, topography.get());
         let level = topography.form(surface.py(), level.as_deref(), 1)?;
         // A plane taken from a periodic surface would add steps.
@@ -89,11 +93,12 @@ fn continuation(boundary: Option<&str>) -> PyResult<Option<Continuation>> {
     boundary.map(named).transpose()
 }
 
-/// A mean gap \[m\], a load \[N\] on `area` \[m^2\] or a pressure \[Pa\], as `given` names it.
-pub(super) fn load_case(given: &str, value: f64, area: f64) -> LoadCase {
-    match given {
+/// Mean gaps \[m\], loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
+pub(super) fn load_cases((name, values): (String, Vec<f64>), area: f64) -> Vec<LoadCase> {
+    let case = |value| match &*name {
         "gap" => LoadCase::MeanGap(value),
         "load" => LoadCase::MeanPressure(value / area),
         _ => LoadCase::MeanPressure(value),
-    }
+    };
+    values.into_iter().map(case).collect()
 }

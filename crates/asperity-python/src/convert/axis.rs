@@ -3,8 +3,8 @@
 use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::convert::error::{value_error, warn};
 use crate::convert::numbers::largest_magnitude;
+use crate::convert::{value_error, warn};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -75,32 +75,24 @@ impl Axis {
         }
     }
 
-    /// A warning if a separation, or the length `name`, probably has another unit.
-    pub(crate) fn mistaken_unit(self, name: &str, value: f64, height_std: f64) -> Option<String> {
-        let Self::Separation(unit) = self else { return None };
-        let found = asperity_inputs::mistaken_unit(name, value, unit, height_std)?;
-        Some(match unit {
-            SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
-            _ => format!("{found}; separation_unit=\"m\" takes metres"),
-        })
-    }
-
-    /// Such a warning about the number of largest magnitude: smaller ones of an array do not show
-    /// the unit.
-    pub(crate) fn mistaken_among(
+    /// A warning if separations, or the lengths `name`, probably have another unit; it names the
+    /// number of largest magnitude, as smaller ones of an array do not show the unit.
+    pub(crate) fn mistaken_unit(
         self,
         name: &str,
         numbers: &[f64],
         height_std: f64,
     ) -> Option<String> {
-        if let [one] = numbers {
-            return self.mistaken_unit(name, *one, height_std);
-        }
-        let largest = largest_magnitude(numbers);
+        let Self::Separation(unit) = self else { return None };
+        let mistaken = |number| asperity_inputs::mistaken_unit(name, number, unit, height_std);
+        let largest = if let [one] = numbers { one.abs() } else { largest_magnitude(numbers) };
         // Most arrays need no search for the number.
-        self.mistaken_unit(name, largest, height_std)?;
-        let number = numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?;
-        self.mistaken_unit(name, *number, height_std)
+        mistaken(largest)?;
+        let found = mistaken(*numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?)?;
+        Some(match unit {
+            SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
+            _ => format!("{found}; separation_unit=\"m\" takes metres"),
+        })
     }
 
     /// Emits that warning, `above` frames of the package up.
@@ -112,7 +104,7 @@ impl Axis {
         scene: &Scene,
         above: usize,
     ) -> PyResult<()> {
-        let mistaken = self.mistaken_among(name, numbers, scene.surface.asperity_height_std);
+        let mistaken = self.mistaken_unit(name, numbers, scene.surface.asperity_height_std);
         mistaken.map_or(Ok(()), |text| warn(py, text, above))
     }
 }

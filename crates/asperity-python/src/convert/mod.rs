@@ -1,7 +1,96 @@
-//! Conversion of arguments for the library, and of its values, errors and warnings for Python.
+//! Errors, numbers, names and values of the library in Python.
 
 pub(crate) mod axis;
-pub(crate) mod error;
 pub(crate) mod numbers;
-pub(crate) mod objects;
-pub(crate) mod quantities;
+
+use asperity::{ContactError, Quantity, Request};
+use asperity_quadrature::QuadratureError;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+use serde::Serialize;
+
+use crate::model::engine::tolerance;
+
+create_exception!(
+    asperity,
+    NotConverged,
+    PyRuntimeError,
+    "An integral did not reach the requested tolerance; the message has the error it reached."
+);
+create_exception!(
+    asperity,
+    ContactWarning,
+    PyUserWarning,
+    "A warning about a scene or an answer: a number outside its usual range, a negative force, an area above the nominal one."
+);
+
+create_exception!(
+    asperity,
+    UnsupportedFormat,
+    PyValueError,
+    "A file of a scan in a format without a reader here."
+);
+
+/// Any object of Python.
+pub(crate) type Object<'py> = Bound<'py, PyAny>;
+
+/// A `ValueError` with the message of an error of the library.
+pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+/// The exception of an error of the engine: `ValueError`, or `NotConverged`.
+pub(crate) fn refused(error: ContactError) -> PyErr {
+    match error {
+        ContactError::Integral { source: QuadratureError::NotConverged { .. }, .. } => {
+            NotConverged::new_err(error.to_string())
+        }
+        _ => value_error(error),
+    }
+}
+
+/// Emits a `ContactWarning` at the line that calls the package, `above` frames of the package up.
+pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize) -> PyResult<()> {
+    py.import("asperity._warn")?.call_method1("warn", (message.to_string(), above)).map(drop)
+}
+
+/// The dict, list or number of a serialisable value; None for NaN. Keys are sorted.
+pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Object<'py>> {
+    let text = serde_json::to_value(of).map_err(value_error)?.to_string();
+    py.import("json")?.call_method1("loads", (text,))
+}
+
+/// One quantity or more, each once.
+pub(crate) struct Quantities(pub(crate) Vec<Quantity>);
+
+impl<'py> FromPyObject<'_, 'py> for Quantities {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let names: Vec<String> = match given.cast::<PyString>() {
+            Ok(one) => vec![one.extract()?],
+            Err(_) => given.try_iter()?.map(|name| name?.extract()).collect::<PyResult<_>>()?,
+        };
+        let mut found = vec![];
+        for name in names {
+            let quantity = name.parse().map_err(value_error)?;
+            if !found.contains(&quantity) {
+                found.push(quantity);
+            }
+        }
+        if found.is_empty() {
+            let known = Quantity::ALL.map(|quantity| quantity.to_string()).join(", ");
+            let message = format!("quantities is empty: one or more of {known} were required");
+            return Err(value_error(message));
+        }
+        Ok(Self(found))
+    }
+}
+
+impl Quantities {
+    pub(crate) fn request(&self, rtol: f64) -> PyResult<Request> {
+        Ok(Request::new(self.0.iter().copied()).within(tolerance(rtol)?))
+    }
+}

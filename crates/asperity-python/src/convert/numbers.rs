@@ -3,12 +3,12 @@
 use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyFloat, PyString};
 
-use crate::convert::error::value_error;
+use crate::convert::Object;
 
 /// A number, also a NumPy scalar; none for arrays and booleans.
-pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
+pub(crate) fn scalar(number: &Object<'_>) -> Option<f64> {
     // Python would convert True to 1.
     if number.is_instance_of::<PyBool>() {
         return None;
@@ -21,7 +21,7 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
 
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
-pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
+pub(crate) fn number(owner: &str, name: &str, given: &Object<'_>) -> PyResult<f64> {
     let has_unit = asperity_inputs::unit_of(name).is_some();
     if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
         let read = |text: &str| asperity_inputs::quantity_of(name, text);
@@ -35,16 +35,15 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
     })
 }
 
-/// Several arguments of `owner` as numbers in SI units.
-pub(crate) fn numbers<const N: usize>(
-    owner: &str,
-    given: [(&str, &Bound<'_, PyAny>); N],
-) -> PyResult<[f64; N]> {
-    let mut found = [0.0; N];
-    for (found, (name, given)) in found.iter_mut().zip(given) {
-        *found = number(owner, name, given)?;
-    }
-    Ok(found)
+/// An argument of the package's function; a `TypeError` has its name.
+pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
+    name: &str,
+    given: &'a Object<'py>,
+) -> PyResult<T> {
+    given.extract().map_err(|error: PyErr| match error.is_instance_of::<PyTypeError>(given.py()) {
+        true => PyTypeError::new_err(format!("argument '{name}': {}", error.value(given.py()))),
+        false => error,
+    })
 }
 
 /// The error about an argument that is no number.
@@ -63,66 +62,26 @@ fn with_unit(text: &str, read: impl Fn(&str) -> Result<f64, String>) -> PyResult
     read(text).map_err(PyTypeError::new_err)
 }
 
-/// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit; none for numbers.
-pub(crate) fn texts_in_si<'py>(
-    numbers: &Bound<'py, PyAny>,
-    si: &str,
-) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let py = numbers.py();
-    let read = |text: &Bound<'_, PyString>| {
-        with_unit(text.to_str()?, |text| asperity_inputs::quantity(text, si))
-    };
-    if let Ok(text) = numbers.cast::<PyString>() {
-        return Ok(Some(PyFloat::new(py, read(text)?).into_any()));
-    }
-    if !numbers.is_instance_of::<PyTuple>() && !numbers.is_instance_of::<PyList>() {
-        return Ok(None);
-    }
-    let items = numbers.try_iter()?.collect::<PyResult<Vec<_>>>()?;
-    if !items.iter().any(|item| item.is_instance_of::<PyString>()) {
-        return Ok(None);
-    }
-    let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
-        Ok(text) => read(text),
-        Err(_) => {
-            let shown = item.repr()?;
-            let advice = "give every value a unit, or no value";
-            Err(PyTypeError::new_err(format!("{shown} has no unit: {advice}")))
-        }
-    };
-    let read = items.iter().map(each).collect::<PyResult<Vec<f64>>>()?;
-    Ok(Some(PyTuple::new(py, read)?.into_any()))
+/// A text with a unit as a number in an SI unit.
+#[pyfunction]
+pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
+    with_unit(text, |text| asperity_inputs::quantity(text, si))
 }
 
-/// Texts with a unit as numbers in an SI unit; numbers as they are.
-#[pyfunction]
-pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound<'py, PyAny>> {
-    Ok(texts_in_si(&numbers, si)?.unwrap_or(numbers))
+/// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit, by the package;
+/// numbers are returned as they are.
+pub(crate) fn in_si<'py>(numbers: &Object<'py>, si: &str) -> PyResult<Object<'py>> {
+    let package = numbers.py().import("asperity._arguments")?;
+    package.getattr("in_si")?.call1((numbers, si))
 }
 
-/// A contiguous array of doubles. Masked arrays, whose masks would be lost, and complex numbers,
-/// booleans and texts are refused.
-#[pyfunction]
+/// A contiguous array of doubles, by the package.
 pub(crate) fn floats<'py>(
-    values: &Bound<'py, PyAny>,
+    values: &Object<'py>,
     name: &str,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let numpy = values.py().import("numpy")?;
-    if numpy.getattr("ma")?.call_method1("isMaskedArray", (values,))?.extract()? {
-        return Err(value_error(format!(
-            "{name} is a masked array: an array without a mask was required; use its filled() or compressed()"
-        )));
-    }
-    let array = numpy.call_method1("asarray", (values,))?;
-    let kind = array.getattr("dtype")?;
-    if !matches!(kind.getattr("kind")?.extract()?, "f" | "i" | "u") {
-        return Err(PyTypeError::new_err(format!(
-            "{name} has values of type {kind}: real numbers were required"
-        )));
-    }
-    // ascontiguousarray returns one dimension for a scalar.
-    let made = numpy.call_method1("ascontiguousarray", (&array, "float64"))?;
-    Ok(made.call_method1("reshape", (array.getattr("shape")?,))?.extract()?)
+    let package = values.py().import("asperity._arguments")?;
+    Ok(package.getattr("floats")?.call1((values, name))?.extract()?)
 }
 
 /// The largest magnitude of finite numbers; 0 without any.

@@ -1,15 +1,15 @@
 //! `JointTable`: loading, unloading and reloading, for codes that step in time.
 
 use asperity::joints;
-use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
+use asperity::{ContactError, Datum, SeparationUnit, Tolerance};
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
 use crate::ask::over::Given;
 use crate::convert::axis::Axis;
-use crate::convert::error::value_error;
 use crate::convert::numbers::{floats, scalar};
+use crate::convert::{Object, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -55,27 +55,26 @@ impl JointTable {
         ends: (f64, f64),
         law: &str,
         tolerance: f64,
-        separation_unit: Bound<'_, PyAny>,
+        separation_unit: Object<'_>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let unit: Axis = separation_unit.extract()?;
-        let raise = |error| model.get().raise(py, error);
         let metres = unit.metres(&file.scene);
-        let zero =
-            Separation { value: 0.0, unit: SeparationUnit::Metres, from: file.separation_from };
-        let mean = zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
-        let plane = mean.map_err(raise)?.value;
         for end in [ends.0, ends.1] {
             unit.warn_of_unit(py, "separation", &[end], &file.scene, 1)?;
         }
         let named = model.get().on(&file)?;
-        let range = (metres * ends.0 + plane, metres * ends.1 + plane);
-        let table = py.detach(|| {
-            joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?
-                .table(range, tolerance)
-        });
-        let (table, law) = (table.map_err(raise)?, law.to_string());
+        let (plane, table) = model.get().run(py, || {
+            // The zero of the scene's separations.
+            let zero = file.separation(0.0, SeparationUnit::Metres);
+            let plane =
+                zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)?;
+            let range = (metres * ends.0 + plane.value, metres * ends.1 + plane.value);
+            let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
+            Ok((plane.value, joint.table(range, tolerance)?))
+        })?;
+        let law = law.to_string();
         let separation_unit = separation_unit.extract()?;
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }
@@ -97,8 +96,8 @@ impl JointTable {
     #[pyo3(signature = (separation, closest=None))]
     fn step<'py>(
         &self,
-        separation: &Bound<'py, PyAny>,
-        closest: Option<&Bound<'py, PyAny>>,
+        separation: &Object<'py>,
+        closest: Option<&Object<'py>>,
     ) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
         let infinity = PyFloat::new(py, f64::INFINITY).into_any();
@@ -112,7 +111,7 @@ impl JointTable {
         if separation.shape() != closest.shape() {
             let numpy = py.import("numpy")?;
             let both = numpy.call_method1("broadcast_arrays", (separation, closest))?;
-            let both: (Bound<'py, PyAny>, Bound<'py, PyAny>) = both.extract()?;
+            let both: (Object<'py>, Object<'py>) = both.extract()?;
             (separation, closest) = (floats(&both.0, "separation")?, floats(&both.1, "closest")?);
         }
         let (separation, closest) =
@@ -123,7 +122,7 @@ impl JointTable {
     }
 
     /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
-    fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+    fn history<'py>(&self, separation: &Object<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let py = separation.py();
         let given = Given::Many(floats(separation, "separation")?.readonly());
         let mut closest = f64::INFINITY;

@@ -10,10 +10,9 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::error::{refused, value_error};
-use crate::convert::quantities::Quantities;
+use crate::convert::{Object, Quantities, refused, value_error};
 use crate::model::python_model::{PythonModel, Raised};
-use crate::scene::{self, OptionValue};
+use crate::scene::{self, arguments::OptionValue};
 
 /// A model: the base of the package's `Model`.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]
@@ -28,9 +27,9 @@ enum Kind {
 #[pymethods]
 impl Engine {
     /// A model by its id, with options that replace those of a scene; or a model written in Python,
-    /// as the package's `_laws.Laws` of a class.
+    /// as the package's `_model.Laws` of a class.
     #[new]
-    fn new(model: &Bound<'_, PyAny>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
+    fn new(model: &Object<'_>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
             let model = Model::new(PythonModel::new(model, raised.clone())?);
@@ -107,13 +106,11 @@ impl Engine {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let quantity: Quantity = quantity.parse().map_err(value_error)?;
         let (model, tolerance) = (self.on(&scene.0)?, tolerance(rtol)?);
-        let law = py.detach(|| model.law(&scene.0.scene.asperity()?, quantity, tolerance));
-        let law = law.map_err(|error| self.raise(py, error))?;
         let interferences = interferences.as_slice()?;
-        let values: Result<Vec<f64>, _> =
-            py.detach(|| interferences.iter().map(|w| law.value(*w)).collect());
-        let values = values.map_err(|source| {
-            self.raise(py, ContactError::Integral { quantity, at: 0.0.into(), source })
+        let values: Vec<f64> = self.run(py, || {
+            let law = model.law(&scene.0.scene.asperity()?, quantity, tolerance)?;
+            let refused = |source| ContactError::Integral { quantity, at: 0.0.into(), source };
+            interferences.iter().map(|w| law.value(*w).map_err(refused)).collect()
         })?;
         Ok(PyArray1::from_vec(py, values))
     }
@@ -122,8 +119,7 @@ impl Engine {
     #[pyo3(name = "_check")]
     fn check(&self, py: Python<'_>, scene: &scene::SceneFile) -> PyResult<Vec<String>> {
         let model = self.on(&scene.0)?;
-        let found = py.detach(|| testkit::check(&model, &scene.0.scene.asperity()?));
-        let found = found.map_err(|error| self.raise(py, error))?;
+        let found = self.run(py, || testkit::check(&model, &scene.0.scene.asperity()?))?;
         Ok(found.iter().map(ToString::to_string).collect())
     }
 }
@@ -212,6 +208,15 @@ impl Engine {
     /// code.
     pub(crate) fn is_written(&self) -> bool {
         matches!(self.0, Kind::Python { .. })
+    }
+
+    /// Runs `work` without the interpreter; raises its refusal.
+    pub(crate) fn run<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce() -> Result<T, ContactError> + Send,
+    ) -> PyResult<T> {
+        py.detach(work).map_err(|error| self.raise(py, error))
     }
 
     /// The exception of a refusal: that of the user's own code, or the library's.

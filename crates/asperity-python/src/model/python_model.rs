@@ -12,7 +12,8 @@ use asperity_quadrature::{QuadratureError, Sampler};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::records::Asperity;
+use crate::convert::Object;
+use crate::records::record;
 
 /// The citation of a user's model; never shown.
 const SOURCE: Citation = Citation {
@@ -52,7 +53,7 @@ impl Raised {
 
 /// A class whose instances are the laws of one asperity.
 pub(crate) struct PythonModel {
-    /// The package's `_laws.Laws` of the class: returns function, kinks and regimes of an asperity.
+    /// The package's `_model.Laws` of the class: returns function, kinks and regimes of an asperity.
     laws: Py<PyAny>,
     name: String,
     own_stiffness: bool,
@@ -65,7 +66,7 @@ pub(crate) struct PythonModel {
 static MODELS: AtomicU64 = AtomicU64::new(0);
 
 impl PythonModel {
-    pub(crate) fn new(laws: &Bound<'_, PyAny>, raised: Raised) -> PyResult<Self> {
+    pub(crate) fn new(laws: &Object<'_>, raised: Raised) -> PyResult<Self> {
         Ok(Self {
             name: laws.getattr("name")?.extract()?,
             own_stiffness: laws.getattr("own_stiffness")?.extract()?,
@@ -91,7 +92,7 @@ impl PythonModel {
         asperity: &asperity::Asperity,
         quantity: Quantity,
     ) -> PyResult<Law> {
-        let arguments = (Asperity(*asperity, ()), quantity.to_string());
+        let arguments = (record(py, asperity)?, quantity.to_string());
         let (function, kinks, regimes): (Py<PyAny>, Vec<f64>, Vec<String>) =
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);

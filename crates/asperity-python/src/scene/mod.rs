@@ -1,8 +1,6 @@
 //! `Scene`: the contact of two bodies, as described by a scene file.
 
-mod arguments;
-mod heights;
-pub(crate) mod inputs;
+pub(crate) mod arguments;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -14,14 +12,11 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 
-use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
-use crate::convert::objects::object;
+use crate::convert::{Object, object, refused, value_error, warn};
 use crate::reading::found;
-use crate::records::{Asperity, Interface, Surface, instance};
-use heights::Heights;
-pub(crate) use heights::OptionValue;
-use inputs::{inputs, inputs_in_si};
+use crate::records::{self, instance};
+use arguments::{Heights, OptionValue, inputs, inputs_in_si};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -73,24 +68,22 @@ impl SceneFile {
         text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None)"
     )]
     fn new(
-        interface: &Bound<'_, PyAny>,
-        surface: &Bound<'_, PyAny>,
-        nominal_area: &Bound<'_, PyAny>,
-        heights: Option<&Bound<'_, PyAny>>,
+        interface: &Object<'_>,
+        surface: &Object<'_>,
+        nominal_area: &Object<'_>,
+        heights: Option<&Object<'_>>,
         separation_from: &str,
-        mean_plane_offset: Option<&Bound<'_, PyAny>>,
+        mean_plane_offset: Option<&Object<'_>>,
         options: Option<BTreeMap<String, OptionValue>>,
     ) -> PyResult<Self> {
-        let Interface(interface, bodies) =
-            instance::<Interface>("interface", interface)?.get().clone();
-        let Surface(surface, roughness) = instance::<Surface>("surface", surface)?.get().clone();
         let scene = asperity::Scene::new(
-            interface,
-            surface,
+            instance("interface", interface)?,
+            instance("surface", surface)?,
             number("Scene", "nominal_area", nominal_area)?,
         );
         let mut file = asperity_inputs::SceneFile::from(scene);
-        (file.bodies, file.roughness) = (bodies, roughness);
+        file.bodies = records::bodies(interface)?;
+        file.roughness = records::roughness(surface)?;
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
         }
@@ -126,14 +119,14 @@ impl SceneFile {
 
     /// The two bodies.
     #[getter]
-    fn interface(&self) -> Interface {
-        Interface(self.0.scene.interface, self.0.bodies.clone())
+    fn interface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        records::interface(py, &self.0.scene.interface, &self.0.bodies)
     }
 
     /// The equivalent rough surface.
     #[getter]
-    fn surface(&self) -> Surface {
-        Surface(self.0.scene.surface, self.0.roughness)
+    fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        records::surface(py, &self.0.scene.surface, self.0.roughness)
     }
 
     /// The apparent area of contact [m^2].
@@ -144,7 +137,7 @@ impl SceneFile {
 
     /// The distribution of the asperity heights: its name, its skewness, or a table.
     #[getter]
-    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         match Heights::in_file(&self.0) {
             Heights::Table(z, density) => {
                 (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
@@ -155,7 +148,7 @@ impl SceneFile {
 
     /// The plane of separation 0.
     #[getter]
-    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         object(py, &self.0.separation_from)
     }
 
@@ -168,22 +161,20 @@ impl SceneFile {
 
     /// The options that differ from the defaults.
     #[getter]
-    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    fn options<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         object(py, &self.0.options.changed())
     }
 
-    /// A copy with other numbers, by the names of a scene file: equivalent_modulus,
-    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, tangent_modulus,
-    /// pressure_factor, thermal_conductivity, electrical_resistivity, work_of_adhesion,
-    /// asperity_radius, asperity_density, asperity_height_std, nominal_area; or plasticity_index
-    /// and roughness_parameter in the place of radius and density.
+    /// A copy with other numbers, by the names of a scene file: those of ``Interface`` and
+    /// ``Surface``, and nominal_area; or plasticity_index and roughness_parameter in the place of
+    /// radius and density.
     ///
     /// Of a scene with bodies also body1_youngs_modulus, body2_hardness and so on, and
     /// youngs_modulus of both, if it is the same; of a surface from moments m0, m2 and m4, from ISO
     /// 25178 sq, spd and spc, from the standard deviation of the surface heights
     /// surface_height_std. The interface and the surface are made from them again.
     #[pyo3(signature = (**numbers))]
-    fn replace(&self, numbers: Option<BTreeMap<String, Bound<'_, PyAny>>>) -> PyResult<Self> {
+    fn replace(&self, numbers: Option<BTreeMap<String, Object<'_>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();
         let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
         let inputs = inputs(&self.0, numbers.keys())?;
@@ -197,15 +188,15 @@ impl SceneFile {
     fn vary<'py>(
         slf: &Bound<'py, Self>,
         columns: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let scenes = slf.py().import("asperity._scene")?.getattr("Scenes")?;
+    ) -> PyResult<Object<'py>> {
+        let scenes = slf.py().import("asperity._arguments")?.getattr("Scenes")?;
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
     /// One asperity of the surface with every input resolved.
     #[getter]
-    fn asperity(&self) -> PyResult<Asperity> {
-        self.0.scene.asperity().map(|one| Asperity(one, ())).map_err(refused)
+    fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
     /// The number of asperities: density times nominal area.
@@ -251,26 +242,30 @@ impl SceneFile {
     /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
     /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
     /// ('error', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
-    #[pyo3(signature = (
-        model=None, separation=None, *, load=None, pressure=None,
-        separation_unit="asperity_height_std"
-    ))]
+    #[pyo3(
+        signature = (*args, **kwargs),
+        text_signature = "(self, model=None, separation=None, *, load=None, pressure=None, separation_unit='asperity_height_std')"
+    )]
     fn check<'py>(
         slf: &Bound<'py, Self>,
-        model: Option<Bound<'py, PyAny>>,
-        separation: Option<Bound<'py, PyAny>>,
-        load: Option<Bound<'py, PyAny>>,
-        pressure: Option<Bound<'py, PyAny>>,
-        separation_unit: &str,
-    ) -> PyResult<Bound<'py, PyAny>> {
+        args: Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Object<'py>> {
         let check = slf.py().import("asperity._advice")?.getattr("check")?;
-        check.call1((slf, model, separation, load, pressure, separation_unit))
+        check.call_method1("__get__", (slf,))?.call(args, kwargs)
     }
 
-    /// The arguments of this scene, with dicts of numbers for the interface and the surface, and
-    /// for the numbers from which these follow.
-    fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.fields(py)
+    /// The arguments of this scene, in the order of the signature.
+    fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("interface", self.interface(py)?)?;
+        arguments.set_item("surface", self.surface(py)?)?;
+        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("heights", self.heights(py)?)?;
+        arguments.set_item("separation_from", self.separation_from(py)?)?;
+        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
+        arguments.set_item("options", self.options(py)?)?;
+        Ok(arguments)
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
@@ -284,17 +279,15 @@ impl SceneFile {
     }
 
     fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
-        self.arguments(py)?.eq(other.arguments(py)?)
+        self._arguments(py)?.eq(other._arguments(py)?)
     }
 
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.shown(py)
+    fn __repr__<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        py.import("asperity._arguments")?.getattr("shown")?.call1((self._arguments(py)?,))
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let arguments = PyTuple::new(slf.py(), slf.get().arguments(slf.py())?.values())?;
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, Bound<'py, PyTuple>)> {
+        let arguments = PyTuple::new(slf.py(), slf.get()._arguments(slf.py())?.values())?;
         Ok((slf.get_type().into_any(), arguments))
     }
 }

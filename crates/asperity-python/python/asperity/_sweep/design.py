@@ -7,18 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity._scene import Floats
+from asperity._arguments import Floats
 
 DESIGNS = ("sobol", "latin-hypercube", "saltelli", "saltelli-pairs")
 # Bits of a coordinate of scipy's Sobol points: 2^BITS is their number.
 BITS = 30
-
-
-def integer(name: str, given: int, least: int) -> int:
-    """An integer from ``least``, also one of NumPy."""
-    if isinstance(given, bool) or not isinstance(given, int | np.integer) or given < least:
-        raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
-    return int(given)
 
 
 @dataclass(frozen=True)
@@ -32,6 +25,12 @@ class Design:
     part_size: int
 
     def __post_init__(self) -> None:
+        for name, least in {"n": 1, "seed": 0, "part_size": 1}.items():
+            given = getattr(self, name)
+            # Also an integer of NumPy.
+            if isinstance(given, bool) or not isinstance(given, int | np.integer) or given < least:
+                raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
+            object.__setattr__(self, name, int(given))
         if self.kind == "lhs":
             object.__setattr__(self, "kind", "latin-hypercube")
         if self.kind not in DESIGNS:
@@ -76,12 +75,10 @@ class Design:
         if self.kind == "latin-hypercube":
             # Every part is a hypercube: one for all rows cannot be drawn part by part.
             rng = np.random.default_rng([self.seed, rows.start // self.part_rows])
-            sample: Floats = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
-            inside: Floats = np.minimum(sample, 1.0 - 2.0**-53)
-            return inside
+            sample = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
+            return np.asarray(np.minimum(sample, 1.0 - 2.0**-53))
         dimensions = self.dimensions * (1 if self.block == 1 else 2)
-        rng = np.random.default_rng(self.seed)
-        sobol = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=rng)
+        sobol = qmc.Sobol(dimensions, bits=BITS, rng=np.random.default_rng(self.seed))
         if start:
             base = sobol.fast_forward(start).random(count)
         else:

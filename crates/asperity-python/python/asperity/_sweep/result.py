@@ -12,11 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from asperity._asperity import ContactWarning, floats
-from asperity._scene import Floats
-from asperity._sweep.folder import Folder
-from asperity._sweep.part import Part, column_name
-from asperity._sweep.progress import Run
+from asperity._arguments import Floats, floats
+from asperity._asperity import ContactWarning
+from asperity._sweep.store import Folder, Memory, Part, Run, column_name
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -59,17 +57,17 @@ class SweepResult:
     {'hardness': 0.83, 'nominal_area': 0.17}
     """
 
-    def __init__(self, identity: dict[str, Any], parts: list[Part] | Folder, run: Run) -> None:
-        self._identity, self._parts = identity, parts
+    def __init__(self, stored: Memory, run: Run) -> None:
+        self._identity, self._stored = stored.identity, stored
         #: Rows, seconds and memory of each worker in the call of ``sweep``.
         self.run = run
-        inputs = identity["space"]["inputs"]
+        inputs = self._identity["space"]["inputs"]
         #: The inputs that vary.
         self.inputs: tuple[str, ...] = tuple(n for n, i in inputs.items() if "quantiles" in i)
         #: The requested quantities.
-        self.quantities: tuple[str, ...] = tuple(identity["quantities"])
+        self.quantities: tuple[str, ...] = tuple(self._identity["quantities"])
         #: The number of rows, with failed ones.
-        self.rows: int = identity["rows"]
+        self.rows: int = self._identity["rows"]
 
     def _name(self, column: str) -> str:
         """The name of a column; a quantity also with underscores, as an attribute of a curve."""
@@ -78,22 +76,15 @@ class SweepResult:
 
     def parts(self, *columns: str) -> Iterator[Part]:
         """The parts in order, one in memory at a time, with all columns or the named ones."""
-        columns = tuple(map(self._name, columns))
-        for name in columns:
-            self._check_column(name)
-        wanted = columns or (*self.inputs, *self.quantities)
+        known = (*self.inputs, *self.quantities)
+        wanted = tuple(map(self._name, columns)) or known
+        for name in wanted:
+            if name not in known:
+                raise KeyError(f"{name} is no column: one of {', '.join(known)} was required")
         inputs = [name for name in self.inputs if name in wanted]
         quantities = [name for name in self.quantities if name in wanted]
-        if isinstance(self._parts, list):
-            yield from self._parts
-            return
-        for number in range(self._parts.parts):
-            yield Part.read(self._parts.part(number), inputs, quantities)
-
-    def _check_column(self, name: str) -> None:
-        columns = (*self.inputs, *self.quantities)
-        if name not in columns:
-            raise KeyError(f"{name} is no column: one of {', '.join(columns)} was required")
+        for number in range(self._stored.parts):
+            yield self._stored.get(number, inputs, quantities)
 
     def __getitem__(self, column: str) -> Floats:
         """A whole column, of an input that varies or a quantity; masked for failed rows."""
@@ -101,10 +92,8 @@ class SweepResult:
         parts = list(self.parts(column))
         head = column if column in self.inputs else column_name(column)
         whole: Floats = np.concatenate([part.table[head].to_numpy() for part in parts])
-        if not any(part.table[head].null_count for part in parts):
-            return whole
-        masked: Floats = np.ma.masked_invalid(whole)
-        return masked
+        failed = any(part.table[head].null_count for part in parts)
+        return np.ma.masked_invalid(whole) if failed else whole
 
     def failures(self) -> Iterator[tuple[int, str]]:
         """The numbers of failed rows with the reasons."""
@@ -114,9 +103,8 @@ class SweepResult:
 
     def _values(self, quantity: str) -> Floats:
         """The values of a quantity without failed rows."""
-        quantity = self._name(quantity)
+        quantity, names = self._name(quantity), ", ".join(self.quantities)
         if quantity not in self.quantities:
-            names = ", ".join(self.quantities)
             raise KeyError(f"{quantity} was not requested: add it to the quantities ({names})")
         values: Floats = np.ma.compressed(self[quantity])
         return values
@@ -186,17 +174,16 @@ class SweepResult:
             num_resamples=resamples,
             seed=self._identity["seed"],
         )
-        both = list(combinations(enumerate(self.inputs), 2)) if pairs else []
+        both = list(combinations(range(len(self.inputs)), 2)) if pairs else []
 
-        def of_one(key: str) -> dict[str, float]:
+        def of(key: str) -> dict[str, float]:
             return dict(zip(self.inputs, found[key].tolist(), strict=True))
 
         def of_two(key: str) -> dict[tuple[str, str], float]:
-            return {(a, b): float(found[key][j, k]) for (j, a), (k, b) in both}
+            return {(self.inputs[j], self.inputs[k]): float(found[key][j, k]) for j, k in both}
 
-        first, first_conf, total, total_conf = map(of_one, ("S1", "S1_conf", "ST", "ST_conf"))
-        second, second_conf = map(of_two, ("S2", "S2_conf"))
-        return Sensitivity(first, first_conf, total, total_conf, second, second_conf)
+        single = of("S1"), of("S1_conf"), of("ST"), of("ST_conf")
+        return Sensitivity(*single, of_two("S2"), of_two("S2_conf"))
 
     def to_dataframe(self) -> pd.DataFrame:
         """All rows, with units in the heads of quantities, and a column ``error`` if rows failed."""
@@ -222,10 +209,10 @@ def read_sweep(folder: str | os.PathLike[str]) -> SweepResult:
     stored = Folder(folder)
     missing = stored.missing()
     if missing:
-        first = stored.part(missing[0])
+        first = stored.file(missing[0])
         state = "incomplete" if first.is_file() else "missing"
         raise ValueError(
             f"{stored.path} has {stored.parts - len(missing)} of {stored.parts} parts, {first.name} is "
             f"{state}: call sweep with the same arguments to compute the others"
         )
-    return SweepResult(stored.identity, stored, Run())
+    return SweepResult(stored, Run())

@@ -2,28 +2,98 @@
 
 from __future__ import annotations
 
+import hashlib
+import inspect
 import os
+import sys
+import time
 import warnings
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from importlib.metadata import version
-from itertools import zip_longest
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from asperity import _asperity
-from asperity._arguments import checked_errors, checked_unit
+from asperity._arguments import Floats, checked_errors, checked_unit, placed, reason
 from asperity._asperity import ContactWarning
-from asperity._model import Model
-from asperity._sweep.design import Design, integer
-from asperity._sweep.folder import Folder
-from asperity._sweep.job import Job
-from asperity._sweep.part import Part
-from asperity._sweep.progress import Progress, Run, peak_memory
+from asperity._model import Model, as_model
+from asperity._sweep.design import Design
 from asperity._sweep.result import SweepResult
 from asperity._sweep.space import Space
+from asperity._sweep.store import Folder, Memory, Part, Run, peak_memory
 
 if TYPE_CHECKING:
     from distributed import Client
+
+#: Rows of a finished part, its worker, the peak memory of the worker, and the warnings of the model.
+Finished: TypeAlias = tuple[int, str, int | None, list[str]]
+
+
+@dataclass(frozen=True)
+class Job:
+    """A sweep: all that its parts depend on, sent to workers."""
+
+    space: Space
+    model: Model
+    quantities: tuple[str, ...]
+    design: Design
+    rtol: float
+    separation_unit: str
+    errors: str
+    version: str
+
+    def draw(self, number: int) -> dict[str, Floats]:
+        """The inputs that vary, of one part."""
+        return self.space.columns(self.design.sample(self.design.parts[number]))
+
+    def answer(
+        self, number: int, inputs: dict[str, Floats], threads: int | None = None
+    ) -> tuple[Part, list[str]]:
+        """One part, and the warnings of the model."""
+        rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
+        asked = self.model, rows, self.quantities, self.rtol
+        _, values, failures, messages = _asperity.answer(asked, "value", stop, threads, False)
+        first = self.design.parts[number].start
+        for k, error in failures:
+            if stop or not isinstance(error, Exception):
+                drawn = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
+                raise placed(f"row {first + k} ({drawn}): ", error)
+        errors = {k: reason(error) for k, error in failures}
+        return Part.of(first, inputs, values, errors), messages
+
+    def identity(self) -> dict[str, Any]:
+        """Every input that the values depend on, for JSON."""
+        import scipy
+
+        drawn = self.design
+        return {
+            "asperity": self.version,
+            "scipy": scipy.__version__,
+            "model": _model_identity(self.model),
+            "quantities": list(self.quantities),
+            "design": drawn.kind,
+            "n": drawn.n,
+            "seed": drawn.seed,
+            "rows": drawn.rows,
+            "parts": len(drawn.parts),
+            "part_size": drawn.part_size,
+            "rtol": self.rtol,
+            "separation_unit": self.separation_unit,
+            "space": self.space.identity(),
+        }
+
+
+def _model_identity(model: Model) -> dict[str, Any]:
+    definition = model._definition
+    if isinstance(definition, str):
+        return {"id": definition, "options": model.options}
+    name = f"{getattr(definition, '__module__', '')}.{getattr(definition, '__qualname__', repr(definition))}"
+    try:
+        source = inspect.getsource(definition)
+    except (OSError, TypeError):
+        return {"class": name}
+    return {"class": name, "source": hashlib.sha256(source.encode()).hexdigest()}
 
 
 def sweep(
@@ -97,62 +167,51 @@ def sweep(
         raise ValueError("a client was given without a folder: its workers write their parts to a folder")
     if not isinstance(space, Space):
         raise TypeError(f"space is {space!r}: an asperity.Space was required")
+    drawn = Design(design, n, seed, len(space.names), part_size)
     job = Job(
         space,
-        model if isinstance(model, Model) else Model(model),
+        as_model(model),
         tuple(_asperity.quantities(quantities)),
-        Design(
-            design,
-            integer("n", n, 1),
-            integer("seed", seed, 0),
-            len(space.names),
-            integer("part_size", part_size, 1),
-        ),
+        drawn,
         rtol,
         checked_unit(separation_unit),
         checked_errors(errors),
         version("asperity"),
     )
-    run, parts = Run(), job.design.parts
-    stored: Folder | list[Part] = []
-    missing = list(range(len(parts)))
-    if folder is not None:
-        stored = Folder.of(folder, job.identity())
-        missing = stored.missing()
-    done = job.design.rows - sum(len(parts[number]) for number in missing)
-    shown = Progress(run, job.design.rows, done, progress)
+    identity, run = job.identity(), Run()
+    stored = Memory(identity) if folder is None else Folder.of(folder, identity)
+    missing = stored.missing()
+    done = before = drawn.rows - sum(len(drawn.parts[number]) for number in missing)
+    shown = sys.stderr.isatty() if progress is None else progress
     found = _here(job, stored, missing)
     if client is not None and isinstance(stored, Folder):
         found = _on_cluster(client, job, stored, missing)
+    begun = time.perf_counter()
     for rows, worker, memory, messages in found:
         for message in messages:
             # Python shows equal messages once.
             warnings.warn(message, ContactWarning, stacklevel=2)
-        shown.add(rows, worker, memory)
-    identity = stored.identity if isinstance(stored, Folder) else job.identity()
-    result = SweepResult(identity, stored, run)
-    if errors == "raise" and done:
-        for row, reason in result.failures():
-            raise ValueError(f"row {row} failed in an earlier run: {reason}")
+        run.rows, run.seconds, done = run.rows + rows, time.perf_counter() - begun, done + rows
+        if memory is not None:
+            run.peak_memory[worker] = max(memory, run.peak_memory.get(worker, 0))
+        if shown:
+            run.show(done, drawn.rows)
+    result = SweepResult(stored, run)
+    if errors == "raise" and before:
+        for row, why in result.failures():
+            raise ValueError(f"row {row} failed in an earlier run: {why}")
     return result
 
 
-#: Rows of a finished part, its worker, the peak memory of the worker, and the warnings of the model.
-Finished: TypeAlias = tuple[int, str, int | None, list[str]]
-
-
-def _here(job: Job, stored: Folder | list[Part], numbers: list[int]) -> Iterator[Finished]:
+def _here(job: Job, stored: Memory, numbers: list[int]) -> Iterator[Finished]:
     """Parts in order; the inputs of the next part are drawn while one is evaluated."""
     with ThreadPoolExecutor(1) as pool:
-        drawn = [pool.submit(job.draw, number) for number in numbers[:1]]
-        for number, following in zip_longest(numbers, numbers[1:]):
-            columns = drawn.pop().result()
-            drawn += [] if following is None else [pool.submit(job.draw, following)]
+        draws = (pool.submit(job.draw, number) for number in numbers)
+        drawn: Any = next(draws, None)
+        for number in numbers:
+            columns, drawn = drawn.result(), next(draws, drawn)
             part, messages = job.answer(number, columns)
-            if isinstance(stored, Folder):
-                part.write(stored.part(number), stored.fingerprint)
-            else:
-                stored.append(part)
+            stored.put(number, part)
             yield len(part), "this process", peak_memory(), messages
 
 
@@ -171,7 +230,7 @@ def write_part(job: Job, path: str, number: int) -> Finished:
         raise ValueError(f"worker {worker}: {error}, shared by all workers") from None
     # One thread for each part: the other threads of the worker have other parts.
     part, messages = job.answer(number, job.draw(number), threads=1)
-    part.write(stored.part(number), stored.fingerprint)
+    stored.put(number, part)
     return len(part), worker, peak_memory(), messages
 
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, TypeAlias, runtime_checkable
+from collections.abc import Callable
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import LOADS, Rows, place
+from asperity._arguments import LOADS, Floats, Rows, place
 from asperity._asperity import Scene
-from asperity._scene import Floats
 
 
-@runtime_checkable
 class HasPpf(Protocol):
     """A frozen distribution of scipy.stats: ``scipy.stats.norm(1e9, 1e8)``."""
 
@@ -20,7 +19,6 @@ class HasPpf(Protocol):
         """Quantiles at probabilities between 0 and 1."""
 
 
-@runtime_checkable
 class HasIcdf(Protocol):
     """A distribution of SciPy's newer interface: ``scipy.stats.Normal(mu=1e9, sigma=1e8)``."""
 
@@ -114,15 +112,29 @@ class Space:
             inputs[name] = {"is": _description(given) + unit}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
-        return {**self.scene._fields(), "inputs": inputs}
+        interface, surface = self.scene.interface, self.scene.surface
+        fields = self.scene._arguments()
+        fields |= {"interface": interface._numbers(), "surface": surface._numbers()}
+        if interface._origin:
+            fields["bodies"] = [body._numbers() for body in interface._origin]
+        if surface._origin:
+            fields["roughness"] = surface._origin
+        return {**fields, "inputs": inputs}
 
     def __repr__(self) -> str:
         inputs = ", ".join(f"{name}={_description(given)}" for name, given in self.inputs.items())
         return f"<asperity.Space: {inputs}>"
 
 
-def _is_number(given: Input) -> bool:
+def _is_number(given: Any) -> bool:
     return isinstance(given, int | float | np.number)
+
+
+def _quantile_function(given: Any) -> Callable[[Floats], Any] | None:
+    if isinstance(given, tuple):
+        low, high = given
+        return lambda u: low + (high - low) * u
+    return getattr(given, "ppf", None) or getattr(given, "icdf", None)
 
 
 def _check(name: str, given: Input) -> None:
@@ -131,18 +143,15 @@ def _check(name: str, given: Input) -> None:
             raise ValueError(f"{name} is {given!r}: (low, high), two finite numbers, was required")
         if not given[0] < given[1]:
             raise ValueError(f"{name} is {given!r}: low must be below high")
-    elif not _is_number(given) and not isinstance(given, HasPpf | HasIcdf):
+    elif not _is_number(given) and _quantile_function(given) is None:
         raise TypeError(
             f"{name} is {given!r}: a distribution with a ppf, (low, high) or a number was required"
         )
 
 
 def _quantiles(name: str, given: Input, u: Floats) -> Floats:
-    if isinstance(given, tuple):
-        low, high = given
-        return np.asarray(low + (high - low) * u)
-    found = given.ppf(u) if isinstance(given, HasPpf) else given.icdf(u)  # type: ignore[union-attr]
-    values = np.ascontiguousarray(found, dtype=np.float64)
+    function = _quantile_function(given)
+    values = np.ascontiguousarray(function and function(u), dtype=np.float64)
     if values.shape != u.shape:
         raise ValueError(
             f"{name} has quantiles of shape {values.shape} at {u.size} probabilities: one number "

@@ -1,0 +1,139 @@
+"""Bodies, interfaces, surfaces and asperities. Their attributes are read-only: Final."""
+
+from typing import Final, SupportsFloat, SupportsIndex, TypeAlias
+
+from typing_extensions import Self
+
+_Float: TypeAlias = SupportsFloat | SupportsIndex
+_Number: TypeAlias = _Float | str
+
+class Record:
+    def replace(self, **numbers: _Number | None) -> Self: ...
+    def _numbers(self) -> dict[str, float | None]: ...
+    def __post_init__(self) -> None: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+
+class Body(Record):
+    # numbers of Body
+    def __init__(
+        self,
+        youngs_modulus: _Number,
+        poissons_ratio: _Float,
+        hardness: _Number | None = None,
+        yield_strength: _Number | None = None,
+        thermal_conductivity: _Number | None = None,
+        electrical_resistivity: _Number | None = None,
+        tangent_modulus: _Number | None = None,
+    ) -> None: ...
+    youngs_modulus: Final[float]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    thermal_conductivity: Final[float | None]
+    electrical_resistivity: Final[float | None]
+    tangent_modulus: Final[float | None]
+    # end
+    @staticmethod
+    def material(name: str) -> Body: ...
+
+class Interface(Record):
+    _origin: tuple[Body, ...]
+    # numbers of Interface
+    def __init__(
+        self,
+        equivalent_modulus: _Number,
+        poissons_ratio: _Float,
+        hardness: _Number | None = None,
+        yield_strength: _Number | None = None,
+        equivalent_shear_modulus: _Number | None = None,
+        pressure_factor: _Float | None = None,
+        thermal_conductivity: _Number | None = None,
+        electrical_resistivity: _Number | None = None,
+        work_of_adhesion: _Number | None = None,
+        tangent_modulus: _Number | None = None,
+    ) -> None: ...
+    equivalent_modulus: Final[float]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    equivalent_shear_modulus: Final[float | None]
+    pressure_factor: Final[float | None]
+    thermal_conductivity: Final[float | None]
+    electrical_resistivity: Final[float | None]
+    work_of_adhesion: Final[float | None]
+    tangent_modulus: Final[float | None]
+    # end
+    @staticmethod
+    def between(
+        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
+    ) -> Interface: ...
+    @staticmethod
+    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
+
+class Surface(Record):
+    _origin: dict[str, float] | None
+    # numbers of Surface
+    def __init__(
+        self,
+        asperity_radius: _Number,
+        asperity_density: _Number,
+        asperity_height_std: _Number,
+    ) -> None: ...
+    asperity_radius: Final[float]
+    asperity_density: Final[float]
+    asperity_height_std: Final[float]
+    # end
+    @staticmethod
+    def from_plasticity_index(
+        plasticity_index: _Float,
+        roughness_parameter: _Float,
+        asperity_height_std: _Number,
+        interface: Interface,
+    ) -> Surface: ...
+    @staticmethod
+    def from_moments(m0: _Number, m2: _Float, m4: _Number) -> Surface: ...
+    @staticmethod
+    def from_iso25178(sq: _Number, spd: _Number, spc: _Number) -> Surface: ...
+    @staticmethod
+    def from_surface_std(
+        asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
+    ) -> Surface: ...
+    def against(self, other: Surface) -> Surface: ...
+    @staticmethod
+    def from_mean_slope(
+        surface_height_std: _Number, mean_slope: _Number, asperity_density: _Number
+    ) -> Surface: ...
+    @staticmethod
+    def from_gradient(sq: _Number, spd: _Number, sdq: _Number) -> Surface: ...
+    @property
+    def roughness_parameter(self) -> float: ...
+    @property
+    def mean_plane_offset(self) -> float: ...
+
+class Asperity(Record):
+    def __init__(
+        self,
+        equivalent_modulus: _Number,
+        equivalent_shear_modulus: _Number | None,
+        poissons_ratio: _Float,
+        hardness: _Number | None,
+        yield_strength: _Number | None,
+        pressure_factor: _Float,
+        radius: _Float,
+        work_of_adhesion: _Number | None = None,
+        tangent_modulus: _Number | None = None,
+    ) -> None: ...
+    equivalent_modulus: Final[float]
+    equivalent_shear_modulus: Final[float | None]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    pressure_factor: Final[float]
+    radius: Final[float]
+    work_of_adhesion: Final[float | None]
+    tangent_modulus: Final[float | None]
+    @property
+    def critical_interference(self) -> float: ...
+    @property
+    def critical_force(self) -> float: ...

@@ -1,0 +1,181 @@
+"""Contact tables for finite-element codes, and correlations of thermal contact conductance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from asperity import _asperity
+from asperity._arguments import (
+    LOADS,
+    Floats,
+    Rows,
+    SceneLike,
+    in_si,
+    one_number,
+    one_scene,
+    place,
+    two_numbers,
+)
+from asperity._asperity import Scene
+from asperity._model import Model, as_model
+from asperity._warn import warn
+
+
+@dataclass(frozen=True)
+class ContactTable:
+    """Pressure over clearance at nodes; ``print`` it, or ``save`` its text."""
+
+    #: Clearances from the scene's plane [m], ascending.
+    clearance: Floats
+    #: Pressures on the nominal area [Pa].
+    pressure: Floats
+    #: Their tangents, -dp/dclearance [Pa/m].
+    tangent: Floats
+    #: Largest relative errors between the nodes.
+    pressure_error: float
+    tangent_error: float
+    #: The input text of the finite-element code.
+    text: str = field(repr=False)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes ``text`` to a file."""
+        Path(path).write_text(self.text, encoding="utf-8", newline="\n")
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def export(
+    model: str | Model,
+    scene: Scene,
+    format: str = "csv",
+    *,
+    separation: tuple[float, float] | tuple[str, str] | None = None,
+    load: tuple[float, float] | tuple[str, str] | None = None,
+    pressure: tuple[float, float] | tuple[str, str] | None = None,
+    nodes: int | None = None,
+    max_error: float | None = None,
+    separation_unit: str = "asperity_height_std",
+    rtol: float = 1e-10,
+    conductance: str | None = None,
+    friction: float | None = None,
+    units: str = "SI",
+) -> ContactTable:
+    """Pressure over clearance for a finite-element code, from one separation, load [N] or pressure
+    [Pa] to another: at ``nodes`` equally spaced clearances, or at as many as keep the pressure
+    between them within a relative ``max_error``.
+
+    The format is "csv" (for cubic interpolation), "abaqus", "calculix" (both for linear
+    interpolation) or "ansys" (a nonlinear spring for the nominal area). For "abaqus" and "calculix"
+    ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
+    ``friction`` a coefficient of friction with the stick stiffness at the largest pressure. The text
+    is in ``units`` "SI" or "mm-N-MPa" (also named "mm-tonne-s", with power in mW).
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
+    >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
+    True
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=9, friction=0.2)
+    >>> table.text.splitlines()[-2:]
+    ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
+    """
+    if isinstance(model, Scene):
+        raise TypeError("model is a Scene: export takes the model first, then the scene")
+    scene = one_scene(scene, "export")
+    axis, ends_given = place(separation, load, pressure, separation_unit)
+    ends = axis, *two_numbers(axis if axis in LOADS else "separation", ends_given)
+    if nodes is None and max_error is None:
+        raise TypeError("nodes or max_error was required")
+    count = 2 if nodes is None else nodes
+    spacing, form = (count, max_error, rtol), (format, units)
+    beside = conductance, None if friction is None else float(friction)
+    found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, beside)
+    columns, pressure_error, tangent_error, text = found
+    clearance, pressures, tangent = columns.values()
+    return ContactTable(clearance, pressures, tangent, pressure_error, tangent_error, text)
+
+
+@dataclass(frozen=True)
+class Correlated:
+    """Values of a correlation, in the shape of the pressures."""
+
+    #: Thermal conductance over the nominal area [W/(m^2 K)].
+    conductance: Floats
+    #: p/H ("cmy"), or sqrt(2) p/(E m) ("mikic"): the argument of the power law.
+    relative_pressure: Floats
+    #: Whether the power law is within 2.1 % of the theory it is fitted to.
+    holds: npt.NDArray[np.bool_]
+
+
+def correlated_conductance(
+    correlation: str,
+    scene: SceneLike,
+    *,
+    load: npt.ArrayLike | None = None,
+    pressure: npt.ArrayLike | None = None,
+    surface_height_std: float | str | None = None,
+    mean_slope: float | None = None,
+) -> Correlated:
+    """Thermal contact conductance by a correlation, for comparison with the quantity
+    "thermal-conductance-per-area" of the models.
+
+    "cmy" is Cooper, Mikic & Yovanovich 1969, for plastic contacts; "mikic" Mikic 1974, for elastic
+    ones. Both are for nominally flat rough surfaces in vacuum, and use ``surface_height_std`` [m] and
+    ``mean_slope`` (mean absolute, of profiles; both of the two surfaces together) if given, otherwise
+    those of the scan or, without one, of a Gaussian surface with the scene's asperities. The
+    interface needs a ``thermal_conductivity``; a warning names pressures outside the range of the
+    correlation. Many scenes are broadcast against loads and pressures, as in ``Model.solve``.
+
+    >>> import asperity
+    >>> steel = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
+    >>> interface = asperity.Interface.between(steel, steel)
+    >>> scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
+    >>> asperity.correlated_conductance("cmy", scene, pressure=[1e5, 1e6]).conductance.round()
+    array([ 152., 1351.])
+    >>> softer = scene.vary(hardness=[1e9, 2e9])
+    >>> asperity.correlated_conductance("cmy", softer, pressure=1e5).conductance.round()
+    array([293., 152.])
+    """
+    axis, given = place(None, load, pressure, "m")
+    if (surface_height_std is None) != (mean_slope is None):
+        raise TypeError("surface_height_std and mean_slope go together: give both, or neither")
+    rows, roughness = Rows(scene, axis, given), None
+    if surface_height_std is not None and mean_slope is not None:
+        std = one_number("surface_height_std", in_si(surface_height_std, "m"))
+        roughness = std, one_number("mean_slope", mean_slope)
+    columns, (first, last), reason = _asperity.correlated(correlation, rows, roughness)
+    found = Correlated(**{name: rows.shaped(column) for name, column in columns.items()})
+    if reason is not None and found.holds.size:
+        warn(f"{correlation}: {reason}", 1)
+    elif not found.holds.all():
+        worst = found.relative_pressure[~found.holds].ravel()[0]
+        message = (
+            f"{correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
+            f"{last:g}"
+        )
+        warn(message, 1)
+    return found
+
+
+def gap_conductance(
+    conductivity: float, gap: float | str, gas_parameter: float | str = 0.0
+) -> float:
+    """Conductance over the nominal area [W/(m^2 K)] of a gas beside the contacts: its conductivity
+    [W/(m K)] over the sum of the mean gap and the gas parameter [m], its temperature-jump distance
+    (about 0.37 um for air at 1 bar).
+
+    The mean gap is the separation from the mean plane of the surface. Lengths may be texts with a
+    unit.
+
+    >>> import asperity
+    >>> round(asperity.gap_conductance(0.026, "3 um", "0.37 um"), 1)
+    7715.1
+    """
+    lengths = in_si(gap, "m"), in_si(gas_parameter, "m")
+    return _asperity.gap_conductance(conductivity, *lengths)

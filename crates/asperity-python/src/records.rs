@@ -1,0 +1,303 @@
+//! The records of the package's `_records`: structs of the library from their numbers, and back.
+
+use asperity::{Asperity, Body, ContactError, Interface, ProfileMoments, Surface};
+use asperity_inputs::{BODY, Field, INTERFACE, Key, Roughness, SURFACE, Way};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
+
+use crate::convert::numbers::{no_number, number};
+use crate::convert::{Object, refused, warn};
+
+/// A struct of the library behind a class of the package.
+pub(crate) trait Record: Sized + 'static {
+    /// The name of the class.
+    const CLASS: &'static str;
+    const NUMBERS: &'static [Field<Self>];
+    /// The struct to fill; its numbers are required.
+    const BLANK: fn() -> Self;
+    const CHECK: fn(&Self) -> Result<(), ContactError>;
+}
+
+impl Record for Body {
+    const CLASS: &'static str = "Body";
+    const NUMBERS: &'static [Field<Self>] = BODY;
+    const BLANK: fn() -> Self = || Self::elastic(0.0, 0.0);
+    const CHECK: fn(&Self) -> Result<(), ContactError> =
+        |body| Interface::against_rigid(body).map(drop);
+}
+
+impl Record for Interface {
+    const CLASS: &'static str = "Interface";
+    const NUMBERS: &'static [Field<Self>] = INTERFACE;
+    const BLANK: fn() -> Self = || Self::elastic(0.0, 0.0);
+    const CHECK: fn(&Self) -> Result<(), ContactError> = |one| one.check().map(drop);
+}
+
+impl Record for Surface {
+    const CLASS: &'static str = "Surface";
+    const NUMBERS: &'static [Field<Self>] = SURFACE;
+    const BLANK: fn() -> Self = || Self::new(0.0, 0.0, 0.0);
+    const CHECK: fn(&Self) -> Result<(), ContactError> = Self::check;
+}
+
+macro_rules! fields {
+    ($($name:ident)+) => {
+        &[$(Field {
+            name: stringify!($name),
+            get: |of| Option::from(of.$name),
+            set: |of, value| of.$name = value.into(),
+        }),+]
+    };
+}
+
+impl Record for Asperity {
+    const CLASS: &'static str = "Asperity";
+    const NUMBERS: &'static [Field<Self>] = fields! {
+        equivalent_modulus equivalent_shear_modulus poissons_ratio hardness yield_strength
+        pressure_factor radius work_of_adhesion tangent_modulus
+    };
+    const BLANK: fn() -> Self = || Self {
+        equivalent_modulus: 0.0,
+        equivalent_shear_modulus: None,
+        poissons_ratio: 0.0,
+        hardness: None,
+        yield_strength: None,
+        tangent_modulus: None,
+        pressure_factor: 0.0,
+        work_of_adhesion: None,
+        radius: 0.0,
+    };
+    const CHECK: fn(&Self) -> Result<(), ContactError> = |_| Ok(());
+}
+
+/// The numbers of a struct by name; None for those that it does not have.
+fn numbers<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Bound<'py, PyDict>> {
+    T::NUMBERS.iter().map(|number| (number.name, (number.get)(of))).into_py_dict(py)
+}
+
+/// The struct of these numbers, also texts with a unit.
+fn read<T: Record>(given: &Bound<'_, PyDict>) -> PyResult<T> {
+    let mut found = T::BLANK();
+    for Field { name, get, set } in T::NUMBERS {
+        match given.get_item(name)?.filter(|value| !value.is_none()) {
+            Some(value) => set(&mut found, number(T::CLASS, name, &value)?),
+            None if get(&found).is_some() => return Err(no_number(T::CLASS, name, "None")),
+            None => {}
+        }
+    }
+    T::CHECK(&found).map_err(refused)?;
+    Ok(found)
+}
+
+fn class<'py, T: Record>(py: Python<'py>) -> PyResult<Object<'py>> {
+    py.import("asperity._records")?.getattr(T::CLASS)
+}
+
+/// The record of a struct.
+pub(crate) fn record<'py, T: Record>(py: Python<'py>, of: &T) -> PyResult<Object<'py>> {
+    class::<T>(py)?.call((), Some(&numbers(py, of)?))
+}
+
+/// The interface of the bodies from which it is made, if there are any.
+pub(crate) fn interface<'py>(
+    py: Python<'py>,
+    interface: &Interface,
+    bodies: &[Body],
+) -> PyResult<Object<'py>> {
+    let bodies = bodies.iter().map(|body| record(py, body)).collect::<PyResult<Vec<_>>>()?;
+    let made = (numbers(py, interface)?, PyTuple::new(py, bodies)?);
+    class::<Interface>(py)?.call_method1("_made", made)
+}
+
+/// The surface with the numbers from which it follows, if there are any.
+pub(crate) fn surface<'py>(
+    py: Python<'py>,
+    surface: &Surface,
+    roughness: Option<Roughness>,
+) -> PyResult<Object<'py>> {
+    let made = (numbers(py, surface)?, roughness.map(|one| by_key(py, one)).transpose()?);
+    class::<Surface>(py)?.call_method1("_made", made)
+}
+
+/// The numbers of a roughness by their keys.
+fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_, PyDict>> {
+    roughness.way.keys().iter().zip(roughness.numbers).into_py_dict(py)
+}
+
+/// An argument as the struct of the class; a `TypeError` for another type.
+pub(crate) fn instance<T: Record>(name: &str, given: &Object<'_>) -> PyResult<T> {
+    if given.is_instance(&class::<T>(given.py())?)? {
+        return read(given.getattr("__dict__")?.cast()?);
+    }
+    let advice = match given.get_type().name()?.to_str()? {
+        "Body" if T::CLASS == "Interface" => {
+            ": Interface.between(first, second) makes one from two bodies"
+        }
+        _ => "",
+    };
+    let (wanted, found) = (article(T::CLASS), with_article(given));
+    Err(PyTypeError::new_err(format!("{name} must be {wanted} {}, not {found}{advice}", T::CLASS)))
+}
+
+/// The bodies from which an interface is made.
+pub(crate) fn bodies(interface: &Object<'_>) -> PyResult<Vec<Body>> {
+    interface.getattr("_origin")?.try_iter()?.map(|body| instance("body", &body?)).collect()
+}
+
+/// The numbers from which a surface follows.
+pub(crate) fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
+    let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
+    Ok(origin.map(|origin| three(&origin)).transpose()?.and_then(|(roughness, _)| roughness))
+}
+
+/// Three named numbers of a surface as a roughness, if they are one, and by themselves.
+fn three(given: &Bound<'_, PyDict>) -> PyResult<(Option<Roughness>, [f64; 3])> {
+    let keys: [String; 3] = given.keys().extract()?;
+    let mut numbers = [0.0; 3];
+    for (found, (key, value)) in numbers.iter_mut().zip(keys.iter().zip(given.values())) {
+        *found = number("Surface", key, &value)?;
+    }
+    let way = Way::of(keys.each_ref().map(|key| &**key));
+    Ok((way.map(|way| Roughness { way, numbers }), numbers))
+}
+
+/// The name of an object's type with its article.
+pub(crate) fn with_article(given: &Object<'_>) -> String {
+    let name = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+    format!("{} {name}", article(&name))
+}
+
+fn article(noun: &str) -> &'static str {
+    let vowel = noun.to_ascii_lowercase().starts_with(['a', 'e', 'i', 'o', 'u']);
+    if vowel { "an" } else { "a" }
+}
+
+/// Name and unit of a number, whether it is required, and its text in the documentation.
+type Described = (&'static str, &'static str, bool, String);
+
+/// The numbers of the record of a section of scene files.
+#[pyfunction]
+pub(crate) fn numbers_of(section: &str) -> Vec<Described> {
+    fn of<T: Record>(section: &str) -> Vec<Described> {
+        let describe = |number: &Field<T>| {
+            let required = (number.get)(&T::BLANK()).is_some();
+            let (unit, texts) = Key::find(section, number.name)
+                .map_or(("", ["", ""]), |key| (key.unit, [key.form[0], key.meaning]));
+            let texts: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+            (number.name, unit, required, texts.join(", "))
+        };
+        T::NUMBERS.iter().map(describe).collect()
+    }
+    match section {
+        "body" => of::<Body>(section),
+        "interface" => of::<Interface>(section),
+        _ => of::<Surface>(section),
+    }
+}
+
+/// The numbers of a record in SI units; an error if one is out of range.
+#[pyfunction]
+pub(crate) fn checked<'py>(kind: &str, given: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
+    let py = given.py();
+    match kind {
+        "Body" => numbers(py, &read::<Body>(given)?),
+        "Interface" => numbers(py, &read::<Interface>(given)?),
+        "Surface" => numbers(py, &read::<Surface>(given)?),
+        _ => numbers(py, &read::<Asperity>(given)?),
+    }
+}
+
+/// The numbers of the interface of bodies, by the names of these; warns of unusual bodies.
+#[pyfunction]
+pub(crate) fn interface_of<'py>(
+    bodies: &Bound<'py, PyDict>,
+    work_of_adhesion: Option<&Object<'py>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (py, names) = (bodies.py(), bodies.keys().extract::<Vec<String>>()?);
+    let read = names.iter().zip(bodies.values()).map(|(name, body)| instance(name, &body));
+    let bodies = read.collect::<PyResult<Vec<Body>>>()?;
+    let mut found = asperity_inputs::interface_of(&bodies).map_err(refused)?;
+    // Findings of the interface appear in its scene.
+    if found.findings().is_empty() {
+        for (name, body) in names.iter().zip(&bodies) {
+            body.findings().into_iter().try_for_each(|f| warn(py, f.within(name), 2))?;
+        }
+    }
+    let adhesion = work_of_adhesion.map(|given| number("Interface", "work_of_adhesion", given));
+    found.work_of_adhesion = adhesion.transpose()?;
+    numbers(py, &found)
+}
+
+/// The numbers of a surface that follows from three others, and these in SI units; those of a
+/// plasticity index need the interface.
+#[pyfunction]
+pub(crate) fn surface_of<'py>(
+    given: &Bound<'py, PyDict>,
+    interface: Option<&Object<'py>>,
+) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
+    let (py, (roughness, three)) = (given.py(), three(given)?);
+    let Some(roughness) = roughness else {
+        let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
+        let interface = interface.unwrap_or_else(Interface::BLANK);
+        let [index, parameter, std] = three;
+        let found = Surface::from_plasticity_index(index, parameter, std, &interface);
+        return Ok((numbers(py, &found.map_err(refused)?)?, None));
+    };
+    let found = roughness.surface().map_err(refused)?;
+    Ok((numbers(py, &found)?, Some(by_key(py, roughness)?)))
+}
+
+/// The sums of the spectral moments of two surfaces.
+#[pyfunction]
+pub(crate) fn moments_of_both<'py>(
+    one: &Object<'py>,
+    other: &Object<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let moments = |given| -> PyResult<ProfileMoments> {
+        match roughness(given)? {
+            Some(roughness) => roughness.moments().map_err(refused),
+            None => Ok(instance::<Surface>("surface", given)?.moments()),
+        }
+    };
+    let other = instance::<Surface>("other", other).and_then(|_| moments(other))?;
+    let sum = moments(one)?.plus(&other);
+    by_key(one.py(), Roughness { way: Way::Moments, numbers: [sum.m0, sum.m2, sum.m4] })
+}
+
+/// A number that follows from a surface or an asperity.
+#[pyfunction]
+pub(crate) fn derived(record: &Object<'_>, name: &str) -> PyResult<f64> {
+    let surface = || instance::<Surface>("surface", record);
+    let asperity = || instance::<Asperity>("asperity", record);
+    match name {
+        "roughness_parameter" => Ok(surface()?.roughness_parameter()),
+        "mean_plane_offset" => Ok(surface()?.mean_plane_offset()),
+        "critical_interference" => asperity()?.critical_interference().map_err(refused),
+        _ => asperity()?.critical_force().map_err(refused),
+    }
+}
+
+/// The materials of scene files: name in text, numbers and source, by their names.
+#[pyfunction]
+pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let all = PyDict::new(py);
+    for material in asperity_inputs::materials() {
+        let body = record(py, &material.body)?;
+        all.set_item(&material.id, (&material.name, body, &material.source))?;
+    }
+    Ok(all)
+}
+
+/// The body of a material.
+#[pyfunction]
+pub(crate) fn material<'py>(py: Python<'py>, name: &str) -> PyResult<Object<'py>> {
+    let all = asperity_inputs::materials();
+    let found = all.iter().find(|material| material.id == name).ok_or_else(|| {
+        let near = asperity::nearest_name(name, all.iter().map(|known| &*known.id));
+        let near = asperity::nearest_hint(near);
+        let needed = "a material of asperity.materials() was required";
+        PyValueError::new_err(format!("material is {name:?}{near}: {needed}"))
+    })?;
+    record(py, &found.body)
+}

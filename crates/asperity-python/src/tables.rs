@@ -1,0 +1,107 @@
+//! Contact tables for finite-element codes, and correlations of thermal contact conductance.
+
+use asperity::Tolerance;
+use asperity::joints::conductance::{self, Correlation, GapRoughness};
+use asperity_answer::{
+    Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
+};
+use numpy::ToPyArray;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::ask::asked::arrays;
+use crate::ask::rows::Rows;
+use crate::convert::axis::Axis;
+use crate::convert::{refused, value_error};
+use crate::model::engine::Engine;
+use crate::scene::SceneFile;
+
+/// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
+/// between the nodes, and the text.
+type Table<'py> = (Bound<'py, PyDict>, f64, f64, String);
+
+/// The columns of a sheet by their heads; NaN for blanks.
+fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
+    let number = |cell: &Cell| cell.number().unwrap_or(f64::NAN);
+    let column = |k: usize| sheet.rows.iter().map(|row| number(&row[k])).collect();
+    arrays(py, sheet.heads.iter().enumerate().map(|(k, head)| (head, column(k))))
+}
+
+/// A table between two places, with nodes at equal distances or, if an error is given, as many as
+/// that error needs; conductance and friction are added to the text, if given.
+#[pyfunction]
+pub(crate) fn contact_table<'py>(
+    py: Python<'py>,
+    engine: &Engine,
+    scene: &SceneFile,
+    ends: (Axis, f64, f64),
+    spacing: (usize, Option<f64>, f64),
+    form: (&str, &str),
+    beside: (Option<String>, Option<f64>),
+) -> PyResult<Table<'py>> {
+    let (model, file) = (engine.on(&scene.0)?, &scene.0);
+    let format = form.0.parse::<TableFormat>();
+    let format =
+        format.map_err(|needed| value_error(format!("format is {:?}: {needed}", form.0)))?;
+    let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units: {e}")))?;
+    let (nodes, max_error, rtol) = spacing;
+    let tolerance = Tolerance::new(rtol).map_err(refused)?;
+    let (axis, first, last) = ends;
+    let (conductance, friction) = beside;
+    let against = |name: String| {
+        let found = name.parse::<ConductanceAgainst>();
+        found.map_err(|needed| value_error(format!("conductance is {name:?}: {needed}")))
+    };
+    let export = Export {
+        subject: Subject { file, name: "", id: "", model: &model, tolerance },
+        ends: [first, last].map(|end| axis.at(end, file.separation_from)),
+        nodes,
+        max_error,
+        format,
+        units,
+        conductance: conductance.map(against).transpose()?,
+        friction,
+    };
+    let mut sheet = Sheet::default();
+    let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
+    Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
+}
+
+/// Conductances per area [W/(m^2 K)] and relative pressures by a correlation at loads or pressures
+/// on scenes, with their roughness or the one given (height_std [m] and mean slope); its range of
+/// relative pressures, and the plasticity index of a scene if it is for other contacts.
+#[pyfunction]
+pub(crate) fn correlated<'py>(
+    py: Python<'py>,
+    name: &str,
+    rows: Rows,
+    given: Option<(f64, f64)>,
+) -> PyResult<(Bound<'py, PyDict>, [f64; 2], Option<String>)> {
+    let all = Correlation::ALL;
+    let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
+        let needed = "\"cmy\" or \"mikic\" was required";
+        return Err(value_error(format!("correlation is {name:?}: {needed}")));
+    };
+    let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
+    let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
+    let mut reason = None;
+    for row in 0..rows.len() {
+        let file = rows.file_of(row).map_err(value_error)?;
+        let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
+        let roughness = given.unwrap_or_else(|| file.gap_roughness());
+        reason = reason.or_else(|| correlation.reason_against(&file.scene));
+        let found = correlation.at(&file.scene, &roughness, pressure).map_err(value_error)?;
+        conductances.push(found.conductance);
+        relative.push(found.relative_pressure);
+        holds.push(found.holds);
+    }
+    let columns = arrays(py, [("conductance", conductances), ("relative_pressure", relative)])?;
+    columns.set_item("holds", holds.to_pyarray(py))?;
+    Ok((columns, correlation.range(), reason))
+}
+
+/// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.
+#[pyfunction]
+pub(crate) fn gap_conductance(conductivity: f64, gap: f64, gas_parameter: f64) -> PyResult<f64> {
+    conductance::gap_conductance(conductivity, gap, gas_parameter).map_err(value_error)
+}
