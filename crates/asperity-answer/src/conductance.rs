@@ -44,6 +44,7 @@ impl Conductance<'_> {
     /// # Errors
     /// The reason of a single model or correlation, and where none has a conductance.
     pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
+        self.warn_units(sheet);
         let of_contacts = CONDUCTANCE.column();
         let heads = ["model", "load_N", "pressure_Pa", "relative_pressure", &of_contacts, "holds"];
         sheet.under(&[&heads]);
@@ -152,6 +153,27 @@ impl Conductance<'_> {
             sheet.warn("correlation", format!("{id}: {reason}"));
         }
         Ok(())
+    }
+
+    /// Warns of numbers that look like those of another unit.
+    fn warn_units(&self, sheet: &mut Sheet) {
+        let roughness = self.roughness.map(|found| (found.height_std, found.mean_slope));
+        let (sigma, slope) = roughness.unwrap_or_default();
+        let Gas { conductivity, jump } = self.gas.unwrap_or(Gas { conductivity: 0.0, jump: 0.0 });
+        // Liquids have no jump, and conduct better than any gas.
+        let gas = if jump > 0.0 { conductivity } else { 0.0 };
+        for (name, value, most, si, advice) in [
+            ("sigma", sigma, 1e-3, " m", "um is written 1.4um"),
+            ("the mean slope", slope, 1.5, "", "degrees are written as their tangent"),
+            ("the conductivity of the gas", gas, 0.3, " W/(m K)", "air has 0.026"),
+            ("the temperature-jump distance", jump, 1e-3, " m", "air at 1 bar has about 0.37um"),
+        ] {
+            if value > most {
+                let value = rounded(value);
+                let text = format!("{name} is {value}{si} (usual: at most {most}{si}): {advice}");
+                sheet.warn("likely-unit", text);
+            }
+        }
     }
 
     fn roughness(&self) -> GapRoughness {

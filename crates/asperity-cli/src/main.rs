@@ -11,7 +11,7 @@ mod scene;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser};
+use clap::{CommandFactory, FromArgMatches, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
 /// boundary elements
@@ -29,7 +29,9 @@ struct Cli {
 fn main() -> ExitCode {
     input::set_program(Cli::command);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let Cli { command, quiet } = Cli::parse_from(input::former::renamed(arguments));
+    let matches = Cli::command().get_matches_from(input::former::renamed(arguments));
+    input::destinations::check(&matches);
+    let Cli { command, quiet } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
     output::set_quiet(quiet);
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,

@@ -132,18 +132,15 @@ fn an_output_never_overwrites_its_input() {
     let bench = Bench::new();
     let scene = bench.read("scene.toml");
     let run = bench.run(&format!("{CURVE} --output scene.toml"));
-    assert_eq!(run.code, Some(1));
-    assert!(
-        run.messages.contains("would overwrite the input or another output; choose another name"),
-        "{}",
-        run.messages
-    );
+    let same = "<SCENE> and --output name the same file; choose two names";
+    assert!(run.code == Some(2) && run.messages.contains(same), "{}", run.messages);
     assert_eq!(bench.read("scene.toml"), scene);
     for (plot, reason) in [
-        ("--plot ./q.svg --output q.svg", "would overwrite the input or another output"),
-        ("--plot -", "standard output has one result"),
+        ("--plot ./q.svg --output q.svg", "--plot and --output name the same file"),
+        ("--plot -", "--plot - and the data both use standard output"),
     ] {
         let run = bench.run(&format!("{CURVE} {plot}"));
-        assert!(run.code == Some(1) && run.messages.contains(reason), "{}", run.messages);
+        assert!(run.code == Some(2) && run.messages.contains(reason), "{}", run.messages);
+        assert!(run.out.is_empty() && !bench.path("q.svg").exists());
     }
 }

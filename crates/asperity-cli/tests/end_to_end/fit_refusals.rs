@@ -197,7 +197,7 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
 fn a_target_above_the_nominal_area_is_not_reached() {
     let bench = Bench::new();
     let run = bench.run("fit scene.toml --free asperity_height_std --target area=5 --load 1kN");
-    let wanted = "an area of 5 m2 at a load of 1000 N cannot be reached";
+    let wanted = "area_m2 = 5 at a load of 1000 N cannot be reached within the bounds";
     assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
 }
 

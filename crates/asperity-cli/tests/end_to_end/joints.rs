@@ -57,7 +57,7 @@ fn plots_show_the_printed_data() {
         assert_eq!(svg.matches("rotate(-90").count(), points, "a panel has one upright label");
         let run = bench.run(&format!("{arguments} --plot -"));
         assert!(
-            run.code == Some(1) && run.messages.contains("standard output has one result"),
+            run.code == Some(2) && run.messages.contains("both use standard output"),
             "{}",
             run.messages
         );

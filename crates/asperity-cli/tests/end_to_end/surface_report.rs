@@ -103,7 +103,7 @@ fn the_report_leads_with_what_decides_trust_and_is_drawn() {
         assert!(svg.contains(word), "{word}");
     }
     let same = "surface scan.txt --unit um --pixel-size 0.5 --plot a.svg --output a.svg";
-    assert_eq!(bench.run(same).code, Some(1));
+    assert_eq!(bench.run(same).code, Some(2));
     let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 0.5 --plot two.svg");
     assert!(two.code == Some(2) && two.messages.contains("--plot takes one FILE or --aligned"));
 }

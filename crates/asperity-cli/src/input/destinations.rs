@@ -1,0 +1,59 @@
+//! Files that two arguments name: refused before any work, so that no result is lost after it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use clap::error::ErrorKind;
+
+use crate::input::{definition, usage_error};
+use crate::output::is_standard;
+
+/// Ends the program if an output is another output or an input, or if two results go to standard
+/// output.
+pub fn check(matches: &ArgMatches) {
+    let Some((command, matches)) = matches.subcommand() else { return };
+    let paths = |id: &str| matches.try_get_many::<PathBuf>(id).ok().flatten();
+    let refuse = |text: &str| usage_error(command, ErrorKind::ArgumentConflict, text);
+    let mut named: Vec<(&str, PathBuf)> = vec![];
+    for id in matches.ids().map(|id| id.as_str()) {
+        for file in paths(id).into_iter().flatten() {
+            if is_standard(Some(file)) {
+                let mut data = paths("output").into_iter().flatten();
+                if id != "output" && is_option(command, id) && data.all(|to| is_standard(Some(to)))
+                {
+                    refuse(&format!(
+                        "--{id} - and the data both use standard output; name a file for the data with --output"
+                    ));
+                }
+                continue;
+            }
+            let file = place(file);
+            for (other, _) in named.iter().filter(|(_, known)| *known == file) {
+                let names = [*other, id].map(|id| match is_option(command, id) {
+                    true => format!("--{id}"),
+                    false => format!("<{}>", id.to_uppercase()),
+                });
+                // What is read may be named twice.
+                if names.iter().any(|name| name.starts_with('-')) && *other != id {
+                    let [one, other] = names;
+                    refuse(&format!("{one} and {other} name the same file; choose two names"));
+                }
+            }
+            named.push((id, file));
+        }
+    }
+}
+
+fn is_option(command: &str, id: &str) -> bool {
+    definition(command).get_arguments().any(|one| one.get_id() == id && !one.is_positional())
+}
+
+/// A file in its folder without links, whether or not it is there.
+fn place(file: &Path) -> PathBuf {
+    let in_folder = || {
+        let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Some(fs::canonicalize(folder.unwrap_or(Path::new("."))).ok()?.join(file.file_name()?))
+    };
+    fs::canonicalize(file).ok().or_else(in_folder).unwrap_or_else(|| file.into())
+}
