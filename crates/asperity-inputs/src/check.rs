@@ -80,8 +80,8 @@ impl SceneFile {
             of_interface.push(odd.severity(worst));
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
-        let found =
-            of_interface.into_iter().chain(of_bodies.clone()).chain(self.missing_hardness());
+        let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
+        let found = of_interface.into_iter().chain(of_bodies.clone()).chain(of_pair);
         // Consequences of findings about the bodies are not repeated.
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
@@ -191,7 +191,9 @@ impl SceneFile {
         };
         let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
         let advice = match without {
-            true => "both bodies are elastic, and only elastic models work",
+            true => {
+                "it has the lower `youngs_modulus` and is taken as the softer one, so that only elastic models work"
+            }
             false => "the other body is assumed to be the softer one",
         };
         let modulus = body.youngs_modulus;
@@ -201,6 +203,20 @@ impl SceneFile {
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
+    }
+
+    /// A warning of which of two equally hard bodies is taken to yield, where it matters.
+    fn equally_hard(&self) -> Option<Finding> {
+        let [first, second] = &self.bodies[..] else { return None };
+        let alike = first.hardness == second.hardness
+            && first.yield_strength == second.yield_strength
+            && first.hardness.or(first.yield_strength).is_some();
+        let [one, other] = [first, second].map(|body| body.poissons_ratio);
+        let found = Finding::warning("equally-hard", "poissons_ratio", one.min(other));
+        let advice =
+            format!("the body with the smaller `poissons_ratio` ({}) yields first", one.min(other));
+        (alike && (one - other).abs() > 0.02)
+            .then(|| found.fact("the bodies are equally hard").advice(advice))
     }
 
     fn scan_findings(&self, Measured { statistics, pixel_size, .. }: &Measured) -> Vec<Finding> {

@@ -215,3 +215,27 @@ fn separations_from_the_mean_plane_are_shifted_by_its_offset() {
     let exponential = message(&text("", INTERFACE, &format!("{from}heights = \"exponential\"\n")));
     assert!(exponential.contains("surface.separation_from and surface.heights"), "{exponential}");
 }
+
+#[test]
+fn equally_hard_bodies_are_told_apart_aloud() {
+    let bodies = |ratios: [f64; 2], hardnesses: [f64; 2]| {
+        let body = |k: usize| {
+            let (nu, hardness) = (ratios[k], hardnesses[k]);
+            format!(
+                "[[body]]\nyoungs_modulus = 2e11\npoissons_ratio = {nu}\nhardness = {hardness}\n"
+            )
+        };
+        let surface = "[surface]\nasperity_radius = 2e-4\nasperity_density = 2e8\n\
+            asperity_height_std = 1e-6\n";
+        let text = format!("nominal_area = 1e-4\n{}{}{surface}", body(0), body(1));
+        read(&text).unwrap()
+    };
+    for ratios in [[0.3, 0.45], [0.45, 0.3]] {
+        let file = bodies(ratios, [2e9, 2e9]);
+        assert!((file.scene.interface.poissons_ratio - 0.3).abs() < 1e-15);
+        let found = file.findings();
+        assert_eq!(found.iter().map(|found| found.code).collect::<Vec<_>>(), ["equally-hard"]);
+    }
+    assert!(bodies([0.3, 0.3], [2e9, 2e9]).findings().is_empty());
+    assert!(bodies([0.3, 0.45], [2e9, 3e9]).findings().is_empty());
+}
