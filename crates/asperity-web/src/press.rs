@@ -21,8 +21,8 @@ use crate::span::Span;
 const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces.";
 const PLASTIC: &str = "Share of the pixels that carry the hardness.";
 
-/// The size of a scan, why it cannot be solved here, and the mean pressures \[Pa\] over the range of
-/// the slider to solve it at, each with its load in words.
+/// The size of a scan, why it cannot be solved here, and the mean pressures \[Pa\] over the range
+/// of the slider to solve it at, each with its load in words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     let scan = file.scan.as_deref()?;
     let [rows, columns] = [scan.rows(), scan.columns()];

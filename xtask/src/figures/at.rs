@@ -121,7 +121,8 @@ pub fn shares() -> Result<Table> {
     Ok(table)
 }
 
-/// The picture of [`shares`]: signed lines for the printed reading, stacked areas for the additive one.
+/// The picture of [`shares`]: signed lines for the printed reading, stacked areas for the additive
+/// one.
 pub fn shares_figure(_: &str) -> Result<Figure> {
     let panels = SHOWN.map(|(id, title)| {
         let y = Axis::new("share_of_force", "share of the force");

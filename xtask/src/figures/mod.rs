@@ -24,8 +24,8 @@ use crate::table::Table;
 use paper::{kucharski, kucharski_figure, models_figure, nine_models, roughness, roughness_figure};
 use truth::SHOWN as TRUTH;
 
-/// One figure: the name of its files, what computes its numbers, and what describes its picture from
-/// the text of the csv, without physics.
+/// One figure: the name of its files, what computes its numbers, and what describes its picture
+/// from the text of the csv, without physics.
 pub type FigureSpec = (&'static str, fn() -> Result<Table>, fn(&str) -> Result<Figure>);
 
 /// Models beside boundary elements.

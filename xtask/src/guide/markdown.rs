@@ -99,8 +99,8 @@ impl Outline {
 }
 
 /// Writes a text as html. Its title is left out, as the page has one; `headings` are those of
-/// its [`Outline`], blocks of plain text that hold equations become tables, and `resolve` returns where
-/// a link (`false`) or a picture (`true`) leads.
+/// its [`Outline`], blocks of plain text that hold equations become tables, and `resolve` returns
+/// where a link (`false`) or a picture (`true`) leads.
 ///
 /// # Errors
 /// Those of `resolve`.

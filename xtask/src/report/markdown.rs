@@ -1,4 +1,5 @@
-//! The tables of `speed-vs-error.md` and the numbers of speed in the README of the project, from the text of the csv.
+//! The tables of `speed-vs-error.md` and the numbers of speed in the README of the project, from
+//! the text of the csv.
 
 use std::fmt::Write as _;
 

@@ -95,8 +95,8 @@ fn missing(found: &[Truth]) -> Vec<(&str, &ContactError)> {
 }
 
 impl Truth {
-    /// Its rows on a nominal area \[m^2\], by boundary elements, on `half` the grid and by each model:
-    /// load, pressure, model, and area, gap and stiffness, each with its deviation.
+    /// Its rows on a nominal area \[m^2\], by boundary elements, on `half` the grid and by each
+    /// model: load, pressure, model, and area, gap and stiffness, each with its deviation.
     #[must_use]
     pub fn rows(&self, half: Option<&Self>, area: f64) -> Vec<Vec<Cell>> {
         let models = self.models.iter().map(|(model, state)| (model.id(), state));

@@ -9,8 +9,8 @@ use crate::error::require;
 ///
 /// The error of every value is below it, but for rounding: of places and of the logarithms of
 /// heights that are not Gaussian, where the density is steep (some 1e-11 at eight standard
-/// deviations), and of what underflows f64. Bounds include it. For a law with negative parts (AT as printed) the error
-/// is relative to the integral of the law's absolute value.
+/// deviations), and of what underflows f64. Bounds include it. For a law with negative parts (AT as
+/// printed) the error is relative to the integral of the law's absolute value.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
 #[serde(try_from = "f64", into = "f64")]
 pub struct Tolerance(f64);

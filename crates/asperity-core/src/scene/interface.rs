@@ -69,9 +69,9 @@ impl Interface {
 
     /// Two deformable bodies, in either order. Hardness, yield strength and ν are those of the body
     /// that yields: of the lower hardness; of two equally hard ones, of the lower yield strength,
-    /// then of the smaller ν, whose w_c is smaller. If either body has no hardness they are those of
-    /// the lower Young's modulus. The tangent modulus is that of the body that yields, and of both
-    /// if they are equally hard; it is set only if both have the same E and ν.
+    /// then of the smaller ν, whose w_c is smaller. If either body has no hardness they are those
+    /// of the lower Young's modulus. The tangent modulus is that of the body that yields, and of
+    /// both if they are equally hard; it is set only if both have the same E and ν.
     ///
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.

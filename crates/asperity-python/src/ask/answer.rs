@@ -145,8 +145,8 @@ impl Asked {
     }
 }
 
-/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity heights, and
-/// whether values cancel; none if one of them needs more than a number.
+/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity heights,
+/// and whether values cancel; none if one of them needs more than a number.
 pub(crate) fn filled(
     contact: &dyn Contact,
     quantities: &[Quantity],

@@ -1,4 +1,5 @@
-//! `Unloading`, a joint that opens after its first closing, and `PartialSlip`, the same under shear.
+//! `Unloading`, a joint that opens after its first closing, and `PartialSlip`, the same under
+//! shear.
 
 use asperity::{ContactError, Severity, joints};
 use pyo3::prelude::*;

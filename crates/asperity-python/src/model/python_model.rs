@@ -53,7 +53,8 @@ impl Raised {
 
 /// A class whose instances are the laws of one asperity.
 pub(crate) struct PythonModel {
-    /// The package's `_model.Laws` of the class: returns function, kinks and regimes of an asperity.
+    /// The package's `_model.Laws` of the class: returns function, kinks and regimes of an
+    /// asperity.
     laws: Py<PyAny>,
     name: String,
     own_stiffness: bool,
