@@ -62,14 +62,7 @@ impl Press<'_> {
         let request = Request::new(quantities.iter().copied());
         self.bem.compile(&self.file.scene, &request)?;
         // Before the hours of the whole grid.
-        let half = self.refine.then(|| self.bem.half_grid()).transpose();
-        let half = half.map_err(|error: BemError| {
-            let how = match self.bem.continuation() {
-                Continuation::Periodic => "resample the period to such a grid (a crop is not periodic)",
-                _ => "crop the scan",
-            };
-            format!("--refine needs an even number of rows and columns; {how}, or leave --refine out: {error}")
-        })?;
+        let half = self.refine.then(|| half_grid(self.bem)).transpose()?;
         let (whole, maps, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
         let half = half.filter(|_| !watch.is_stopped());
         let half = half.map(|half| self.rows(&half, &quantities, sheet, watch)).transpose()?;
@@ -165,4 +158,19 @@ fn cells(solution: &Solution, nominal_area: f64) -> Vec<Cell> {
     };
     let others = COLUMNS.map(|(_, number)| number(solution));
     [pressure * nominal_area, pressure].into_iter().chain(others).map(Cell::from).collect()
+}
+
+/// Every second pixel, to tell how much depends on the grid.
+///
+/// # Errors
+/// A grid that cannot be halved, with the remedy.
+pub fn half_grid(bem: &Bem) -> Result<Bem, AnswerError> {
+    let how = match bem.continuation() {
+        Continuation::Periodic => "resample the period to such a grid (a crop is not periodic)",
+        _ => "crop the scan",
+    };
+    let refused = |error| {
+        format!("to refine, rows and columns must be even; {how}, or do not refine: {error}").into()
+    };
+    bem.half_grid().map_err(refused)
 }

@@ -64,12 +64,10 @@ impl Conductance<'_> {
         let alone = ids.len() + correlations.len() == 1;
         let leave_out = |sheet: &mut Sheet, rows, id: &str, error: AnswerError| -> Outcome {
             sheet.rows.truncate(rows);
-            let reason = error.to_string();
-            let reason = reason.trim_start_matches(&format!("{}: ", self.name));
             if alone {
-                return Err(format!("{id}: {reason}").into());
+                return Err(format!("{id}: {error}").into());
             }
-            sheet.warn("left-out", format!("left out: {id}: {reason}"));
+            sheet.warn("left-out", format!("left out: {id}: {error}"));
             Ok(())
         };
         let mut answered = vec![];
@@ -157,14 +155,12 @@ impl Conductance<'_> {
 
     /// Warns of numbers that look like those of another unit.
     fn warn_units(&self, sheet: &mut Sheet) {
-        let roughness = self.roughness.map(|found| (found.height_std, found.mean_slope));
-        let (sigma, slope) = roughness.unwrap_or_default();
+        let sigma = self.roughness.map_or(0.0, |found| found.height_std);
         let Gas { conductivity, jump } = self.gas.unwrap_or(Gas { conductivity: 0.0, jump: 0.0 });
         // Liquids have no jump, and conduct better than any gas.
         let gas = if jump > 0.0 { conductivity } else { 0.0 };
         for (name, value, most, si, advice) in [
             ("sigma", sigma, 1e-3, " m", "um is written 1.4um"),
-            ("the mean slope", slope, 1.5, "", "degrees are written as their tangent"),
             ("the conductivity of the gas", gas, 0.3, " W/(m K)", "air has 0.026"),
             ("the temperature-jump distance", jump, 1e-3, " m", "air at 1 bar has about 0.37um"),
         ] {

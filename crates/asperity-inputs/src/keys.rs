@@ -108,7 +108,7 @@ keys! {
         accept("" "codes of warnings and notes to silence, as in check --format json")
         body("" "two of them, here of steel; one with rigid_counterface = true")
         interface("" "of the two bodies together")
-        surface("" "the rough surface, in exactly one of five ways")
+        surface("" "the rough surface, in exactly one of the ways below")
         options("" "")
     }
     "body" Body numbers BODY in Body {

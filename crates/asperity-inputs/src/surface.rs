@@ -1,4 +1,4 @@
-//! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
+//! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
 use asperity::{ContactError, Finding, Interface, ProfileMoments, Scene, Surface, short};
 
@@ -21,7 +21,12 @@ const BESIDE: [&str; 4] = [STD, SURFACE_STD, "mean_slope", "sdq"];
 const ROUGH: f64 = 0.3;
 /// The field of an error for moments that no isotropic Gaussian surface has.
 const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
-const ONE_WAY: &str = "exactly one way to describe the surface: asperity_radius, asperity_density, asperity_height_std; or plasticity_index, roughness_parameter, asperity_height_std; or m0, m2, m4; or sq, spd, spc; or file, files";
+
+/// What a section needs, with all ways.
+fn one_way() -> String {
+    let ways: Vec<String> = WAYS.iter().map(|way| way.join(", ")).collect();
+    format!("exactly one way to describe the surface: {}; or file, files", ways.join("; or "))
+}
 
 /// The way by which a section describes its surface, and the key that decides it; refuses keys of
 /// other ways.
@@ -34,7 +39,7 @@ fn way(
     let ways = || WAYS.iter().map(|way| &way[..]).chain([&FILES[..]]);
     let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
     let Some(key) = ways().flatten().find(decides).copied() else {
-        return Err(document.missing(section, ONE_WAY));
+        return Err(document.missing(section, &one_way()));
     };
     // Of ways with this key that with most of its keys, or else the first.
     let with_key = ways().rev().filter(|way| way.contains(&key));
@@ -57,7 +62,7 @@ fn way(
             let together = |other: &&&str| own().any(|way| way.contains(other));
             let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
             if !BESIDE.contains(&name) {
-                return conflict(other, name, ONE_WAY);
+                return conflict(other, name, &one_way());
             }
             let others = own().next().unwrap_or_default().iter().copied();
             let others: Vec<&str> = others.filter(|other| *other != name).collect();

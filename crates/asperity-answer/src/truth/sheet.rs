@@ -7,6 +7,7 @@ use asperity::{ContactError, Described, Finding, Model};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
+use crate::bem::half_grid;
 use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -40,13 +41,14 @@ pub fn truth(
     let solve = |bem: &Bem, models: &[Model]| {
         compare_with_bem(&file.scene, bem, pressures, models, |progress| {
             let all = 3 * pressures.len();
-            watch.step(&format!("truth: contact {} of {all}", progress.done + 1))
+            watch.step(&format!("boundary elements: contact {} of {all}", progress.done + 1))
         })
     };
+    let half = refine.then(|| half_grid(bem)).transpose()?;
     let found = solve(bem, &models)?;
-    let half = match refine && !watch.is_stopped() {
-        true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
-        false => vec![None; found.len()],
+    let half = match half.filter(|_| !watch.is_stopped()) {
+        Some(half) => solve(&half, &[])?.into_iter().map(Result::ok).collect(),
+        None => vec![None; found.len()],
     };
     let errors = found.iter().filter_map(|one| one.as_ref().err());
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));

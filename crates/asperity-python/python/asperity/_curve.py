@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def _is_wide(values: npt.NDArray[Any]) -> bool:
-    """Whether numbers need a logarithmic axis: positive, over more than a decade."""
+    """Whether numbers need a logarithmic axis: positive, over more than a factor of 30."""
     numbers = values[np.isfinite(values)]
     return bool(numbers.size and numbers.min() > 0 and numbers.max() > 30 * numbers.min())
 
@@ -310,7 +310,7 @@ class CorrectedCurve(Curve):
     @property
     def separation(self) -> Floats:
         """The separations of the model less its expected differences of mean gaps; masked where the
-        solved surfaces do not determine them, with the reason in ``reasons``."""
+        solved surfaces do not determine them, with the reason in ``failures``."""
         return self._separation
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:

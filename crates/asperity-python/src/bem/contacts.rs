@@ -201,10 +201,11 @@ pub(crate) fn truth<'py>(
         };
         found.map(kept).collect()
     };
+    let half = refine.then(|| asperity_answer::half_grid(&bem)).transpose().map_err(value_error)?;
     let found = solved(&bem, &models)?;
-    let half = match refine {
-        true => solved(&bem.half_grid().map_err(value_error)?, &[])?,
-        false => vec![None; found.len()],
+    let half = match half {
+        Some(half) => solved(&half, &[])?,
+        None => vec![None; found.len()],
     };
     let (found, half): (Vec<Truth>, Vec<_>) =
         found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
