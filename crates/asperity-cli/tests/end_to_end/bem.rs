@@ -33,7 +33,8 @@ fn an_odd_grid_is_not_refined() {
     bench.write("scan.txt", &scan(7));
     let run = bench.run("bem scan.toml --pressure 1e7 --refine --boundary free");
     assert_eq!(run.code, Some(1), "{}", run.messages);
-    let how = "to refine, rows and columns must be even; crop the scan, or do not refine: rows is 7";
+    let how =
+        "to refine, rows and columns must be even; crop the scan, or do not refine: rows is 7";
     assert!(run.messages.contains(how), "{}", run.messages);
     // Nothing is solved before.
     let compared = bench.run("bem scan.toml --pressure 1e7 --refine --boundary free --compare");
