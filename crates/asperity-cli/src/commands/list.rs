@@ -2,9 +2,9 @@
 //! `models` and `materials`.
 
 use anyhow::{Result, ensure};
-use asperity::{Code, Described, Model, nearest_hint, nearest_name};
+use asperity::{Body, Code, Described, Model, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::Material;
+use asperity_inputs::{BODY, Field, Material, unit_of};
 use clap::{Args, ValueEnum};
 
 use crate::input::args::OutputArgs;
@@ -121,19 +121,16 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
     let found = asperity_inputs::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity list materials` lists all");
+    let known = |key: &&Field<Body>| {
+        asperity_inputs::materials().iter().any(|m| (key.get)(&m.body).is_some())
+    };
+    let keys: Vec<&Field<Body>> = BODY.iter().filter(known).collect();
+    let heads: Vec<String> = keys.iter().map(|key| column(key.name)).collect();
     for Material { id, name, source, body, .. } in found {
-        let number = |head, number: Option<f64>| (head, Cell::from(number));
-        let mut cells = vec![
-            ("material", Cell::from(&**id)),
-            number("youngs_modulus_Pa", Some(body.youngs_modulus)),
-            number("poissons_ratio", Some(body.poissons_ratio)),
-            number("hardness_Pa", body.hardness),
-            number("yield_strength_Pa", body.yield_strength),
-            number("thermal_conductivity_W_per_m_K", body.thermal_conductivity),
-            number("electrical_resistivity_ohm_m", body.electrical_resistivity),
-            ("name", Cell::from(&**name)),
-            ("source", Cell::from(&**source)),
-        ];
+        let numbers = keys.iter().map(|key| Cell::from((key.get)(body)));
+        let mut cells = vec![("material", Cell::from(&**id))];
+        cells.extend(heads.iter().map(|head| &**head).zip(numbers));
+        cells.extend([("name", Cell::from(&**name)), ("source", Cell::from(&**source))]);
         // Too wide for a terminal.
         cells.truncate(cells.len() - usize::from(narrow));
         let (heads, row): (Vec<&str>, Vec<Cell>) = cells.into_iter().unzip();
@@ -141,6 +138,13 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         sheet.rows.push(row);
     }
     Ok(sheet)
+}
+
+/// A key with its unit, as in other tables: `hardness_Pa`.
+fn column(key: &str) -> String {
+    let unit = unit_of(key).unwrap_or_default().replace(['(', ')'], "");
+    let unit = unit.replace('/', "_per_").replace(' ', "_");
+    if unit.is_empty() { key.into() } else { format!("{key}_{unit}") }
 }
 
 fn findings(word: &str, narrow: bool) -> Result<Sheet> {
