@@ -37,6 +37,10 @@ impl Recommend<'_> {
     /// Those of the reference, and of the models named.
     pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
         let Self { request, within, .. } = self;
+        let given = |at: &At| !matches!(at, At::Separation(_));
+        if request.quantities.contains(&Quantity::Force) && request.at.iter().all(given) {
+            return Err("force is given at a load; compare area, tangent or others".into());
+        }
         let (id, reference) = one_model(file, self.reference, sheet)?;
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;

@@ -10,6 +10,7 @@ use asperity_answer::{
 };
 use asperity_inputs::SceneFile;
 
+use crate::input::destinations;
 use crate::output::{self, show};
 
 /// A scene file and its name.
@@ -21,8 +22,7 @@ pub struct LoadedScene {
 impl LoadedScene {
     /// Reads the file, and reports nothing.
     pub fn open(path: &Path) -> Result<Self> {
-        output::keep(path);
-        Ok(Self { file: asperity_inputs::load(path)?, name: path.display().to_string() })
+        Self { file: asperity_inputs::load(path)?, name: path.display().to_string() }.kept(path)
     }
 
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
@@ -39,11 +39,17 @@ impl LoadedScene {
     /// Reads the file of a scan, which may have no asperities and is declared periodic or as the
     /// file says; reports what is unusual, on its asperities if they are used.
     pub fn load_scan(path: &Path, periodic: bool, asperities: bool) -> Result<Self> {
-        output::keep(path);
         let file = asperity_inputs::load_scan(path, periodic)?;
-        let scene = Self { file, name: path.display().to_string() };
+        let scene = Self { file, name: path.display().to_string() }.kept(path)?;
         scene.report_scene(asperities);
         Ok(scene)
+    }
+
+    /// The scene, whose files no output may overwrite.
+    fn kept(self, path: &Path) -> Result<Self> {
+        output::keep(path);
+        self.file.files().iter().try_for_each(|file| destinations::protect(file))?;
+        Ok(self)
     }
 
     /// Reports the findings about the scene.

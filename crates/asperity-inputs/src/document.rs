@@ -346,7 +346,9 @@ pub(crate) fn read_text(
     let reason = match read {
         Err(error) => error.to_string(),
         Ok(count) if count as u64 > MOST_BYTES => {
-            format!("more than {MOST_BYTES} bytes; leave out rows or digits")
+            format!(
+                "the file has more than {MOST_BYTES} bytes; {advice}, or leave out rows or digits"
+            )
         }
         Ok(_) => match String::from_utf8(bytes).ok().filter(is_text) {
             Some(mut text) => {

@@ -39,7 +39,7 @@ fn way(
     let ways = || WAYS.iter().map(|way| &way[..]).chain([&FILES[..]]);
     let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
     let Some(key) = ways().flatten().find(decides).copied() else {
-        return Err(document.missing(section, &one_way()));
+        return Err(document.missing(section, one_way()));
     };
     // Of ways with this key that with most of its keys, or else the first.
     let with_key = ways().rev().filter(|way| way.contains(&key));

@@ -1,7 +1,7 @@
 //! Writer of scenes as text that reads back bit for bit.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
@@ -19,6 +19,8 @@ pub(crate) struct Read {
     surface: Surface,
     /// The heights of the summits of a scan.
     summits: Option<TabulatedHeights>,
+    /// The scans and the table of heights that the scene names.
+    files: Vec<PathBuf>,
 }
 
 impl Read {
@@ -29,18 +31,22 @@ impl Read {
         heights: Option<&TabulatedHeights>,
     ) -> Self {
         let mut table = document.table.clone();
-        let whole = |path: &mut Value| {
+        let mut named = vec![];
+        let mut whole = |path: &mut Value| {
             if let Value::String(text) = path {
+                named.push(document.whole_path(Path::new(text)));
                 *text = document.whole_path(Path::new(text)).to_string_lossy().into_owned();
             }
         };
         let mut summits = None;
         if let Some(keys) = table.get_mut("surface").and_then(Value::as_table_mut) {
-            keys.get_mut("file").into_iter().for_each(whole);
+            keys.get_mut("file").into_iter().for_each(&mut whole);
             let files = keys.get_mut("files").and_then(Value::as_array_mut);
-            files.into_iter().flatten().for_each(whole);
-            let counterface = keys.get_mut("counterface").and_then(|keys| keys.get_mut("file"));
-            counterface.into_iter().for_each(whole);
+            files.into_iter().flatten().for_each(&mut whole);
+            for part in ["counterface", "heights"] {
+                let file = keys.get_mut(part).and_then(|keys| keys.get_mut("file"));
+                file.into_iter().for_each(&mut whole);
+            }
             let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
             summits = heights.filter(|_| measured).cloned();
             // These keys follow from the scene when written.
@@ -49,11 +55,17 @@ impl Read {
             }
         }
         table.remove("options");
-        Self { table, interface, surface, summits }
+        Self { table, interface, surface, summits, files: named }
     }
 }
 
 impl SceneFile {
+    /// The files that the scene names: scans and a table of heights.
+    #[must_use]
+    pub fn files(&self) -> &[PathBuf] {
+        self.read.as_ref().map_or(&[], |read| &read.files)
+    }
+
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
     /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface

@@ -35,6 +35,8 @@ fn reported((name, value, unit, meaning): Number) -> Reported {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Glance {
+    /// The number of points, with their rows, columns and distances.
+    pub points: Reported,
     /// Form and filters applied before all other numbers.
     pub filter: String,
     /// What decides how far the scan is to be trusted, from `tilt_x` to `m4_over_half`; what ISO
@@ -54,6 +56,7 @@ pub struct Glance {
 impl Serialize for Glance {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("points", &self.points.value)?;
         map.serialize_entry("filter", &self.filter)?;
         for number in &self.numbers {
             map.serialize_entry(number.name, &number.value)?;
@@ -139,7 +142,13 @@ impl Glance {
             numbers[TRUST + 10].meaning = reason.clone().into();
         }
         let filter = named(level, cutoffs);
-        Ok(Self { filter, numbers, parameters, texture, spectra, power_law })
+        let (rows, columns) = (surface.rows(), surface.columns());
+        let [x, y] = [dx, dy].map(|step| asperity_core::short(step / 1e-6));
+        let points = Reported {
+            meaning: format!("{columns} along rows x {rows}, {x} um x {y} um apart").into(),
+            ..reported(("points", Some((rows * columns) as f64), "", ""))
+        };
+        Ok(Self { points, filter, numbers, parameters, texture, spectra, power_law })
     }
 }
 
@@ -155,10 +164,11 @@ const ACROSS: &str = "slope_across_lay";
 pub fn report(statistics: &Statistics, glance: Option<&Glance>) -> Vec<Reported> {
     let [sq, ssk, sku, moments @ .., missing, _, count, largest, share] = statistics.numbers();
     let mut all = vec![missing, count, largest, share];
-    let Some(Glance { filter, numbers, .. }) = glance else {
+    let Some(Glance { points, filter, numbers, .. }) = glance else {
         all.extend([ssk, sku, sq].into_iter().chain(moments));
         return all;
     };
+    all.insert(0, points.clone());
     let (trust, parameters) = numbers.split_at(TRUST);
     let shown = |number: &&Reported| ![ALONG, ACROSS].contains(&number.name);
     all.extend(trust.iter().filter(shown).cloned());

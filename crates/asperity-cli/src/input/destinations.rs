@@ -2,12 +2,17 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
+use anyhow::{Result, ensure};
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 
 use crate::input::{definition, usage_error};
-use crate::output::is_standard;
+use crate::output::{self, is_standard};
+
+/// The files that will be written.
+static DESTINATIONS: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 
 /// Ends the program if an output is another output or an input, or if two results go to standard
 /// output.
@@ -40,9 +45,35 @@ pub fn check(matches: &ArgMatches) {
                     refuse(&format!("{one} and {other} name the same file; choose two names"));
                 }
             }
+            if is_option(command, id) && id != "with" {
+                // Those that write scenes have --force.
+                let of_scene = id == "scene" || command == "init";
+                if !of_scene && file.extension().is_some_and(|end| end == "toml") && file.exists() {
+                    let file = file.display();
+                    refuse(&format!(
+                        "--{id} {file} exists and may be a scene; choose another name"
+                    ));
+                }
+                DESTINATIONS.lock().unwrap_or_else(PoisonError::into_inner).push(file.clone());
+            }
             named.push((id, file));
         }
     }
+}
+
+/// Refuses an input that an output would overwrite, and protects it.
+///
+/// # Errors
+/// The name of such an input.
+pub fn protect(input: &Path) -> Result<()> {
+    let destinations = DESTINATIONS.lock().unwrap_or_else(PoisonError::into_inner);
+    ensure!(
+        !destinations.contains(&place(input)),
+        "an output would overwrite {}, which the scene names; choose another name",
+        input.display()
+    );
+    output::keep(input);
+    Ok(())
 }
 
 fn is_option(command: &str, id: &str) -> bool {

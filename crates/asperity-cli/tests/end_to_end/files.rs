@@ -144,3 +144,23 @@ fn an_output_never_overwrites_its_input() {
         assert!(run.out.is_empty() && !bench.path("q.svg").exists());
     }
 }
+
+#[test]
+fn an_output_never_overwrites_what_a_scene_names_or_another_scene() {
+    let bench = Bench::new();
+    let scene = bench.read("scene.toml");
+    let heights = "height_m,density_per_m\n-2e-6,0\n0,5e5\n2e-6,0\n";
+    bench.write("pdf.csv", heights);
+    bench.write(
+        "with.toml",
+        &scene.replace("heights = \"gaussian\"", "heights = { file = \"pdf.csv\" }"),
+    );
+    let run = bench.run("curve with.toml --model ke --separation 1 --output pdf.csv");
+    let named = "which the scene names; choose another name";
+    assert!(run.code == Some(1) && run.messages.contains(named), "{}", run.messages);
+    assert_eq!(bench.read("pdf.csv"), heights);
+    let run = bench.run("curve with.toml --model ke --separation 1 --output scene.toml");
+    let may_be = "exists and may be a scene; choose another name";
+    assert!(run.code == Some(2) && run.messages.contains(may_be), "{}", run.messages);
+    assert_eq!(bench.read("scene.toml"), scene);
+}

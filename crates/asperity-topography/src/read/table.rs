@@ -24,7 +24,10 @@ impl Delimiter {
     /// The delimiter of the first row. Commas within numbers between spaces are decimal commas, as
     /// beside semicolons or tabs.
     fn detect(line: &[u8]) -> Self {
-        let decimal = |word: &[u8]| word.contains(&b',') && value(word, true).is_some();
+        // Whole numbers have none; beside a separator, a comma stands at the end of a word.
+        let decimal = |word: &[u8]| {
+            !word.starts_with(b",") && !word.ends_with(b",") && value(word, true).is_some()
+        };
         let mut words = Self(b' ').fields(line);
         Self(match () {
             () if line.contains(&b';') => b';',
@@ -192,6 +195,17 @@ pub(super) fn decode(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rows_with_whole_numbers_among_decimal_commas_are_rows() {
+        let text = b"0,1 0,5 1 0,3\n0,2 0,4 0,7 0,9\n1 2 3 4\n";
+        let table = NumberTable::parse(text).unwrap();
+        assert!(table.header.is_empty());
+        assert_eq!((table.columns, table.values.len(), table.values[2]), (4, 12, 1.0));
+        // A comma at the end of a word separates.
+        assert_eq!(NumberTable::parse(b"1, 2, 3\n4, 5, 6\n").unwrap().columns, 3);
+        assert_eq!(NumberTable::parse(b"1.5 ,2.5 ,3\n").unwrap().columns, 3);
+    }
 
     #[test]
     fn decimal_commas_are_read_where_commas_do_not_separate() {
