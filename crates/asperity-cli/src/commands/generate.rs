@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use asperity::bem::RandomSurface;
+use asperity_answer::rounded;
 use asperity_topography::Topography;
 use clap::Args;
 
@@ -60,10 +61,42 @@ pub struct Generate {
     output: PathBuf,
 }
 
+/// A wider pixel \[m\] is probably given in another unit.
+const WIDEST: f64 = 1e-3;
+
 impl Generate {
     pub fn run(self) -> Result<()> {
         let surface = self.surface()?;
         let [columns, rows] = self.size;
+        let [dx, dy] = self.pixel;
+        let side = (columns as f64 * dx).max(rows as f64 * dy);
+        let gradient = (2.0 * surface.moments().m2).sqrt();
+        let odd = [
+            (
+                dx > WIDEST,
+                format!(
+                    "--pixel is {} m; write lengths with their unit, for example 0.25um",
+                    rounded(dx)
+                ),
+            ),
+            (
+                gradient > 1.0,
+                format!(
+                    "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
+                    rounded(gradient)
+                ),
+            ),
+            (
+                self.long > side,
+                format!(
+                    "waves up to --long do not fit on the surface of {} m; those up to its side are made",
+                    rounded(side)
+                ),
+            ),
+        ];
+        for (_, text) in odd.iter().filter(|(is_so, _)| *is_so) {
+            print_message("warning", text);
+        }
         let map = surface.map([rows, columns])?;
         let shape = map.shape();
         if self.output.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p")) {
@@ -72,7 +105,6 @@ impl Generate {
             return output::write(Some(&self.output), |out| out.write_all(&bytes));
         }
         contact_map::write(&self.output, &[map.heights().to_vec()], shape)?;
-        let [dx, dy] = self.pixel;
         let text = format!("read it with --unit m --pixel-size {dx:e},{dy:e} --periodic");
         print_message("note", &format!("{}: heights in m; {text}", self.output.display()));
         Ok(())

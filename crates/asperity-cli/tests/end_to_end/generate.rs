@@ -66,3 +66,20 @@ fn what_cannot_be_made_is_refused() {
     refused(["--skewness -0.8", "--skewness -7"], 1, "skewness is -7");
     refused(["s.npy", "s.txt"], 2, "ends in .npy or .x3p");
 }
+
+#[test]
+fn odd_lengths_of_a_made_surface_are_told() {
+    let bench = Bench::new();
+    let made = |lengths: &str| {
+        let run = bench.run(&format!("generate {lengths} --size 64x64 --output made.npy"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        run.messages
+    };
+    assert!(!made("--long 16um --short 2um --pixel 0.25um --sq 0.1um").contains("warning"));
+    let metres = made("--long 16 --short 2 --pixel 0.25 --sq 0.1");
+    assert!(metres.contains("--pixel is 0.25 m; write lengths with their unit"), "{metres}");
+    let steep = made("--long 16um --short 2um --pixel 0.25um --sq 9um");
+    assert!(steep.contains("the rms gradient is ") && steep.contains("at most 1"), "{steep}");
+    let long = made("--long 99um --short 2um --pixel 0.25um --sq 0.1um");
+    assert!(long.contains("do not fit on the surface of 1.6e-5 m"), "{long}");
+}
