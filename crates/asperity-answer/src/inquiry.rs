@@ -223,7 +223,7 @@ pub(crate) const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// The name of a column beside that of a quantity: `mean_pressure_error`.
 #[must_use]
-pub fn column_beside(quantity: Quantity, what: &str) -> String {
+pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
 }
 

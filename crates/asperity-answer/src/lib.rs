@@ -28,10 +28,9 @@ pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{Beside, Inquiry, column_beside};
+pub use inquiry::{Beside, Inquiry};
 pub use models::{
-    ALL_MODELS, NamedModel, by_reason, models, named_model, once, one_model, one_or_usual,
-    scene_findings, use_asperities,
+    ALL_MODELS, NamedModel, models, once, one_model, one_or_usual, scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;

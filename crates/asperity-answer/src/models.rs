@@ -21,7 +21,7 @@ pub type NamedModel = (String, Model);
 ///
 /// # Errors
 /// Those of [`SceneFile::model`].
-pub fn named_model(
+pub(crate) fn named_model(
     file: &SceneFile,
     id: &str,
     sheet: &mut Sheet,
@@ -126,7 +126,7 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
 }
 
 /// The models without a result, one text for each reason.
-pub fn by_reason<'e>(
+pub(crate) fn by_reason<'e>(
     lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
 ) -> Vec<String> {
     // The reason contains the name of the model, which would separate equal reasons.

@@ -9,7 +9,8 @@ use asperity::fit::{
 use asperity::{At, Findings, Interface, Model, Quantity, short};
 
 use crate::free::other_unit;
-use crate::{Free, Place, SceneError, SceneFile, key_of_input, unit_of_free};
+use crate::free::unit_of_free;
+use crate::{Free, Place, SceneError, SceneFile, key_of_input};
 
 impl SceneFile {
     /// The measured values of a table, whose separations are measured from the plane of this scene.

@@ -68,7 +68,7 @@ impl std::str::FromStr for Free {
 
 /// The SI unit of a free parameter; `None` for pure numbers.
 #[must_use]
-pub fn unit_of_free(name: &str) -> Option<&'static str> {
+pub(crate) fn unit_of_free(name: &str) -> Option<&'static str> {
     match Role::of(name) {
         Role::SeparationOffset => Some("m"),
         Role::SeriesCompliance => Some("m/N"),

@@ -35,7 +35,7 @@ mod write;
 pub use check::Measured;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
-pub use free::{Free, unit_of_free};
+pub use free::Free;
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject};
