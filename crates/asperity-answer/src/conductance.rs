@@ -103,19 +103,19 @@ impl Conductance<'_> {
     }
 
     fn add_model(&self, sheet: &mut Sheet, places: &[At], id: &str, model: &Model) -> Outcome {
-        let contact = &self.file.scene;
+        let scene = &self.file.scene;
         let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
-        let compiled = model.compile(contact, &request)?;
+        let compiled = model.compile(scene, &request)?;
         for at in places {
             let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
             let mut beside = vec!["".into()];
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
+                let gap = compiled.separation(*at)?.measured_in(unit, plane, scene)?;
                 let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
                 beside.extend([gas, contacts + gas].map(Cell::from));
             }
-            let numbers = [at.load(contact), at.pressure(contact), None, Some(contacts)];
+            let numbers = [at.load(scene), at.pressure(scene), None, Some(contacts)];
             sheet.add(&[id], numbers.map(Cell::from).into_iter().chain(beside));
         }
         Ok(())

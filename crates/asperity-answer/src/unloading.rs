@@ -118,7 +118,7 @@ fn add_rows(
     retreats: &[f64],
     with_area: bool,
 ) -> Result<(), ContactError> {
-    let (contact, law) = (&subject.file.scene, opening.law());
+    let (scene, law) = (&subject.file.scene, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
     let (name, mut blanks) = (law.to_string(), Blanks::default());
     // Blank where the integral fails.
@@ -132,8 +132,8 @@ fn add_rows(
     };
     for &retreat in retreats {
         let force = value(opening.force(retreat))?;
-        let pressure = force.map(|force| force / contact.nominal_area);
-        let separation = closest + retreat / contact.surface.asperity_height_std;
+        let pressure = force.map(|force| force / scene.nominal_area);
+        let separation = closest + retreat / scene.surface.asperity_height_std;
         let mut numbers = vec![Some(retreat), Some(separation), force, pressure];
         if with_area {
             numbers.push(if has_area(law) { value(opening.area(retreat))? } else { None });

@@ -26,19 +26,19 @@ pub fn unloading_scan(
     let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     sheet.under(&[&heads, &["area_m2", "stiffness_N_per_m"]]);
     subject.fill(sheet, |sheet| {
-        let (id, contact) = (subject.id, &subject.file.scene);
+        let (id, scene) = (subject.id, &subject.file.scene);
         let retreats = retreats.map(|given| metres(sheet, subject, given));
         let bem = subject.file.bem(None, false)?;
         sheet.findings.extend(bem.note());
         let greatest = match closest {
             At::Separation(place) => {
-                let gap = place.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact)?;
+                let gap = place.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, scene)?;
                 LoadCase::MeanGap(gap.value)
             }
-            _ => LoadCase::MeanPressure(closest.pressure(contact).ok_or("a load or a pressure")?),
+            _ => LoadCase::MeanPressure(closest.pressure(scene).ok_or("a load or a pressure")?),
         };
         watch.progress(&format!("{id}: the greatest load"));
-        let path = bem.elements(&contact.interface)?.unloading_from(greatest)?;
+        let path = bem.elements(&scene.interface)?.unloading_from(greatest)?;
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, POINTS));
         let found = path.at_retreats(&retreats, |progress| {
@@ -60,7 +60,7 @@ pub fn unloading_scan(
                 blanks.count("stiffness", format!("no stiffness: {error}"));
                 None
             });
-            let (pressure, area) = (found.mean_pressure, contact.nominal_area);
+            let (pressure, area) = (found.mean_pressure, scene.nominal_area);
             let separation = subject.place(place, SeparationUnit::Sigma)?;
             let numbers = [*retreat, separation, pressure * area, pressure, found.area * area];
             let stiffness = stiffness.map(|stiffness| stiffness * area);

@@ -46,12 +46,12 @@ pub(crate) fn bem<'py>(
 ) -> PyResult<Contacts<'py>> {
     let (maps, mask) = maps_and_mask;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene: contact } = Pressed::new(pressed)?;
-    let elements = bem.elements(&contact.interface).map_err(refused)?;
-    let area = contact.nominal_area;
+    let Pressed { bem, scene } = Pressed::new(pressed)?;
+    let elements = bem.elements(&scene.interface).map_err(refused)?;
+    let area = scene.nominal_area;
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
-    bem.compile(&contact, &request).map_err(refused)?;
+    bem.compile(&scene, &request).map_err(refused)?;
     let all = load_cases(given, area);
     let pixels = bem.map().heights().len();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
@@ -80,7 +80,7 @@ pub(crate) fn bem<'py>(
                     let summary =
                         (!quantities.is_empty()).then(|| elements.summary(&solution, &quantities));
                     for (column, &quantity) in of_joints.iter_mut().zip(&quantities) {
-                        match summary.as_ref().map(|summary| summary.evaluate(quantity, &contact)) {
+                        match summary.as_ref().map(|summary| summary.evaluate(quantity, &scene)) {
                             Some(Ok(Some(found))) => column[index] = found.value(),
                             Some(Err(error)) => {
                                 fail(index, refused(error.clone()), error.to_string())
