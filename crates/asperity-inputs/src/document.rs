@@ -346,9 +346,7 @@ pub(crate) fn read_text(
     let reason = match read {
         Err(error) => error.to_string(),
         Ok(count) if count as u64 > MOST_BYTES => {
-            format!(
-                "the file has more than {MOST_BYTES} bytes; {advice}, or leave out rows or digits"
-            )
+            format!("the file has more than {MOST_BYTES} bytes: leave out rows or digits; {advice}")
         }
         Ok(_) => match String::from_utf8(bytes).ok().filter(is_text) {
             Some(mut text) => {
@@ -399,10 +397,10 @@ mod tests {
         let path = folder.path().join("scene.toml");
         // The limit lies within a character.
         std::fs::write(&path, format!("#{}", "\u{b5}".repeat(1 << 19))).unwrap();
-        let refused = read_text(&path, "", || Place::field("scene")).unwrap_err().to_string();
+        let refused = read_text(&path, "advice", || Place::field("scene")).unwrap_err().to_string();
         assert_eq!(
             refused,
-            "scene cannot be read: more than 1048576 bytes; leave out rows or digits"
+            "scene cannot be read: the file has more than 1048576 bytes: leave out rows or digits; advice"
         );
     }
 
