@@ -101,7 +101,9 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     match parts.iter().find(plain).filter(|_| units) {
         Some(part) => {
             let example = parts.iter().find(|part| has_unit(part)).map_or("", |part| part.trim());
-            Err(format!("{text}: {part} has no unit; give every value a unit, as in {example}"))
+            Err(format!(
+                "{text}: {part} has no unit; give every value a unit, as in {example} (a comma separates values; decimals have a point)"
+            ))
         }
         None => Ok(units),
     }
