@@ -101,8 +101,12 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     match parts.iter().find(plain).filter(|_| units) {
         Some(part) => {
             let example = parts.iter().find(|part| has_unit(part)).map_or("", |part| part.trim());
+            let lists = match text.contains(',') {
+                true => " (a comma separates values; decimals have a point)",
+                false => "",
+            };
             Err(format!(
-                "{text}: {part} has no unit; give every value a unit, as in {example} (a comma separates values; decimals have a point)"
+                "{text}: {part} has no unit; give every value a unit, as in {example}{lists}"
             ))
         }
         None => Ok(units),
