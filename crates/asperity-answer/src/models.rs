@@ -37,7 +37,7 @@ pub(crate) fn named_model(
 /// not what it needs.
 ///
 /// # Errors
-/// Those of [`named_model`], and the reason why the scene refuses the model.
+/// An unknown name, and the reason why the scene refuses the model.
 pub fn one_model(
     file: &SceneFile,
     id: Option<&str>,

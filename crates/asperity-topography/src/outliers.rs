@@ -24,7 +24,7 @@ const TAIL: f64 = 0.01;
 /// Distances below this share of the largest height are rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// The share of m₄ or of ⟨z⁴⟩ from which outliers matter: R is 2.5 % too small at 0.05 of m₄.
-const MATTERS: f64 = 0.05;
+pub(crate) const MATTERS: f64 = 0.05;
 
 /// The outliers of a surface, from [`Topography::outliers`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]

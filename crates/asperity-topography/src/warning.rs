@@ -2,6 +2,7 @@
 
 use asperity_core::{Finding, Severity, Surface};
 
+use crate::outliers::MATTERS;
 use crate::{Level, Moments, Outliers, Statistics, Topography, TopographyError};
 
 /// Factor above which two parameters disagree.
@@ -102,15 +103,19 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
     let (points, have) = if count == 1 { ("point is", "has") } else { ("points are", "have") };
     let side = if largest > 0.0 { "above" } else { "below" };
     let (percent, of_kurtosis) = (100.0 * m4_share, 100.0 * kurtosis_share);
+    let spoilt = match m4_share >= MATTERS {
+        true => "radius, density and kurtosis describe",
+        false => "the kurtosis describes",
+    };
     let warning = Finding::warning("outliers", "outliers", count as f64)
         .usual([0.0, 0.0])
         .fact(format!(
             "{count} {points} far outside the neighbouring heights (up to {:.3e} m {side}) and {have} {percent:.1} % of m4 and {of_kurtosis:.1} % of the kurtosis",
             largest.abs()
         ))
-        .advice(
-            "radius, density and kurtosis describe these points, not the surface; `despike = true (--despike)` replaces them",
-        );
+        .advice(format!(
+            "{spoilt} these points, not the surface; `despike = true (--despike)` replaces them"
+        ));
     found.matter().then_some(warning)
 }
 
