@@ -26,7 +26,7 @@ test("a wrong unit is marked at its field and its line, and the page goes on", a
   await page.scene(good.replace(/youngs_modulus = .*/, 'youngs_modulus = "210 mm"'));
   assert.equal(await page.run(`return ${field("body[1].youngs_modulus")}.getAttribute('aria-invalid')`), "true");
   const line = 1 + good.split("\n").findIndex((line) => line.startsWith("youngs_modulus"));
-  assert.match(await page.text("scene-error"), new RegExp(`^line ${line}: body\\[1\\]\\.youngs_modulus is "210 mm"`));
+  assert.match(await page.text("scene-error"), new RegExp(`^line ${line}: body\\[1\\]\\.youngs_modulus = "210 mm" is not`));
   assert.equal(await page.run("return document.querySelector('#lines b').textContent"), String(line));
   await page.scene(good.replace(/youngs_modulus = .*/, "youngs_modulus = 210"));
   assert.match(await page.run(`return ${field("body[1].youngs_modulus")}.closest('.row').textContent`), /210 looks like GPa/);
