@@ -29,8 +29,10 @@ struct Cli {
 fn main() -> ExitCode {
     input::set_program(Cli::command);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let matches = Cli::command().get_matches_from(input::former::renamed(arguments));
-    input::destinations::check(&matches);
+    let mut program = Cli::command();
+    let matches = program.try_get_matches_from_mut(input::former::renamed(arguments));
+    let matches = matches.unwrap_or_else(|e| e.exit());
+    input::destinations::check(&program, &matches);
     let Cli { command, quiet } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
     output::set_quiet(quiet);
     match command.run() {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::document::shorten;
 use crate::likely::{notation_hint, without_thousands};
+use crate::text_file::shorten;
 use crate::{Place, SceneError};
 
 /// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.

@@ -6,7 +6,8 @@ use asperity::{ContactError, Finding, TabulatedHeights};
 use serde::Deserialize;
 
 use crate::cells::Cells;
-use crate::document::{Document, SAVE_AS_CSV, read_text, shorten};
+use crate::document::Document;
+use crate::text_file::{SAVE_AS_CSV, read_text, shorten};
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.

@@ -3,9 +3,10 @@
 use asperity::{Body, Interface};
 use toml::Value;
 
-use crate::document::{Document, shorten};
+use crate::document::Document;
 use crate::keys::{BODY, INTERFACE};
 use crate::materials::{named, suggestion};
+use crate::text_file::shorten;
 use crate::{SceneError, interface_of};
 
 const EITHER: &str = "either [interface] with the equivalent properties, or the two bodies as [[body]] (one with rigid_counterface = true)";

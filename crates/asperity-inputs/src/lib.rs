@@ -30,6 +30,7 @@ mod sides;
 mod small_scan;
 mod surface;
 mod template;
+mod text_file;
 mod write;
 
 pub use check::Measured;

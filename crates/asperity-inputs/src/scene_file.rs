@@ -9,12 +9,13 @@ use asperity::{
 };
 use asperity_topography::Topography;
 
-use crate::document::{Document, Files, HandedFiles, read_text};
+use crate::document::{Document, Files, HandedFiles};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
 use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
+use crate::text_file::read_text;
 use crate::write::Read;
 use crate::{Measured, ModelOptions, Place, Roughness, SceneError, accept};
 

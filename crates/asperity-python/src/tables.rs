@@ -1,6 +1,5 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
-use asperity::Tolerance;
 use asperity::joints::conductance::{self, Correlation, GapRoughness};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
@@ -12,7 +11,7 @@ use pyo3::types::PyDict;
 use crate::ask::asked::arrays;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{refused, value_error};
+use crate::convert::{tolerance, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -45,7 +44,7 @@ pub(crate) fn contact_table<'py>(
         format.map_err(|needed| value_error(format!("format is {:?}: {needed}", form.0)))?;
     let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units: {e}")))?;
     let (nodes, max_error, rtol) = spacing;
-    let tolerance = Tolerance::new(rtol).map_err(refused)?;
+    let tolerance = tolerance(rtol)?;
     let (axis, first, last) = ends;
     let (conductance, friction) = beside;
     let against = |name: String| {

@@ -96,7 +96,7 @@ impl Load {
             (Ok(newtons), Err(_)) => (NEWTON, newtons),
             (Err(_), Ok(pascals)) => (PASCAL, pascals),
             (Err(newtons), Err(pascals)) => {
-                // A unit that is known tells a load from a pressure.
+                // The unit tells a load from a pressure.
                 let same = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL));
                 return Err(wrong(match same {
                     Some(same) => {

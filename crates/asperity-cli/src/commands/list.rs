@@ -17,8 +17,8 @@ use crate::output::{self, table::Format};
 )]
 pub struct List {
     what: What,
-    /// Only models of this id, or with this word in their name, authors or year; or materials with
-    /// this word in their name, or the nearest ones; or findings with this word in their code
+    /// Of models, an id or a word of the name, the authors or the year; of materials, a word of the
+    /// name; of findings, a part of the code
     #[arg(default_value = "", hide_default_value = true)]
     word: String,
     #[command(flatten)]

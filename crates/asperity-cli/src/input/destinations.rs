@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Result, ensure};
-use clap::ArgMatches;
 use clap::error::ErrorKind;
+use clap::{ArgMatches, Command};
 
-use crate::input::{definition, usage_error};
+use crate::input::usage_error;
 use crate::output::{self, is_standard};
 
 /// The files that will be written.
@@ -16,8 +16,11 @@ static DESTINATIONS: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 
 /// Ends the program if an output is another output or an input, or if two results go to standard
 /// output.
-pub fn check(matches: &ArgMatches) {
+pub fn check(program: &Command, matches: &ArgMatches) {
     let Some((command, matches)) = matches.subcommand() else { return };
+    let arguments =
+        || program.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
+    let is_option = |id: &str| arguments().any(|one| one.get_id() == id && !one.is_positional());
     let paths = |id: &str| matches.try_get_many::<PathBuf>(id).ok().flatten();
     let refuse = |text: &str| usage_error(command, ErrorKind::ArgumentConflict, text);
     let mut named: Vec<(&str, PathBuf)> = vec![];
@@ -25,8 +28,7 @@ pub fn check(matches: &ArgMatches) {
         for file in paths(id).into_iter().flatten() {
             if is_standard(Some(file)) {
                 let mut data = paths("output").into_iter().flatten();
-                if id != "output" && is_option(command, id) && data.all(|to| is_standard(Some(to)))
-                {
+                if id != "output" && is_option(id) && data.all(|to| is_standard(Some(to))) {
                     refuse(&format!(
                         "--{id} - and the data both use standard output; name a file for the data with --output"
                     ));
@@ -35,7 +37,7 @@ pub fn check(matches: &ArgMatches) {
             }
             let file = place(file);
             for (other, _) in named.iter().filter(|(_, known)| *known == file) {
-                let names = [*other, id].map(|id| match is_option(command, id) {
+                let names = [*other, id].map(|id| match is_option(id) {
                     true => format!("--{id}"),
                     false => format!("<{}>", id.to_uppercase()),
                 });
@@ -45,7 +47,7 @@ pub fn check(matches: &ArgMatches) {
                     refuse(&format!("{one} and {other} name the same file; choose two names"));
                 }
             }
-            if is_option(command, id) && id != "with" {
+            if is_option(id) && id != "with" {
                 // Those that write scenes have --force.
                 let of_scene = id == "scene" || command == "init";
                 if !of_scene && file.extension().is_some_and(|end| end == "toml") && file.exists() {
@@ -74,10 +76,6 @@ pub fn protect(input: &Path) -> Result<()> {
     );
     output::keep(input);
     Ok(())
-}
-
-fn is_option(command: &str, id: &str) -> bool {
-    definition(command).get_arguments().any(|one| one.get_id() == id && !one.is_positional())
 }
 
 /// A file in its folder without links, whether or not it is there.

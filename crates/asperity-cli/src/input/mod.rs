@@ -24,13 +24,8 @@ pub fn set_program(program: fn() -> Command) {
 
 /// Ends the program as clap does for arguments that it refuses.
 pub fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
-    definition(subcommand).error(kind, text).exit()
-}
-
-/// The definition of a subcommand.
-fn definition(subcommand: &str) -> Command {
     let mut program = PROGRAM.get().map_or_else(Command::default, |make| make());
     program.build();
     let command = program.find_subcommand(subcommand).cloned();
-    command.unwrap_or(program)
+    command.unwrap_or(program).error(kind, text).exit()
 }

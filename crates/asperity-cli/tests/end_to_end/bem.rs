@@ -133,7 +133,7 @@ fn the_tangent_of_a_free_boundary_exceeds_the_unloading_stiffness() {
     let data = bench.data(&format!("bem scan.toml --format csv {asked}"));
     let [tangent, unloading] =
         ["tangent_N_per_m", "unloading_stiffness_N_per_m"].map(|name| column(&data, name)[0]);
-    assert!(tangent > unloading, "{tangent} {unloading}");
+    assert!(tangent > 1.05 * unloading, "{tangent} {unloading}");
 }
 
 #[test]

@@ -6,11 +6,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::engine::arrays::FillReport;
 use crate::engine::averages::{all_separations_of_load, separation_at, separation_of_pull_off};
 use crate::engine::case_integrals::CaseIntegrals;
-use crate::engine::list::{answer_alone, shares_at};
+use crate::engine::list::{FEW, add_row, behind, empty, shares_at};
+use crate::engine::parallel;
 use crate::engine::prepared::Facts;
-use crate::engine::row_integrals::RowIntegrals;
+use crate::engine::row_integrals::{RowIntegrals, answers};
 use crate::request::separation::SeparationInSigma;
-use crate::response::Response;
+use crate::response::{Response, respond};
 use crate::{
     At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
     Share,
@@ -122,6 +123,20 @@ impl Contact for Alone {
     }
 
     fn respond(&self, request: &Request) -> Response {
-        answer_alone(self, request)
+        let columns = |places: &[At]| {
+            let mut columns = empty(&request.quantities, places);
+            for at in places {
+                let row = match self.at(at) {
+                    Ok(mut averages) => answers(&mut averages, &request.quantities, at),
+                    Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
+                };
+                add_row(&mut columns, row);
+            }
+            columns
+        };
+        let answered = |places: &[At]| parallel::columns(places, (FEW + 1, FEW), columns);
+        respond(self, request, answered, |quantity, at| {
+            behind(&mut self.at(&at).ok()?, quantity, at)
+        })
     }
 }

@@ -1,8 +1,7 @@
-//! Responses for a list of places: prepared and in runs, or row by row without preparation.
+//! Responses for a list of places, prepared and in runs, and what they share with those of few places.
 
 use asperity_quadrature::Moments;
 
-use crate::engine::alone::Alone;
 use crate::engine::averages::{Averages, separation_at, shares};
 use crate::engine::parallel;
 use crate::engine::prepared::{Facts, Prepared};
@@ -14,7 +13,7 @@ use crate::{At, ContactError, OtherHeights, Quantity, Request, Response, Scene, 
 /// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
 /// Rows too few for preparation: a rule costs about ten of them.
-const FEW: usize = 4;
+pub(crate) const FEW: usize = 4;
 /// Series in the separation, for other heights, begin anew at every break of the density; each
 /// costs as much as some thirty rows.
 const FEW_BETWEEN_BREAKS: usize = 32;
@@ -27,25 +26,6 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     request.at.len() <= few && !request.shares
 }
 
-/// The response to a request, row by row without preparation.
-pub(crate) fn answer_alone(contact: &Alone, request: &Request) -> Response {
-    let columns = |places: &[At]| {
-        let mut columns = empty(&request.quantities, places);
-        for at in places {
-            let row = match contact.at(at) {
-                Ok(mut averages) => answers(&mut averages, &request.quantities, at),
-                Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
-            };
-            add_row(&mut columns, row);
-        }
-        columns
-    };
-    let answered = |places: &[At]| parallel::columns(places, (FEW + 1, FEW), columns);
-    respond(contact, request, answered, |quantity, at| {
-        behind(&mut contact.at(&at).ok()?, quantity, at)
-    })
-}
-
 /// The response to a request from prepared integrals.
 pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
     let columns = |places: &[At]| columns(prepared, &request.quantities, places);
@@ -54,7 +34,11 @@ pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Respons
 }
 
 /// The value behind a logarithm or a share; `None` if it is not negative for any law.
-fn behind<'s>(averages: &mut impl Averages<'s>, quantity: Quantity, at: At) -> Option<f64> {
+pub(crate) fn behind<'s>(
+    averages: &mut impl Averages<'s>,
+    quantity: Quantity,
+    at: At,
+) -> Option<f64> {
     averages.laws().are_signed().then_some(())?;
     let mut row = RowIntegrals::<_>::new(averages, &[quantity], &at).ok()?;
     Some(row.unchecked(quantity).ok()?.value())
@@ -77,11 +61,11 @@ pub(crate) fn shares_at<'s>(
     shares(averages, base, (s, at))
 }
 
-fn empty(quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
+pub(crate) fn empty(quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
     quantities.iter().map(|_| Vec::with_capacity(places.len())).collect()
 }
 
-fn add_row(columns: &mut [Vec<Answered>], row: impl IntoIterator<Item = Answered>) {
+pub(crate) fn add_row(columns: &mut [Vec<Answered>], row: impl IntoIterator<Item = Answered>) {
     columns.iter_mut().zip(row).for_each(|(column, answered)| column.push(answered));
 }
 

@@ -12,8 +12,8 @@ use pyo3::prelude::*;
 use crate::ask::asked::{Arguments, Asked};
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{Object, object, refused, value_error};
-use crate::model::engine::{Engine, tolerance};
+use crate::convert::{Object, object, refused, tolerance, value_error};
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.

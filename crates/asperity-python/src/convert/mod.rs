@@ -3,15 +3,13 @@
 pub(crate) mod axis;
 pub(crate) mod numbers;
 
-use asperity::{ContactError, Quantity, Request};
+use asperity::{ContactError, Quantity, Request, Tolerance};
 use asperity_quadrature::QuadratureError;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use serde::Serialize;
-
-use crate::model::engine::tolerance;
 
 create_exception!(
     asperity,
@@ -93,4 +91,9 @@ impl Quantities {
     pub(crate) fn request(&self, rtol: f64) -> PyResult<Request> {
         Ok(Request::new(self.0.iter().copied()).within(tolerance(rtol)?))
     }
+}
+
+/// A relative tolerance; a `ValueError` outside its range.
+pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {
+    Tolerance::new(rtol).map_err(refused)
 }

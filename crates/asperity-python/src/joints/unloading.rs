@@ -9,8 +9,8 @@ use crate::ask::advice::check_scene;
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::in_si;
-use crate::convert::{Object, value_error, warn};
-use crate::model::engine::{Engine, tolerance};
+use crate::convert::{Object, tolerance, value_error, warn};
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// A joint that opens after its first closing.

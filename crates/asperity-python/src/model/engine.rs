@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{Citation, ContactError, Model, Quantity, Tolerance, testkit};
+use asperity::{Citation, ContactError, Model, Quantity, testkit};
 use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::{Object, Quantities, refused, value_error};
+use crate::convert::{Object, Quantities, refused, tolerance, value_error};
 use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, arguments::OptionValue};
 
@@ -227,10 +227,6 @@ impl Engine {
         };
         own.unwrap_or_else(|| refused(refusal))
     }
-}
-
-pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {
-    Tolerance::new(rtol).map_err(refused)
 }
 
 /// The ids of the models of asperities without adhesion and hardening, by year.

@@ -13,6 +13,7 @@
 //! Adaptive discretisation of q g for each d was measured as an alternative: two to sixty times
 //! the time on the same panels, seven to two hundred without panels, and wrong at poles.
 
+mod cell;
 mod cut;
 mod fit;
 mod follow;
@@ -24,6 +25,7 @@ mod run;
 mod slope;
 mod source;
 mod strip;
+mod sums;
 mod tree;
 mod weight;
 

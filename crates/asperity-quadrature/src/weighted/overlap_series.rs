@@ -3,15 +3,15 @@
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use super::integral::{Overlap, SCALED, Sums};
+use super::cell::{Map, Sample, Series, TERMS, ln_size};
+use super::integral::Overlap;
+use super::sums::Sums;
 use super::weight::Weight;
-use crate::chebyshev::{chebyshev_roots, chebyshev_sum, chebyshev_terms};
+use crate::chebyshev::chebyshev_roots;
 use crate::{Moments, QuadratureError};
 
-/// Terms of a series; its error is estimated from the last three,
-const TERMS: usize = 12;
-const LAST: usize = 3;
-/// and from the integral at these shares of a cell.
+/// The error of a series is estimated from its last terms, and from the integral at these shares of
+/// a cell.
 const CHECKED: [f64; 3] = [0.004, 0.47, 0.993];
 /// The share of the tolerance for the series, apart from the integrals they interpolate.
 const SHARE: f64 = 0.25;
@@ -20,10 +20,11 @@ const NARROW: f64 = 1e-12;
 /// The largest width of a cell, as a share of the weight's width; outside the weight, the distance
 /// to it is added.
 const WIDE: f64 = 0.3;
-/// The largest deviation of ln I from a line over a cell: a series has some digits at most of what
-/// deviates farther. In ranges narrower than a share of the weight's width that deviate as far as
-/// STEEP, cells would serve too few d to pay, and there is an integral for each d.
+/// A range over which ln I deviates from a line by more than this is divided before a series is
+/// tried, which would not reach a tolerance.
 const BENT: f64 = 10.0;
+/// Where ln I deviates by more than this over a range narrower than this share of the weight's
+/// width, cells would be too narrow to be used twice, and there is an integral for each d.
 const STEEP: f64 = 1e3;
 const STEEP_BELOW: f64 = 0.01;
 /// Series reach this number of widths of the weight beyond it; farther out, there is an integral
@@ -75,65 +76,6 @@ struct Range {
     sharp: [bool; 2],
     /// The meetings inside.
     meetings: std::ops::Range<usize>,
-}
-
-struct Series {
-    map: Map,
-    /// Value, slope and their sizes, over exp(`ln_scale`); no sizes if they equal the values.
-    terms: [Vec<f64>; 4],
-    /// The logarithm of the scale at the lower end, and its slope.
-    ln_scale: [f64; 2],
-    /// The smallest sizes of value and slope, over their scale.
-    least: [f64; 2],
-    /// The integration errors of value and slope, and the bound.
-    reached: [f64; 2],
-    error: f64,
-}
-
-/// From d to v in [0, 1].
-#[derive(Debug, Clone, Copy)]
-struct Map {
-    low: f64,
-    high: f64,
-    spacing: Spacing,
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Spacing {
-    Linear,
-    /// The distance to the lower end is v².
-    Low,
-    /// The distance to the higher end is v².
-    High,
-}
-
-impl Map {
-    fn new(range: &Range) -> Self {
-        let spacing = match range.sharp {
-            [true, false] => Spacing::Low,
-            [false, true] => Spacing::High,
-            _ => Spacing::Linear,
-        };
-        Self { low: range.low, high: range.high, spacing }
-    }
-
-    fn d(&self, v: f64) -> f64 {
-        let width = self.high - self.low;
-        match self.spacing {
-            Spacing::Linear => self.low + width * v,
-            Spacing::Low => self.low + width * v * v,
-            Spacing::High => self.high - width * v * v,
-        }
-    }
-
-    fn v(&self, d: f64) -> f64 {
-        let width = self.high - self.low;
-        match self.spacing {
-            Spacing::Linear => (d - self.low) / width,
-            Spacing::Low => ((d - self.low) / width).sqrt(),
-            Spacing::High => ((self.high - d) / width).sqrt(),
-        }
-    }
 }
 
 impl OverlapSeries {
@@ -211,7 +153,7 @@ impl OverlapSeries {
 
     /// A series over a range, or its parts if the series misses the tolerance.
     fn fit(&self, range: &Range) -> Result<State, QuadratureError> {
-        let map = Map::new(range);
+        let map = Map::new((range.low, range.high), range.sharp);
         let find = |v: f64| -> Result<Sample, QuadratureError> {
             let d = map.d(v);
             let found = self.overlap.find(&self.weight, d, true)?;
@@ -252,14 +194,6 @@ impl OverlapSeries {
     }
 }
 
-/// The integral at one d.
-type Sample = (f64, Sums);
-
-/// The logarithm of the size of the integral at its d.
-fn ln_size((d, found): Sample) -> (f64, f64) {
-    (d, found.sizes[0].ln() + found.ln_scale)
-}
-
 impl State {
     fn divided(at: f64, meeting: Option<usize>) -> Self {
         Self::Divided { at, meeting, parts: Box::default() }
@@ -288,73 +222,5 @@ impl Range {
         } else {
             Self { low, high: at, sharp: [sharp[0], at_end], meetings: meetings.start..middle }
         }
-    }
-}
-
-impl Series {
-    /// The series through the integrals at the roots, and the last terms of value and of slope,
-    /// relative to their smallest sizes.
-    fn through(map: Map, samples: &[Sample]) -> (Self, [f64; 2]) {
-        // Far out, sizes are nearly exponentials of d.
-        let ((d, from), (to, there)) = (ln_size(samples[0]), ln_size(samples[TERMS - 1]));
-        let slope = (there - from) / (to - d);
-        let ln_scale =
-            if slope.is_finite() { [from + slope * (map.low - d), slope] } else { [0.0; 2] };
-        let (terms, none) = (Default::default(), [0.0; 2]);
-        let mut series = Self { map, terms, ln_scale, least: none, reached: none, error: 0.0 };
-        let numbers: Vec<[f64; 4]> = samples.iter().map(|sample| series.numbers(sample)).collect();
-        for n in [0, 1] {
-            series.least[n] = numbers.iter().map(|f| f[n + 2]).fold(f64::INFINITY, f64::min);
-            // Sizes are the values themselves if nothing changes sign.
-            let same = |f: &[f64; 4]| (f[n] - f[n + 2]).abs() <= 1e-13 * f[n + 2];
-            let wanted = if numbers.iter().all(same) { vec![n] } else { vec![n, n + 2] };
-            for n in wanted {
-                let samples: Vec<f64> = numbers.iter().map(|f| f[n]).collect();
-                series.terms[n] = chebyshev_terms(&samples);
-            }
-        }
-        let last = |n: usize| series.terms[n][TERMS - LAST..].iter().map(|t| t.abs()).sum();
-        let left = [0, 1].map(|n| series.relative(n, last(n)));
-        (series, left)
-    }
-
-    /// Value, slope and sizes of a sample, in the cell's scale.
-    fn numbers(&self, (d, found): &Sample) -> [f64; 4] {
-        let Sums { sums: [value, slope], sizes: [size, slope_size], ln_scale, .. } = *found;
-        let scale = (ln_scale - self.ln_scale(*d)).exp();
-        [value, slope, size, slope_size].map(|number| number * scale)
-    }
-
-    fn ln_scale(&self, d: f64) -> f64 {
-        self.ln_scale[0] + self.ln_scale[1] * (d - self.map.low)
-    }
-
-    /// A deviation over the smallest size; infinite if NaN, as on ranges over which the scale
-    /// overflows f64.
-    fn relative(&self, n: usize, off: f64) -> f64 {
-        let share = if off == 0.0 { 0.0 } else { off / self.least[n] };
-        if share.is_nan() { f64::INFINITY } else { share }
-    }
-
-    /// The deviations from a sample.
-    fn off(&self, sample: &Sample) -> [f64; 2] {
-        let y = 2.0 * self.map.v(sample.0) - 1.0;
-        let numbers = self.numbers(sample);
-        let off = |n: usize| (chebyshev_sum(&self.terms[n], y) - numbers[n]).abs();
-        [0, 1].map(|n| self.relative(n, off(n)))
-    }
-
-    #[inline]
-    fn moments(&self, d: f64, slope: bool) -> Moments {
-        let y = 2.0 * self.map.v(d) - 1.0;
-        let ln = self.ln_scale(d);
-        let (scale, ln_scale) = if ln.abs() < SCALED { (ln.exp(), 0.0) } else { (1.0, ln) };
-        let sum = |n: usize| scale * chebyshev_sum(&self.terms[n], y);
-        let size = |n: usize, f: f64| {
-            if self.terms[n].is_empty() { f.abs() } else { sum(n).max(f.abs()) }
-        };
-        let (value, by_d) = (sum(0), if slope { sum(1) } else { 0.0 });
-        let sizes = [size(2, value), if slope { size(3, by_d) } else { 0.0 }];
-        Moments { value, slope: by_d, sizes, ln_scale, error: self.error }
     }
 }
