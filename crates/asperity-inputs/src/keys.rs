@@ -16,7 +16,8 @@ pub struct Key {
     pub subject: Subject,
     /// The SI unit of its number; empty for pure numbers and for texts.
     pub unit: &'static str,
-    /// Its comment in the template: the unit, then what the key means, what needs it, or its values.
+    /// Its comment in the template: the unit, then what the key means, what needs it, or its
+    /// values.
     pub meaning: &'static str,
     /// Other names, in lower case, with what differs; names of one group are separated by blanks.
     pub also: &'static [(&'static str, &'static str)],

@@ -1,4 +1,5 @@
-//! Responses for a list of places, prepared and in runs, and what they share with those of few places.
+//! Responses for a list of places, prepared and in runs, and what they share with those of few
+//! places.
 
 use asperity_quadrature::Moments;
 
