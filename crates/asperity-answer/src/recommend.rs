@@ -89,7 +89,7 @@ impl Recommend<'_> {
         }
         let found = models.iter().flat_map(|model| file.findings_at(*model, &places));
         sheet.report(file, found.collect());
-        let verdict = advice.verdict(|model| model.id().to_string());
+        let verdict = advice.verdict();
         let text = format!("{verdict}; models are listed from simplest to most complex");
         sheet.note("verdict", text);
         let (compared, all) = (advice.evidence.len(), places.len());

@@ -106,7 +106,7 @@ impl Described for AminiTehrani {
     }
 
     fn notes(&self) -> Vec<Finding> {
-        self.options.notes(self.name())
+        self.options.notes(self.id())
     }
 }
 
@@ -117,7 +117,7 @@ impl AminiTehrani {
         kind: LateralLaw,
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
-        let lateral = Lateral::new(self.options, asperity, self.name())?;
+        let lateral = Lateral::new(self.options, asperity, self.id())?;
         let mut law = lateral.law_in_units(kind);
         for (name, sign, regime, range) in self.terms(kind) {
             let elastic = regime == Regime::Elastic;

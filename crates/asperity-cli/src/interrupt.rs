@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use asperity_answer::Watch;
 use indicatif::ProgressBar;
 
-use crate::output::{print_message, progress};
+use crate::output::{print_error, progress};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -26,7 +26,7 @@ pub fn end(done: usize, all: usize) -> ! {
 
 /// Ends the program after any other interrupted list; `state` describes the rows that are done.
 pub fn end_with(state: &str) -> ! {
-    print_message("error", &format!("interrupted: {state}"));
+    print_error(&format!("interrupted: {state}"));
     process::exit(ENDED)
 }
 

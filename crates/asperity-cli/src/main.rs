@@ -1,7 +1,7 @@
 //! The program `asperity`: rough contact from a scene file.
 //!
-//! Data goes to standard output, messages to standard error; exit code 0, 1 for bad input, 2 for
-//! bad usage. Parsing and printing only: the libraries compute.
+//! Data goes to standard output, messages to standard error; exit code 0, 1 without an answer, 2
+//! for bad usage. Parsing and printing only: the libraries compute.
 
 mod commands;
 mod input;
@@ -21,9 +21,8 @@ use clap::{CommandFactory, FromArgMatches, Parser};
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
-    /// Print errors only, without warnings and notes
-    #[arg(long, global = true, display_order = 100)]
-    quiet: bool,
+    #[command(flatten)]
+    treatment: output::Treatment,
 }
 
 fn main() -> ExitCode {
@@ -33,17 +32,16 @@ fn main() -> ExitCode {
     let matches = program.try_get_matches_from_mut(input::former::renamed(arguments));
     let matches = matches.unwrap_or_else(|e| e.exit());
     input::destinations::check(&program, &matches);
-    let Cli { command, quiet } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
-    output::set_quiet(quiet);
-    match command.run() {
-        Ok(()) if output::has_error() => ExitCode::FAILURE,
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) if output::is_broken_pipe(&error) => ExitCode::SUCCESS,
-        Err(error) => {
-            output::print_message("error", &output::summary(&error));
-            ExitCode::FAILURE
-        }
-    }
+    let Cli { command, treatment } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
+    output::treat(treatment);
+    let failure = match command.run() {
+        Ok(()) => output::strict_failure(),
+        Err(error) if output::is_broken_pipe(&error) => None,
+        Err(error) => Some(output::summary(&error)),
+    };
+    let Some(failure) = failure else { return ExitCode::SUCCESS };
+    output::print_error(&failure);
+    ExitCode::FAILURE
 }
 
 #[cfg(test)]

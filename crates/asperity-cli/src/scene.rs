@@ -45,9 +45,10 @@ impl LoadedScene {
         Ok(scene)
     }
 
-    /// The scene, whose files no output may overwrite.
-    fn kept(self, path: &Path) -> Result<Self> {
+    /// The scene, whose files no output may overwrite, and which accepts what the command accepts.
+    fn kept(mut self, path: &Path) -> Result<Self> {
         output::keep(path);
+        self.file.accept.extend_from_slice(output::accepted());
         self.file.files().iter().try_for_each(|file| destinations::protect(file))?;
         Ok(self)
     }
@@ -62,7 +63,7 @@ impl LoadedScene {
         Subject { file: &self.file, name: &self.name, id, model, tolerance }
     }
 
-    /// Reports warnings and errors that the scene does not accept, one for each cause.
+    /// Reports warnings that the scene does not accept, one for each cause.
     pub fn report(&self, found: Findings) {
         show(&self.file.accepted(found).at_least(Severity::Warning));
     }
@@ -75,7 +76,7 @@ impl LoadedScene {
         let mut sheet = Sheet::default();
         let filled = fill(&mut sheet);
         let accepted = |code: &str| self.file.accept.iter().any(|accepted| accepted == code);
-        sheet.findings.retain(|one| one.severity == Severity::Error || !accepted(one.code));
+        sheet.findings.retain(|one| one.severity == Severity::Refusal || !accepted(one.code));
         show(&sheet.findings);
         match filled.map_err(|error| error.into().downcast::<AnswerError>()) {
             Ok(filled) => Ok((sheet, filled)),

@@ -53,7 +53,7 @@ impl Described for Gao {
     }
 
     fn notes(&self) -> Vec<Finding> {
-        self.options.notes(self.name())
+        self.options.notes(self.id())
     }
 }
 
@@ -64,7 +64,7 @@ impl Gao {
         kind: LateralLaw,
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
-        let lateral = Lateral::new(self.options, asperity, self.name())?;
+        let lateral = Lateral::new(self.options, asperity, self.id())?;
         let mut law = lateral.law_in_units(kind);
         // I[Q_e; 0, 1] + I[Q_ep; 1, 110] + I[Q_p; 110, ∞]
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {

@@ -1,22 +1,27 @@
 //! The codes of warnings and notes that a scene may accept.
 
-use asperity::{Code, nearest_name};
+use asperity::Code;
 
-use crate::SceneError;
 use crate::document::Document;
+use crate::{SceneError, SceneFile};
 
 /// Refuses a code that no warning and no note has.
 pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {
-    let codes = || Code::all().map(|code| code.name);
-    let Some(unknown) = accept.iter().find(|code| !codes().any(|known| known == *code)) else {
-        return Ok(());
-    };
-    Err(SceneError::Value {
-        at: document.place("accept"),
-        found: format!("{unknown:?}"),
-        near: nearest_name(unknown, codes()).map(Into::into),
-        needed: format!("a code of a warning or note ({})", codes().collect::<Vec<_>>().join(", ")),
-    })
+    let known = accept.iter().try_for_each(|code| Code::named(code).map(drop));
+    known.map_err(|reason| SceneError::Refused { at: document.place("accept"), reason })
+}
+
+impl SceneFile {
+    /// Accepts warnings and notes of these codes, too.
+    ///
+    /// # Errors
+    /// Those of [`Code::named`].
+    pub fn accepting(mut self, codes: &[String]) -> Result<Self, String> {
+        codes.iter().try_for_each(|code| Code::named(code).map(drop))?;
+        self.accept.extend_from_slice(codes);
+        self.warnings = self.warnings.silenced(codes);
+        Ok(self)
+    }
 }
 
 #[cfg(test)]
@@ -51,7 +56,15 @@ mod tests {
         }
         let all: String = files.iter().map(|file| fs::read_to_string(file).unwrap()).collect();
         let known: BTreeSet<&str> = Code::all().map(|code| code.name).collect();
-        for call in ["Finding::warning(", "Finding::note(", "sheet.note(", "sheet.warn(", "at), "] {
+        for call in [
+            "Finding::warning(",
+            "Finding::note(",
+            "sheet.note(",
+            "sheet.warn(",
+            "output::note(",
+            "output::warn(",
+            "at), ",
+        ] {
             for after in all.split(call).skip(1) {
                 let quoted = after.trim_start().strip_prefix('"');
                 let code = quoted.filter(|code| code.starts_with(char::is_lowercase));
@@ -72,8 +85,7 @@ mod tests {
         };
         assert!(with("few-contacts").is_ok());
         let message = with("few-contact").unwrap_err().to_string();
-        let wanted =
-            "line 1: accept is \"few-contact\" (the nearest is \"few-contacts\"): a code of a";
+        let wanted = "line 1: accept: \"few-contact\" is no code of a finding (the nearest is";
         assert!(message.starts_with(wanted), "{message}");
     }
 }

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     At, Check, Contact, ContactError, ContactModel, Finding, Findings, HeightDistribution,
-    ProfileMoments, Severity,
+    ProfileMoments,
 };
 use asperity_topography::Statistics;
 
@@ -52,11 +52,7 @@ impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        let body_field = |(body, k): (&asperity::Body, usize)| {
-            let section = format!("body[{k}]");
-            body.findings().into_iter().map(move |finding| finding.within(&section))
-        };
-        let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(body_field).collect();
+        let of_bodies = self.of_bodies();
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
         let of_interface = self.scene.findings().into_iter();
@@ -74,10 +70,10 @@ impl SceneFile {
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The number that was given, in place of findings about the asperities that follow from it.
         let asperities = of_interface.iter().filter(|found| of_asperities(found));
-        let worst = asperities.map(|found| found.severity).min();
-        if let Some((odd, worst)) = self.odd_number.clone().zip(worst) {
+        let worst = asperities.map(|found| (found.severity, !found.is_implausible())).min();
+        if let Some((odd, (severity, plausible))) = self.odd_number.clone().zip(worst) {
             of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
-            of_interface.push(odd.severity(worst));
+            of_interface.push(odd.severity(severity).implausible(!plausible));
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
@@ -87,6 +83,24 @@ impl SceneFile {
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));
         found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// Unusual values of the bodies; those of two bodies of one material once.
+    fn of_bodies(&self) -> Vec<Finding> {
+        let mut kept: Vec<Finding> = vec![];
+        for (body, section) in self.bodies.iter().zip(["body[1]", "body[2]"]) {
+            for new in body.findings() {
+                let same = |known: &&mut Finding| {
+                    let key = known.field.rsplit('.').next();
+                    key == Some(&*new.field) && known.value.to_bits() == new.value.to_bits()
+                };
+                match kept.iter_mut().find(same) {
+                    Some(known) => known.also.push(section.into()),
+                    None => kept.push(new.within(section)),
+                }
+            }
+        }
+        kept
     }
 
     /// The finding without a likely unit if the number was given with its unit.
@@ -126,8 +140,8 @@ impl SceneFile {
             None => self.scene.check()?,
         };
         let (theirs, of_scene) = (self.scene.findings(), self.findings());
-        // Findings about an answer may be consequences of an error of the scene.
-        let valid = !of_scene.iter().any(|finding| finding.severity == Severity::Error);
+        // Findings about an answer may be consequences of an implausible input.
+        let valid = !of_scene.are_implausible();
         let of_answer = std::mem::take(&mut check.findings).into_iter();
         let of_answer = of_answer.filter(|finding| valid && !theirs.contains(finding));
         check.findings = of_answer.collect();
@@ -153,7 +167,7 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// Unusual results of a model at these separations or loads; none if the scene has an error, of
+    /// Unusual results of a model at these separations or loads; none if an input is implausible, of
     /// which they may be a consequence.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Findings {
@@ -174,10 +188,7 @@ impl SceneFile {
 
     fn judge(&self, model: &dyn ContactModel, judged: impl Fn() -> Findings) -> Findings {
         let known = self.findings().for_asperities(model.validity().asperities);
-        match known.at_least(Severity::Error).is_empty() {
-            true => self.accepted(judged()),
-            false => Findings::default(),
-        }
+        if known.are_implausible() { Findings::default() } else { self.accepted(judged()) }
     }
 
     /// A warning if one body has a hardness and the other has none, which is probably an omission.

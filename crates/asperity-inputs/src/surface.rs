@@ -188,7 +188,7 @@ fn numbers(
     surface.check().map_err(&refused)?;
     let odd = odd.map(|(key, value, hint)| {
         let fact = format!("{} = {} {hint}", document.place(&at(key)), short(value));
-        Finding::error("unusual-size", key, value).fact(fact)
+        Finding::warning("unusual-size", key, value).fact(fact)
     });
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {

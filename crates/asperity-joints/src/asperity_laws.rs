@@ -64,7 +64,7 @@ impl AsperityLaws {
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
         let unsupported = |what: &str| ContactError::Unsupported {
-            model: model.name().into(),
+            model: model.id().into(),
             what: format!("unloading and partial slip: {what}"),
         };
         if model.validity().angles {
@@ -86,7 +86,7 @@ impl AsperityLaws {
         if yields {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {
-                let of = |source| loading.refused(model.name(), pair[0], &source);
+                let of = |source| loading.refused(model.id(), pair[0], &source);
                 found.extend(
                     recovery_extrema(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?,
                 );
@@ -237,7 +237,7 @@ pub fn restitution(
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
     let loading = AsperityLaws::new(model, *asperity, law, tolerance)?;
-    let failed = |source: QuadratureError| loading.refused(model.name(), w, &source);
+    let failed = |source: QuadratureError| loading.refused(model.id(), w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
     if spent < f64::MIN_POSITIVE {
         let required = "an interference with a work of loading of at least 2.2e-308 J";

@@ -41,7 +41,7 @@ impl Joint {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
             source: *model.citation(),
-            name: model.name().into(),
+            name: model.id().into(),
             virgin: model.compile(scene, &request)?.into(),
             loading: Arc::new(loading),
             tolerance,

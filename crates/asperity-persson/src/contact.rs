@@ -69,7 +69,7 @@ fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactEr
 
 impl Contact for OnScene {
     fn model(&self) -> &str {
-        self.model.name()
+        self.model.id()
     }
 
     fn scene(&self) -> &Scene {

@@ -103,7 +103,7 @@ impl ContactModel for Persson {
             let name = scene.heights.name();
             let what =
                 format!("areas of {name} heights: the theory is for Gaussian surfaces or a scan");
-            return Err(ContactError::Unsupported { model: self.name().into(), what });
+            return Err(ContactError::Unsupported { model: self.id().into(), what });
         }
         let moments = scene.surface.moments();
         let spectrum = match (self.hurst_exponent, &self.spectrum) {
@@ -112,8 +112,10 @@ impl ContactModel for Persson {
             (None, none) => {
                 let scan = none.as_ref().and_then(|none| none.as_ref().err());
                 let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
-                let reason =
-                    format!("the stiffness of `{}`, or its mean gap,{scan} needs it", self.name());
+                let reason = format!(
+                    "`{}` needs it, or a scan,{scan} for stiffness and mean gap",
+                    self.id()
+                );
                 Err(ContactError::Missing { field: "hurst_exponent", reason })
             }
         };

@@ -9,7 +9,7 @@ use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
 use crate::ask::long::run_interruptible;
-use crate::convert::{Object, object, value_error, warn};
+use crate::convert::{Object, object, value_error, warn, warn_text};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -66,7 +66,7 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                warn(py, format!("left out: {error}"), 1)?;
+                warn_text(py, "left-out", format!("left out: {error}"), 1)?;
             }
             Err(error) => return Err(value_error(error)),
         }
@@ -75,6 +75,6 @@ pub(crate) fn fit<'py>(
     let ranking = rank(fitted);
     let doubts = ranking.models.iter().flat_map(Fitted::findings);
     let warnings = doubts.filter(|found| found.severity < Severity::Note);
-    warnings.chain(findings).try_for_each(|found| warn(py, found, 1))?;
+    warnings.chain(findings).try_for_each(|found| warn(py, &found, 1))?;
     object(py, &ranking)
 }

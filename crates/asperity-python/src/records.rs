@@ -221,7 +221,7 @@ pub(crate) fn interface_of<'py>(
     // Findings of the interface appear in its scene.
     if found.findings().is_empty() {
         for (name, body) in names.iter().zip(&bodies) {
-            body.findings().into_iter().try_for_each(|f| warn(py, f.within(name), 2))?;
+            body.findings().into_iter().try_for_each(|f| warn(py, &f.within(name), 2))?;
         }
     }
     let adhesion = work_of_adhesion.map(|given| number("Interface", "work_of_adhesion", given));

@@ -39,7 +39,7 @@ impl RandomAsperities {
 
     fn refused(&self, reason: &str) -> ContactError {
         let what = format!("averages over the asperities of a random surface: {reason}");
-        ContactError::Unsupported { model: self.model.name().into(), what }
+        ContactError::Unsupported { model: self.model.id().into(), what }
     }
 
     /// The model and the asperities that it averages over.

@@ -1,6 +1,6 @@
 //! Warnings about scans.
 
-use asperity_core::{Finding, Severity, Surface};
+use asperity_core::{Finding, Surface};
 
 use crate::outliers::MATTERS;
 use crate::{Level, Moments, Outliers, Statistics, Topography, TopographyError};
@@ -153,9 +153,8 @@ impl Statistics {
     #[must_use]
     pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
         let slope = (2.0 * self.m2).sqrt();
-        let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
         let found = Finding::warning("slope", "measured_slope", slope)
-            .severity(severity)
+            .implausible(slope > SLOPE[1])
             .usual(SLOPE)
             .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
         (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)

@@ -115,7 +115,7 @@ pub(crate) fn advise(
         lines.iter_mut().for_each(|line| line.insert_str(0, "on solved surfaces like this one, "));
     }
     if !close && !solved {
-        let verdict = advice.verdict(|model| model.id().to_string());
+        let verdict = advice.verdict();
         let fitted = match reference.id() {
             "ke" => " (ke, fitted to finite elements of one asperity, is the reference)",
             _ => "",

@@ -2,7 +2,7 @@
 
 use asperity::{
     At, Check, ContactError, Described, Evaluation, Findings, Quantity, Request, SeparationUnit,
-    Severity, shortest_digits,
+    shortest_digits,
 };
 use asperity_answer::{Asked, Line};
 use asperity_inputs::SceneFile;
@@ -93,8 +93,8 @@ pub(crate) fn row(
         "jkr" if is_tension => format!("{why}{OPENING}"),
         _ => why.into(),
     });
-    // Values of a scene with an error may be impossible because of it.
-    let valid = || file.findings().at_least(Severity::Error).is_empty();
+    // Values may be impossible because of an implausible input.
+    let valid = || !file.findings().are_implausible();
     let area = lines.first().and_then(|line| line.values.first()?.as_ref().ok());
     let mark = at.pressure(&file.scene).zip(area).and_then(|(pressure, area)| {
         Check::impossible(&model, &file.scene, pressure, area.value()).filter(|_| valid())

@@ -66,7 +66,7 @@ impl Builder {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         if model.id() == Bem::ID {
             return Err(ContactError::Refused {
-                model: model.name().into(),
+                model: model.id().into(),
                 reason: "a table with a bound of its error takes thousands of solutions; use the curve of pressure, tangent and separation at some loads".into(),
             });
         }

@@ -84,7 +84,7 @@ pub fn truth(
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
     if !models.is_empty() && states.all(|state| state == ContactState::default()) {
         let text = format!("{name}: no model has a result");
-        sheet.findings.push(Finding::error("no-result", "", f64::NAN).fact(text));
+        sheet.findings.push(Finding::refusal("no-result", "", f64::NAN).fact(text));
     }
     Ok(())
 }

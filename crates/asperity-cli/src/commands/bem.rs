@@ -16,7 +16,7 @@ use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
-use crate::output::{self, contact_map, print_message, show};
+use crate::output::{self, contact_map, show};
 use crate::scene::LoadedScene;
 
 /// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
@@ -172,7 +172,7 @@ impl BemCommand {
             Ok(bem) => bem,
             Err(error) => bail!("{}: {error}", scene.name),
         };
-        show(bem.note().as_slice());
+        show(&bem.note());
         Ok(bem)
     }
 }
@@ -185,6 +185,6 @@ fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
     let png = map_png(map)?;
     output::write(Some(path), |out| out.write_all(&png))?;
     let (path, label, top) = (path.display(), &map.label, rounded(map.top));
-    print_message("note", &format!("{path}: {label} from yellow to black at {top}"));
+    output::note("picture", format!("{path}: {label} from yellow to black at {top}"));
     Ok(())
 }

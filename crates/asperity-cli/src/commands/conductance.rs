@@ -13,7 +13,7 @@ use super::conductance_picture::picture;
 use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
-use crate::output::print_message;
+use crate::output;
 use crate::scene::LoadedScene;
 
 /// Thermal contact conductance per area, from models and from published correlations
@@ -64,7 +64,7 @@ impl Conductance {
         }
         if self.gas.is_some() && self.gas_parameter.is_none() {
             let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
-            print_message("note", text);
+            output::note("gas-parameter", text);
         }
         let scene = self.open()?;
         let question = Question {

@@ -15,7 +15,7 @@ use crate::input::target::{metres, target};
 use crate::interrupt;
 use crate::output::fit_report::{print_findings, print_notes, table};
 use crate::output::table::Format;
-use crate::output::{self, fit_plot, print_message, progress};
+use crate::output::{self, fit_plot, progress};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -60,9 +60,6 @@ pub struct FitCommand {
 impl FitCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.scene, &[])?;
-        if output::has_error() {
-            bail!("{}: fits need a scene without errors; correct it first", scene.name);
-        }
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
             bail!(
@@ -123,7 +120,7 @@ impl FitCommand {
                 }
                 Err(SceneError::Fit(FitError::Interrupted)) => return Ok((fitted, true)),
                 Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
-                    print_message("warning", &format!("left out: {error}"));
+                    output::warn("left-out", format!("left out: {error}"));
                 }
                 Err(error) => {
                     let place = match &error {

@@ -11,7 +11,7 @@ use clap::Args;
 use crate::input::args::file_ending;
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
-use crate::output::{self, contact_map, print_message};
+use crate::output::{self, contact_map};
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
 #[derive(Debug, Args)]
@@ -73,6 +73,7 @@ impl Generate {
         let gradient = (2.0 * surface.moments().m2).sqrt();
         let odd = [
             (
+                "likely-unit",
                 dx > WIDEST,
                 format!(
                     "--pixel is {} m; write lengths with their unit, for example 0.25um",
@@ -80,6 +81,7 @@ impl Generate {
                 ),
             ),
             (
+                "slope",
                 gradient > 1.0,
                 format!(
                     "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
@@ -87,6 +89,7 @@ impl Generate {
                 ),
             ),
             (
+                "long-waves",
                 self.long > side,
                 format!(
                     "waves up to --long do not fit on the surface of {} m; those up to its side are made",
@@ -94,8 +97,8 @@ impl Generate {
                 ),
             ),
         ];
-        for (_, text) in odd.iter().filter(|(is_so, _)| *is_so) {
-            print_message("warning", text);
+        for (code, _, text) in odd.into_iter().filter(|(_, is_so, _)| *is_so) {
+            output::warn(code, text);
         }
         let map = surface.map([rows, columns])?;
         let shape = map.shape();
@@ -106,7 +109,10 @@ impl Generate {
         }
         contact_map::write(&self.output, &[map.heights().to_vec()], shape)?;
         let text = format!("read it with --unit m --pixel-size {dx:e},{dy:e} --periodic");
-        print_message("note", &format!("{}: heights in m; {text}", self.output.display()));
+        output::note(
+            "heights-in-metres",
+            format!("{}: heights in m; {text}", self.output.display()),
+        );
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use clap::Args;
 use crate::input::args::model_id;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
-use crate::output::{self, plot, print_message};
+use crate::output::{self, plot};
 use crate::scene::LoadedScene;
 
 /// Statistics of a surface against the short-wavelength cut-off.
@@ -95,7 +95,7 @@ impl Scales {
             }
             table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
         }
-        blanks.texts(cutoffs.len()).for_each(|text| print_message("warning", &text));
+        blanks.texts(cutoffs.len()).for_each(|text| output::warn("blank", text));
         Ok(table)
     }
 }

@@ -22,7 +22,7 @@ use crate::input::args::DrawnArgs;
 use crate::input::lists::have_units;
 use crate::input::numbers::{length, share};
 use crate::output::table::Format;
-use crate::output::{self, print_message, progress};
+use crate::output::{self, progress};
 
 const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales, its table";
 
@@ -119,9 +119,7 @@ impl Surface {
         for path in self.scene.iter().chain(&self.heights) {
             output::refuse_to_replace(path, self.force)?;
         }
-        if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
-            print_message("warning", &tilted.message());
-        }
+        output::show(&self.level.and_then(|level| level.tilts(self.periodic)));
         let (working, keys) = (progress("surface"), self.keys());
         if self.scales.is_requested() {
             let path = self.files.first().context("a file was required")?;
@@ -175,7 +173,7 @@ impl Surface {
         if let Some(path) = &self.scene {
             output::write_text(Some(path), &self.scene_text(path, statistics)?)?;
             let text = "materials and nominal area are examples (steel on steel); replace them";
-            print_message("note", &format!("{}: {text}", path.display()));
+            output::note("example-values", format!("{}: {text}", path.display()));
         }
         let output = &self.output.output;
         if output.format == Format::Json {

@@ -65,7 +65,7 @@ fn metre(text: &str) -> Result<f64, String> {
 
 /// Warns of values that look like another unit, by the largest of them.
 pub fn warn_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
-    show(unit_warning(name, values, unit, height_std).as_slice());
+    show(&unit_warning(name, values, unit, height_std));
 }
 
 #[cfg(test)]

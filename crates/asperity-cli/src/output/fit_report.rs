@@ -5,7 +5,7 @@ use asperity::fit::{Data, Fitted, Ranking};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::Free;
 
-use crate::output::print_message;
+use crate::output;
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Notes on bounds that are not given, and remarks on each model; the misfit of the first one is
@@ -13,15 +13,13 @@ use crate::scene::{LoadedScene, NamedModel};
 pub fn print_notes(scene: &LoadedScene, ranking: &Ranking, free: &[Free]) {
     let all = &ranking.models;
     let usual = all.first().map(|one| scene.file.notes_on_bounds(free, one));
-    usual.iter().flatten().for_each(|note| print_message("note", note));
+    usual.iter().flatten().for_each(|note| output::note("bounds", note));
     let hopeless = all.iter().all(|one| one.misfit().is_some());
     let found = all.iter().flat_map(Fitted::findings);
-    for found in found.filter(|one| !hopeless || one.code != "misfit") {
-        print_message(&found.severity.to_string(), &found.message());
-    }
+    output::show(&found.filter(|one| !hopeless || one.code != "misfit").collect::<Vec<_>>());
     let is_ranked = all.iter().any(|one| one.bic.is_some());
     if !hopeless && (is_ranked || all.len() > 1) {
-        print_message("note", &ranking.summary);
+        output::note("ranking", &ranking.summary);
     }
 }
 

@@ -3,6 +3,7 @@
 pub mod contact_map;
 pub mod fit_plot;
 pub mod fit_report;
+mod messages;
 pub mod plot;
 pub mod table;
 
@@ -15,10 +16,13 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use asperity::Finding;
 pub use asperity_answer::once;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
+
+pub use self::messages::{
+    Treatment, accepted, note, print_error, show, strict_failure, treat, warn,
+};
 
 /// Shorter work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -155,36 +159,6 @@ pub fn progress(what: &str) -> ProgressBar {
         }
     });
     bar
-}
-
-/// Whether warnings and notes are left out.
-static QUIET: AtomicBool = AtomicBool::new(false);
-
-/// Leaves warnings and notes out, or prints them.
-pub fn set_quiet(quiet: bool) {
-    QUIET.store(quiet, Ordering::Relaxed);
-}
-
-/// Whether an error was printed.
-static ERROR: AtomicBool = AtomicBool::new(false);
-
-/// Whether an error was printed, so that the results are invalid.
-pub fn has_error() -> bool {
-    ERROR.load(Ordering::Relaxed)
-}
-
-/// A message on standard error; the program goes on where that is closed.
-pub fn print_message(kind: &str, text: &str) {
-    if QUIET.load(Ordering::Relaxed) && matches!(kind, "warning" | "note") {
-        return;
-    }
-    ERROR.fetch_or(kind == "error", Ordering::Relaxed);
-    let _ = writeln!(io::stderr(), "{kind}: {text}");
-}
-
-/// Each finding on a line of standard error.
-pub fn show(found: &[Finding]) {
-    found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::findings::{
 use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use super::{Check, Scene};
+use crate::finding::short;
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime, Request,
     Separation, SeparationUnit, Tolerance, Validity,
@@ -187,7 +188,7 @@ impl Check {
             let meaning = "d, from the mean of the asperity heights";
             check.add_number("separation", value * sigma, "m", meaning);
         }
-        check.add_number("area", area, "m2", format!("real area of contact, by {}", model.name()));
+        check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
         let merging = crowded(model, at, fraction).filter(|_| model.validity().asperities);
         // More area than there is says as much.
@@ -240,9 +241,13 @@ impl Check {
         if w > FLATTENED * r {
             let deep = Finding::warning("deep", "interference_over_radius", w / r)
                 .usual([0.0, FLATTENED])
-                .of_model(model.name())
+                .of_model(model.id())
                 .at(at)
-                .advice("the interference is too large for a spherical-asperity law");
+                .fact(format!(
+                    "the asperities that carry the top 1 % of the load are pressed in by more than {} of their radius",
+                    short(w / r)
+                ))
+                .advice("laws of spherical asperities do not hold so deep");
             self.extend([deep]);
         }
         let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());

@@ -4,9 +4,8 @@ use crate::finding::short;
 use crate::recommended::{DMT, JKR, WHOLE_SURFACE, YIELDING};
 use crate::{At, ContactModel, Finding, KnownDefect, Scene, Severity};
 
-/// Area fractions above which asperities interact (warning), and above which they would overlap
-/// (error).
-pub(super) const CROWDED: [f64; 2] = [0.1, 1.0];
+/// Area fraction above which asperities interact.
+pub(super) const CROWDED: f64 = 0.1;
 /// Number of contacts below which a single realisation differs much from the average.
 pub(super) const FEW: f64 = 30.0;
 /// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
@@ -27,7 +26,7 @@ fn warning(
     field: &'static str,
     value: f64,
 ) -> Finding {
-    Finding::warning(code, field, value).of_model(model.name()).at(at)
+    Finding::warning(code, field, value).of_model(model.id()).at(at)
 }
 
 /// A warning if the model ignores the scene's adhesion or is outside its range of adhesion.
@@ -36,7 +35,7 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
     let Some([least, most]) = model.validity().tabor else {
         let found = Finding::warning("sticks", "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
-            .of_model(model.name())
+            .of_model(model.id())
             .advice(format!(
                 "this model ignores `work_of_adhesion`, which matters here; use {DMT} or {JKR}"
             ));
@@ -46,7 +45,7 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
     let other = if tabor > most { JKR } else { DMT };
     let found = Finding::warning("tabor", "tabor_parameter", tabor)
         .usual([least, most])
-        .of_model(model.name())
+        .of_model(model.id())
         .advice(format!("outside the range of this model; use {other}"));
     (!(least..=most).contains(&tabor)).then_some(found)
 }
@@ -61,12 +60,11 @@ pub(super) fn share_above(multiple: f64) -> f64 {
 
 /// A finding for a load on yielding asperities with an elastic model.
 pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
-    let name = model.name();
-    let remedy = match model.validity().adhesive {
+    let others = match model.validity().adhesive {
         true => format!(
             "; no model has both yielding and adhesion; use `{YIELDING}` if `adhesion_parameter` is above {HIDDEN}"
         ),
-        false => format!("`; use {YIELDING}`"),
+        false => format!("`; to describe it, use {YIELDING}`"),
     };
     let carriers = match model.validity().asperities {
         true => "yielding asperities",
@@ -78,7 +76,8 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         .usual([0.0, YIELDS[0]])
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
         .advice(format!(
-            "`{name}` ignores yielding and underestimates the area at this load{remedy}"
+            "`{}` ignores yielding, and its area is right only by chance{others}",
+            model.id()
         ));
     (share > YIELDS[0]).then_some(found)
 }
@@ -97,7 +96,7 @@ pub(super) fn missed(
         .fact(format!(
             "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
         ))
-        .advice(format!("`{}` {summary}", model.name()));
+        .advice(format!("`{}` {summary}", model.id()));
     (share > MISSED).then_some(found)
 }
 
@@ -110,7 +109,7 @@ pub(super) fn beyond_fit(
     plastic: bool,
 ) -> Option<Finding> {
     let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
-    let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
+    let (name, limit, percent) = (model.id(), short(holds_to), short(100.0 * share));
     let found = warning((model, at), "beyond-fit", "interference_over_critical", x)
         .severity(Severity::Note)
         .usual([0.0, holds_to])
@@ -121,30 +120,35 @@ pub(super) fn beyond_fit(
     (share > BEYOND).then_some(found)
 }
 
+/// A warning where contacts merge, or where the asperities have more area than there is.
 pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
-    let severity = match fraction {
-        f if f > CROWDED[1] => Severity::Error,
-        f if f > CROWDED[0] => Severity::Warning,
-        _ => return None,
+    let (area, meaning) = match fraction {
+        f if f > 1.0 => (format!("{} times", short(f)), "no contact has so much"),
+        f => (format!("{} % of", short(100.0 * f)), "contacts merge"),
     };
-    let found = warning((model, at), "crowded", "area_fraction", fraction).severity(severity);
-    let advice = format!(
-        "contacts merge, and models of independent asperities do not hold; use `{WHOLE_SURFACE}`"
-    );
-    Some(found.usual([0.0, CROWDED[0]]).advice(advice))
+    let found = warning((model, at), "crowded", "area_fraction", fraction)
+        .usual([0.0, CROWDED])
+        .fact(format!("the real area is {area} the nominal area"))
+        .advice(format!(
+            "{meaning}, and models of independent asperities do not hold; use `{WHOLE_SURFACE}`"
+        ));
+    (fraction > CROWDED).then_some(found)
 }
 
 /// A warning for a mean pressure that exceeds any hardness.
 pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
     let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
+        .fact(format!("the mean pressure on the real area is {} times the hardness", short(ratio)))
         .advice(format!("the contacts would yield, and the real area is larger`; use {YIELDING}`"));
     (ratio > PLASTIC).then_some(found)
 }
 
 pub(super) fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Finding {
-    let advice =
-        "with so few contacts, the scatter between samples exceeds the differences between models";
-    let found = warning((model, at), "few-contacts", "contacts", contacts);
-    found.usual([FEW, f64::INFINITY]).advice(advice)
+    warning((model, at), "few-contacts", "contacts", contacts)
+        .usual([FEW, f64::INFINITY])
+        .fact(format!("about {} asperities touch", short(contacts)))
+        .advice(format!(
+            "with fewer than {FEW}, samples of one surface differ more than the models do"
+        ))
 }

@@ -7,8 +7,8 @@ use crate::recommended::FULL_CONTACT;
 use crate::{At, ContactModel, Finding};
 
 impl Check {
-    /// The finding that a model's real area at a mean pressure is impossible: a load beyond full
-    /// contact (a warning), or more area than the nominal one (an error).
+    /// The warning that a model's real area at a mean pressure is impossible: a load beyond full
+    /// contact, or more area than the nominal one.
     #[must_use]
     pub fn impossible(
         model: &dyn ContactModel,
@@ -21,7 +21,7 @@ impl Check {
             .or_else(|| Self::no_answer(model, pressure, area_fraction))
     }
 
-    /// An error where a model's real area at a pressure exceeds the nominal area.
+    /// A warning where a model's real area at a pressure exceeds the nominal area.
     #[must_use]
     pub fn no_answer(
         model: &dyn ContactModel,
@@ -31,11 +31,11 @@ impl Check {
         if area_fraction.is_nan() || area_fraction <= 1.0 {
             return None;
         }
-        let found = Finding::error("above-nominal", "area_fraction", area_fraction)
-            .usual([0.0, CROWDED[0]])
-            .of_model(model.name())
+        let found = Finding::warning("above-nominal", "area_fraction", area_fraction)
+            .usual([0.0, CROWDED])
+            .of_model(model.id())
             .at(At::Pressure(pressure))
-            .fact(format!("`area_fraction` is {}, above 1", short(area_fraction)))
+            .fact(format!("the real area is {} times the nominal area", short(area_fraction)))
             .advice(format!(
                 "check the units of modulus and load; at such loads use `{FULL_CONTACT}`"
             ));
@@ -78,7 +78,7 @@ pub(super) fn beyond_full_contact(
     let found = Finding::warning("beyond-full-contact", "pressure", value)
         .usual([0.0, limit])
         .unit("Pa")
-        .of_model(model.name())
+        .of_model(model.id())
         .at(at)
         .fact(fact)
         .advice(advice);

@@ -1,7 +1,7 @@
 //! Numbers outside their usual range, and the unit that explains them.
 
+use crate::Finding;
 use crate::finding::short;
-use crate::{Finding, Severity};
 
 /// A unit that users may give in place of SI: name, and value in SI units. Lists start with the
 /// likeliest.
@@ -50,11 +50,11 @@ impl Input {
         self.units.iter().copied().find(|(_, factor)| makes_sense(value * factor))
     }
 
-    /// The finding of a value in these likely units, if there are any: an error ten times outside
-    /// the usual range, otherwise a warning.
+    /// The finding of a value in these likely units, if there are any; ten times outside the usual
+    /// range the value is implausible.
     pub(super) fn in_unit(&self, value: f64, units: &[Unit]) -> Finding {
         let found = Finding::warning(UNUSUAL, self.field, value).usual(self.usual).unit(self.si);
-        let found = found.severity(severity(value, self.usual)).advice(self.advice);
+        let found = found.implausible(implausible(value, self.usual)).advice(self.advice);
         match units {
             [] => found,
             units => found.likely_unit(likely(value, units, self.si)),
@@ -69,9 +69,9 @@ pub(super) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
     (from..=to).contains(&value)
 }
 
-/// An error ten times outside the usual range, otherwise a warning.
-pub(super) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
-    if value < 0.1 * from || value > 10.0 * to { Severity::Error } else { Severity::Warning }
+/// Whether a value is ten times outside the usual range.
+pub(super) fn implausible(value: f64, [from, to]: [f64; 2]) -> bool {
+    value < 0.1 * from || value > 10.0 * to
 }
 
 /// "116 looks like GPa; 116 GPa is 1.16e11 Pa", or "200 looks like HV or MPa; 200 HV is 2.115e9 Pa,

@@ -3,7 +3,7 @@
 use super::likely_unit::{Input, PRESSURES};
 use super::moduli::Material;
 use crate::finding::short;
-use crate::{Body, Finding, Findings, Interface, Severity};
+use crate::{Body, Finding, Findings, Interface};
 
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
@@ -65,7 +65,7 @@ impl Interface {
     }
 }
 
-/// Findings of conductivity and resistivity: warnings at most, as no force depends on them.
+/// Findings of conductivity and resistivity, which no force depends on.
 fn conducting(
     conductivity: Option<f64>,
     resistivity: Option<f64>,
@@ -73,5 +73,5 @@ fn conducting(
     let thermal = conductivity.and_then(|k| CONDUCTIVITY.finding(k));
     let electrical = resistivity.and_then(|rho| RESISTIVITY.finding(rho));
     let found = thermal.into_iter().chain(electrical);
-    found.map(|found| found.severity(Severity::Warning))
+    found.map(|found| found.implausible(false))
 }

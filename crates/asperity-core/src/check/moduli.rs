@@ -2,7 +2,7 @@
 
 use super::likely_unit::{CHECK_UNIT, Input, PRESSURES, Unit, within};
 use crate::finding::short;
-use crate::{Finding, Findings, HARDNESS_OVER_YIELD, Severity, hardness_of_vickers};
+use crate::{Finding, Findings, HARDNESS_OVER_YIELD, hardness_of_vickers};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -157,7 +157,7 @@ impl Strength {
         let found = Input::new(field, usual, "Pa", &[]).in_unit(value, units);
         if modulus >= PLASTIC && ratio > NO_HARDNESS {
             let advice = format!("{} times the modulus looks like a modulus", short(ratio));
-            return found.severity(Severity::Error).advice(advice);
+            return found.implausible(true).advice(advice);
         }
         let meaning = match within(value, HARDNESS) {
             true => self.over(modulus, by_ratio),
@@ -284,7 +284,7 @@ mod tests {
         for (modulus, hardness) in [(6e8, 8e6), (3e7, 3e5), (210e9, 2e8), (50e9, 1.2e7)] {
             let found = Body::new(modulus, 0.4, hardness).findings();
             let [one] = &found[..] else { panic!("{found:?}") };
-            assert!(one.field == "hardness" && one.severity == Severity::Warning, "{one}");
+            assert!(one.field == "hardness" && !one.is_implausible(), "{one}");
             assert_eq!(one.likely_unit, None, "{one}");
         }
     }
@@ -293,12 +293,12 @@ mod tests {
     fn a_hardness_far_below_that_of_any_metal_is_an_error_which_says_so_once() {
         for hardness in [1.2e6, 9e5, 6e4, 200.0] {
             let mut found = of_hardness(70e9, hardness).unwrap();
-            assert_eq!(found.severity, Severity::Error, "{hardness}");
+            assert!(found.is_implausible(), "{hardness}");
             found.likely_unit = None;
             assert_eq!(found.message().matches(CHECK_UNIT).count(), 1, "{found}");
         }
         let soft = of_hardness(210e9, 2e8).unwrap();
         let wanted = "hardness over modulus is 9.524e-4, where 0.0015 to 0.3 is usual; check the number and its unit";
-        assert!(soft.severity == Severity::Warning && soft.message().ends_with(wanted), "{soft}");
+        assert!(!soft.is_implausible() && soft.message().ends_with(wanted), "{soft}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::likely_unit::{Input, UNUSUAL, Unit, severity, within};
+use super::likely_unit::{Input, UNUSUAL, Unit, implausible, within};
 use crate::finding::{FEW_ASPERITIES, short};
 use crate::{Finding, Findings, Scene, Severity, Surface};
 
@@ -47,10 +47,11 @@ impl Surface {
         if makes_sense(self) {
             return Findings::default();
         }
-        let is_possible = |other: &Self| other.severity() != Severity::Error;
-        let found = self.slip(makes_sense).or_else(|| self.in_one_unit()).or_else(|| {
-            (self.severity() == Severity::Error).then(|| self.slip(is_possible)).flatten()
-        });
+        let is_possible = |other: &Self| !other.is_implausible();
+        let found = self
+            .slip(makes_sense)
+            .or_else(|| self.in_one_unit())
+            .or_else(|| self.is_implausible().then(|| self.slip(is_possible)).flatten());
         found.map_or_else(|| self.apart(), |found| vec![found]).into_iter().collect()
     }
 
@@ -59,7 +60,7 @@ impl Surface {
     }
 
     /// The finding of the one number that in another unit makes a surface that `is_usual`; `None`
-    /// if there is none. Another unit is off by orders of magnitude: an error.
+    /// if there is none. Another unit is off by orders of magnitude.
     fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Finding> {
         let of = |(k, input): (usize, &Input)| {
             let value = self.numbers()[k];
@@ -68,7 +69,7 @@ impl Surface {
                 numbers[k] = x;
                 is_usual(&Self::new(numbers[1], numbers[2], numbers[0]))
             })?;
-            Some(input.in_unit(value, &[unit]).severity(Severity::Error))
+            Some(input.in_unit(value, &[unit]).implausible(true))
         };
         // The number farthest from the middle of its range is reported.
         let distance = |found: &Finding| {
@@ -86,10 +87,9 @@ impl Surface {
         })
     }
 
-    /// The most severe of the criteria: numbers ten times outside their ranges are errors.
-    fn severity(&self) -> Severity {
-        let sizes = self.criteria().into_iter().map(|(input, value)| severity(value, input.usual));
-        sizes.min().unwrap_or(Severity::Warning)
+    /// Whether a criterion is ten times outside its range.
+    fn is_implausible(&self) -> bool {
+        self.criteria().into_iter().any(|(input, value)| implausible(value, input.usual))
     }
 
     /// A finding if all lengths are plausible in another common unit, with densities in its square
@@ -114,10 +114,9 @@ impl Surface {
         let odd = NUMBERS.iter().zip(self.numbers());
         let odd = odd.filter(|(input, value)| !within(*value, input.usual)).count();
         let is_unit = odd > 1 && !(FINE..COARSE).contains(&std);
-        let severity = if is_unit { Severity::Error } else { self.severity() };
         let found = Finding::warning(UNUSUAL, "asperity_height_std", std)
             .usual(NUMBERS[0].usual)
-            .severity(severity)
+            .implausible(is_unit || self.is_implausible())
             .fact(format!(
                 "`asperity_height_std` is {} m, `asperity_radius` {} m",
                 short(std),
@@ -202,7 +201,7 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
     // A likely unit refers to the area alone.
     let few = within(area, AREA.usual) && unit.is_none();
     let (severity, meaning) = match area {
-        a if a > FIELD => (severity(a, [0.0, FIELD]), "no joint is so large".to_string()),
+        a if a > FIELD => (Severity::Warning, "no joint is so large".to_string()),
         a if a > largest => (Severity::Note, "few joints are so large".to_string()),
         a => {
             let (count, few) = (short(a * density), a * density < POPULATION[0]);
@@ -212,7 +211,7 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
     };
     let mut found = Input { usual, ..AREA }.in_unit(area, unit.as_slice()).advice(meaning);
     found.code = if few { FEW_ASPERITIES } else { UNUSUAL };
-    Some(found.severity(severity))
+    Some(found.severity(severity).implausible(implausible(area, [0.0, FIELD])))
 }
 
 #[cfg(test)]
@@ -222,12 +221,14 @@ mod tests {
     /// The first finding, with its severity.
     fn of(radius: f64, density: f64, std: f64) -> String {
         let found = Surface::new(radius, density, std).findings();
-        found.first().map_or_else(String::new, |found| format!("{}: {found}", found.severity))
+        found
+            .first()
+            .map_or_else(String::new, |found| format!("{}: {found}", found.is_implausible()))
     }
 
     #[test]
-    fn lengths_in_millimetres_are_an_error_with_that_unit() {
-        let wanted = "error: asperity_height_std is 8e-4 m, asperity_radius 0.08 m: all lengths look like mm, and the density 800 like 1/mm2; give m and 1/m2";
+    fn lengths_in_millimetres_are_implausible_with_that_unit() {
+        let wanted = "true: asperity_height_std is 8e-4 m, asperity_radius 0.08 m: all lengths look like mm, and the density 800 like 1/mm2; give m and 1/m2";
         assert_eq!(of(0.08, 800.0, 0.0008), wanted);
         let um = of(80.0, 8e-4, 0.8);
         assert!(um.contains("look like um, and the density 8e-4 like 1/um2"), "{um}");

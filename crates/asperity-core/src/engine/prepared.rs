@@ -35,7 +35,7 @@ impl Facts {
         let asperity = scene.asperity()?;
         contact_radii::check(quantities, &scene.interface)?;
         Ok(Arc::new(Self {
-            model: model.name().into(),
+            model: model.id().into(),
             quantities: quantities.clone(),
             laws: Laws::new(model, asperity, quantities, any_load(at), *tolerance)?,
             notes: model.notes(),

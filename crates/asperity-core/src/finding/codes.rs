@@ -1,5 +1,7 @@
 //! What the codes of warnings and notes mean, and what to do.
 
+use crate::text::{nearest_hint, nearest_name};
+
 /// A code of warnings and notes. In its texts, terms stand in backticks for a
 /// [`Dialect`](super::Dialect).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,10 +26,15 @@ impl Code {
         })
     }
 
-    /// The code of this name; `None` if there is none.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::all().find(|code| code.name == name)
+    /// The code of this name.
+    ///
+    /// # Errors
+    /// A message with the nearest name, where there is no such code.
+    pub fn named(name: &str) -> Result<Self, String> {
+        Self::all().find(|code| code.name == name).ok_or_else(|| {
+            let near = nearest_hint(nearest_name(name, Self::all().map(|code| code.name)));
+            format!("{name:?} is no code of a finding{near}: `asperity list findings` lists all")
+        })
     }
 }
 
@@ -46,12 +53,13 @@ mod tests {
         assert!(lines().all(|line| line.split(" | ").count() == 4));
         assert!(Code::all().is_sorted_by(|a, b| a.name < b.name));
         for code in Code::all() {
-            assert_eq!(Code::named(code.name), Some(code));
+            assert_eq!(Code::named(code.name), Ok(code));
             for text in [code.meaning, code.harmless, code.remedy] {
                 assert!(text.len() > 1 && text.ends_with('.'), "{}: {text:?}", code.name);
                 assert_eq!(text.matches('`').count() % 2, 0, "{}: {text:?}", code.name);
             }
         }
-        assert_eq!(Code::named("few-contact"), None);
+        let refused = Code::named("few-contact").unwrap_err();
+        assert!(refused.contains("(the nearest is \"few-contacts\")"), "{refused}");
     }
 }

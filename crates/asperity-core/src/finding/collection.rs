@@ -26,13 +26,13 @@ const SAME_CAUSE: [(&str, &[&str]); 4] = [
 ///     few.usual([30.0, f64::INFINITY]).at(At::Load(load))
 /// };
 /// let mut all: Findings = [few(2.0, 20.0), few(1.0, 10.0)].into_iter().collect();
-/// all.push(Finding::error("unusual-size", "hardness", 2.0).unit("Pa"));
+/// all.push(Finding::refusal("no-value", "", f64::NAN).fact("no model has a value"));
 /// let texts: Vec<_> = all.iter().map(ToString::to_string).collect();
-/// assert_eq!(texts[0], "hardness is 2 Pa");
+/// assert_eq!(texts[0], "no model has a value");
 /// assert_eq!(texts[1], "contacts is 10 in 2 rows, worst at a load of 1 N (usual: at least 30)");
-/// // Errors are not silenced.
-/// assert_eq!(all.clone().silenced(&["few-contacts", "unusual-size"]).len(), 1);
-/// assert_eq!(all.at_least(Severity::Error).len(), 1);
+/// // Refusals are not silenced.
+/// assert_eq!(all.clone().silenced(&["few-contacts", "no-value"]).len(), 1);
+/// assert_eq!(all.at_least(Severity::Refusal).len(), 1);
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Findings(Vec<Finding>);
@@ -51,14 +51,17 @@ impl Findings {
             }
             None => self.0.push(new),
         }
-        self.0.sort_by_key(|found| found.severity);
+        self.0.sort_by_key(|found| (found.severity, !found.implausible));
     }
 
-    /// Without warnings and notes of these codes; errors stay. A scene file names them in `accept`.
+    /// Without warnings and notes of these codes; refusals stay. A scene file names them in `accept`.
     #[must_use]
     pub fn silenced(mut self, codes: &[impl AsRef<str>]) -> Self {
-        let accepted = |found: &Finding| codes.iter().any(|code| code.as_ref() == found.code);
-        self.0.retain(|found| found.severity == Severity::Error || !accepted(found));
+        // More area than there is means no more than contacts that merge.
+        let same = |code: &str, found: &str| code == "crowded" && found == "area-above-nominal";
+        let accepts = |code: &str, found| code == found || same(code, found);
+        let accepted = |found: &Finding| codes.iter().any(|c| accepts(c.as_ref(), found.code));
+        self.0.retain(|found| found.severity == Severity::Refusal || !accepted(found));
         self
     }
 
@@ -67,6 +70,13 @@ impl Findings {
     pub fn at_least(mut self, least: Severity) -> Self {
         self.0.retain(|found| found.severity <= least);
         self
+    }
+
+    /// Whether an input is [implausible](Finding::implausible), which findings about answers may
+    /// follow from.
+    #[must_use]
+    pub fn are_implausible(&self) -> bool {
+        self.0.iter().any(Finding::is_implausible)
     }
 
     /// Without findings about asperities unless `asperities` is set.

@@ -1,4 +1,4 @@
-//! Findings: errors, warnings and notes about scans, scenes, laws and answers.
+//! Findings: refusals, warnings and notes about scans, scenes, laws and answers.
 
 mod codes;
 mod collection;
@@ -19,9 +19,9 @@ use crate::{At, Quantity};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
-    /// Results are invalid until this is corrected.
-    Error,
-    /// Results may be off by more than the models differ.
+    /// There is no value, for the reason in the finding.
+    Refusal,
+    /// Values may be off by more than the models differ.
     Warning,
     /// Information.
     Note,
@@ -30,7 +30,7 @@ pub enum Severity {
 impl fmt::Display for Severity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
-            Self::Error => "error",
+            Self::Refusal => "refusal",
             Self::Warning => "warning",
             Self::Note => "note",
         })
@@ -38,7 +38,8 @@ impl fmt::Display for Severity {
 }
 
 /// Something unusual about an input, a scan, a law or an answer: the number, its usual range, the
-/// consequence and the remedy. Results stand unless the severity is [`Severity::Error`].
+/// consequence and the remedy. Values stand, whatever the severity; a refusal is the reason why there
+/// is none.
 ///
 /// The text is `origin: model: fact where: advice`, without parts that are not set; the default
 /// fact is the number with its usual range. It is made in the terms of its reader
@@ -49,10 +50,10 @@ impl fmt::Display for Severity {
 ///
 /// let found = Finding::warning("few-contacts", "contacts", 12.0)
 ///     .usual([30.0, f64::INFINITY])
-///     .of_model("KE")
+///     .of_model("ke")
 ///     .at(At::Load(1.0))
 ///     .advice("load more");
-/// assert_eq!(found.to_string(), "KE: contacts is 12 at a load of 1 N (usual: at least 30): load more");
+/// assert_eq!(found.to_string(), "ke: contacts is 12 at a load of 1 N (usual: at least 30): load more");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -69,7 +70,7 @@ pub struct Finding {
     pub unit: &'static str,
     /// The usual range; an open bound is 0 or infinite.
     pub usual: [f64; 2],
-    /// The model, by its name in text.
+    /// The model, by its id.
     pub model: Option<String>,
     /// The quantity.
     pub quantity: Option<Quantity>,
@@ -81,21 +82,22 @@ pub struct Finding {
     pub count: usize,
     /// Origin of the inputs: a line of a scene file, a grid.
     pub origin: Option<String>,
-    /// Other models with the same, less severe finding.
+    /// Other models or bodies with the same, not more severe finding.
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
     advice: Cow<'static, str>,
     pub(crate) likely_unit: Option<String>,
+    implausible: bool,
 }
 
 impl Finding {
-    /// A finding that makes results invalid.
+    /// The reason why there is no value.
     #[must_use]
-    pub fn error(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
-        Self::new(Severity::Error, code, field.into(), value)
+    pub fn refusal(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Self::new(Severity::Refusal, code, field.into(), value)
     }
 
-    /// A finding that may put results off by more than the models differ.
+    /// A finding that may put values off by more than the models differ.
     #[must_use]
     pub fn warning(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Self::new(Severity::Warning, code, field.into(), value)
@@ -125,7 +127,21 @@ impl Finding {
             fact: None,
             advice: "".into(),
             likely_unit: None,
+            implausible: false,
         }
+    }
+
+    /// Of an input that no surface or material has, most often by a wrong unit: findings about
+    /// answers are then its consequences and are left out.
+    #[must_use]
+    pub fn implausible(self, implausible: bool) -> Self {
+        Self { implausible, ..self }
+    }
+
+    /// Whether the input is [implausible](Self::implausible).
+    #[must_use]
+    pub fn is_implausible(&self) -> bool {
+        self.implausible
     }
 
     /// With another severity.

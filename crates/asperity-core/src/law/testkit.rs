@@ -27,7 +27,7 @@ pub fn check(
     asperity: &Asperity,
 ) -> Result<Findings, ContactError> {
     let Some(model) = model.asperity_model() else {
-        let (model, quantity) = (model.name().into(), Quantity::Force);
+        let (model, quantity) = (model.id().into(), Quantity::Force);
         return Err(ContactError::NoLaw { model, quantity });
     };
     let tolerance = Tolerance::new(1e-10)?;
@@ -44,7 +44,7 @@ pub fn check(
         let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
         if onset.total_cmp(&wanted).is_ne() {
             let advice = "start it at 0 or, with adhesion, where the force starts";
-            let finding = error("begins", "begins", law.onset, quantity);
+            let finding = fault("begins", "begins", law.onset, quantity);
             let fact = format!("the law of {quantity} starts at x = {}", short(law.onset));
             findings.push(finding.fact(fact).advice(advice));
         }
@@ -63,8 +63,8 @@ pub fn check(
     Ok(findings)
 }
 
-fn error(code: &'static str, field: &'static str, value: f64, quantity: Quantity) -> Finding {
-    Finding::error(code, field, value).of_quantity(quantity)
+fn fault(code: &'static str, field: &'static str, value: f64, quantity: Quantity) -> Finding {
+    Finding::warning(code, field, value).of_quantity(quantity)
 }
 
 fn grid() -> impl Iterator<Item = f64> {
@@ -82,7 +82,7 @@ fn vanishes(quantity: Quantity, law: &Law, findings: &mut Findings) {
     if ratio.is_nan() || ratio.abs() > 1e-6 {
         let fact = format!("the law of {quantity} keeps {} of its value at x = 1", short(ratio));
         let advice = "at x = 0 it must vanish unless the model claims adhesion";
-        let found = error("not-zero-at-zero", "ratio", ratio, quantity);
+        let found = fault("not-zero-at-zero", "ratio", ratio, quantity);
         findings.push(found.fact(fact).advice(advice));
     }
 }
@@ -99,7 +99,7 @@ fn bad_values(quantity: Quantity, part: &Part, findings: &mut Findings) {
                 short(at)
             );
             let found =
-                error("bad-value", "value", value[0], quantity).of_law(part.name.to_string());
+                fault("bad-value", "value", value[0], quantity).of_law(part.name.to_string());
             findings.push(found.fact(fact).advice("parts must be finite and at least 0"));
             return;
         }
@@ -117,13 +117,13 @@ fn validity(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings:
         let found = law.value_unit * shape(law, 1e-7) / hertz;
         if found.is_nan() || (found / claimed - 1.0).abs() > 1e-9 {
             let fact = format!("force tends to {found} times Hertz' law");
-            let off = error("not-hertz", "hertz_limit", found, Quantity::Force);
+            let off = fault("not-hertz", "hertz_limit", found, Quantity::Force);
             findings.push(off.fact(fact).advice(format!("the model claims {claimed}")));
         }
     }
 }
 
-/// Where the force of a positive law first falls as the interference grows: an error if the model
+/// Where the force of a positive law first falls as the interference grows: a warning if the model
 /// claims that it does not.
 fn falls(law: &Law, claimed: bool) -> Option<Finding> {
     // A law may be flat; rounding may not count as falling.
@@ -135,7 +135,7 @@ fn falls(law: &Law, claimed: bool) -> Option<Finding> {
     let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
     let (_, at) = pairs.find(falls).filter(|_| claimed || !law.is_signed())?;
     let found = match claimed {
-        true => Finding::error("not-monotone", "x", at)
+        true => Finding::warning("not-monotone", "x", at)
             .advice("the model claims a monotone force; withdraw the claim or correct the law"),
         false => {
             Finding::note("not-monotone", "x", at).advice("several separations may carry one load")

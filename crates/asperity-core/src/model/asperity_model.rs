@@ -50,9 +50,9 @@ pub trait AsperityModel: Described {
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
         if self.validity().angles {
-            return Err(contact_radii::refused(self.name(), contact_radii::INCLINED));
+            return Err(contact_radii::refused(self.id(), contact_radii::INCLINED));
         }
-        contact_radii::law(self.name(), &self.area(asperity, tolerance)?)
+        contact_radii::law(self.id(), &self.area(asperity, tolerance)?)
     }
 }
 
@@ -72,6 +72,6 @@ impl dyn AsperityModel + '_ {
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
             _ => None,
         };
-        law.ok_or_else(|| ContactError::NoLaw { model: self.name().into(), quantity })
+        law.ok_or_else(|| ContactError::NoLaw { model: self.id().into(), quantity })
     }
 }

@@ -55,7 +55,7 @@ impl dyn ContactModel + '_ {
     ) -> Result<Law, ContactError> {
         match self.asperity_model() {
             Some(model) => model.law(asperity, quantity, tolerance),
-            None => Err(ContactError::NoLaw { model: self.name().into(), quantity }),
+            None => Err(ContactError::NoLaw { model: self.id().into(), quantity }),
         }
     }
 }

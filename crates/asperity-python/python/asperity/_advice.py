@@ -20,7 +20,7 @@ class Finding:
 
     #: The kind of finding: ``unusual-size``, ``crowded``.
     code: str
-    #: ``error``: results are invalid until this is corrected; ``warning``; ``note``.
+    #: ``refusal``: there is no value; ``warning``; ``note``.
     severity: str
     #: The name of the number in scene files.
     field: str
@@ -32,7 +32,7 @@ class Finding:
     message: str
 
     def __str__(self) -> str:
-        return f"{self.severity}: {self.message}"
+        return f"{self.severity}[{self.code}]: {self.message}"
 
 
 @dataclass(frozen=True)

@@ -99,11 +99,14 @@ class Scene:
         separation_from: Literal["asperity-mean", "surface-mean"] = "asperity-mean",
         mean_plane_offset: _Number | None = None,
         options: _Options | None = None,
+        accept: Sequence[str] = (),
     ) -> Scene: ...
     @staticmethod
-    def from_toml(path: str | PathLike[str]) -> Scene: ...
+    def from_toml(path: str | PathLike[str], accept: Sequence[str] = ()) -> Scene: ...
     @staticmethod
-    def parse(text: str, directory: str | PathLike[str] = ".") -> Scene: ...
+    def parse(
+        text: str, directory: str | PathLike[str] = ".", accept: Sequence[str] = ()
+    ) -> Scene: ...
     interface: Final[Interface]
     surface: Final[Surface]
     nominal_area: Final[float]
@@ -111,6 +114,7 @@ class Scene:
     separation_from: Final[Literal["asperity-mean", "surface-mean"]]
     mean_plane_offset: Final[float | None]
     options: Final[dict[str, str | float | dict[str, float]]]
+    accept: Final[tuple[str, ...]]
     def replace(self, **numbers: _Number) -> Scene: ...
     def vary(self, **columns: npt.ArrayLike) -> Scenes: ...
     asperity: Final[Asperity]

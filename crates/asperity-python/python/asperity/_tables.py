@@ -152,11 +152,11 @@ def correlated_conductance(
     columns, (first, last), reason = _asperity.correlated(correlation, rows, roughness)
     found = Correlated(**{name: rows.shaped(column) for name, column in columns.items()})
     if reason is not None and found.holds.size:
-        warn(f"{correlation}: {reason}", 1)
+        warn(f"correlation: {correlation}: {reason}", 1)
     elif not found.holds.all():
         worst = found.relative_pressure[~found.holds].ravel()[0]
         message = (
-            f"{correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
+            f"correlation: {correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
             f"{last:g}"
         )
         warn(message, 1)

@@ -44,11 +44,11 @@ pub(crate) fn check<'py>(
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
 }
 
-/// The check of the scene alone, if its warnings or errors explain the refusal.
+/// The check of the scene alone, if its warnings explain the refusal.
 fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
     let mut checked = file.check(None).ok()?;
     checked.findings.iter().find(|found| found.severity < Severity::Note)?;
-    let refusal = Finding::error("no-answer", "answer", f64::NAN);
+    let refusal = Finding::refusal("no-answer", "answer", f64::NAN);
     checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
     Some(checked)
 }
@@ -66,7 +66,7 @@ pub(crate) fn pull_off(
     let (file, tolerance) = (&scene.0, tolerance(rtol)?);
     let model = engine.on(file)?;
     if !model.validity().adhesive {
-        let name = model.name();
+        let name = model.id();
         return Err(value_error(format!("{name} ignores adhesion: use dmt or jkr-separation")));
     }
     engine.run(py, || {

@@ -140,7 +140,7 @@ impl Asked {
                 (Ok(_), None) => {}
             }
         }
-        found.warnings.extend(check.finish(self.model.name()));
+        found.warnings.extend(check.finish(self.model.id()));
         found
     }
 }

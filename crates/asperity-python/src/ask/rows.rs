@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Findings, Scene, SeparationUnit, Severity};
+use asperity::{At, Case, ContactError, Datum, Finding, Findings, Scene, SeparationUnit, Severity};
 use asperity_inputs::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -136,7 +136,7 @@ impl Rows {
         self.one_file().map(|file| &file.scene)
     }
 
-    /// Warnings and errors that the first scene does not list as accepted, one for each cause.
+    /// Warnings that the first scene does not list as accepted, one for each cause.
     pub(crate) fn accepted(&self, found: Findings) -> Findings {
         // Without rows there may be no scene.
         let found = self.files.first().map_or(found.clone(), |file| file.accepted(found));
@@ -157,11 +157,12 @@ impl Rows {
     }
 
     /// A warning if the separation of largest magnitude has probably another unit.
-    pub(crate) fn mistaken_unit(&self) -> Option<String> {
+    pub(crate) fn mistaken_unit(&self) -> Option<Finding> {
         let largest = largest_magnitude(&self.numbers).to_bits();
         let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
         let height_std = self.scene(row).ok()?.surface.asperity_height_std;
-        self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)
+        let text = self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)?;
+        Some(Finding::warning("likely-unit", "separation", self.numbers[row]).fact(text))
     }
 }
 

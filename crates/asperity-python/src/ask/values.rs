@@ -12,8 +12,8 @@ use pyo3::types::{IntoPyDict, PyDict};
 use crate::ask::advice::check_rows;
 use crate::ask::answer::Aspect;
 use crate::ask::asked::{Arguments, Asked, Failures, ROWS_PER_TASK, arrays, split};
-use crate::convert::Object;
 use crate::convert::axis::Axis;
+use crate::convert::{Object, warning};
 
 /// The model's name on these scenes; quantities of every row, NaN where a row fails, by name; the
 /// failures, and the texts of findings.
@@ -39,9 +39,10 @@ pub(crate) fn answer<'py>(
     let Asked { rows, model, request, .. } = &asked;
     let found = py.detach(|| {
         let of_scenes = if checked { check_rows(&asked) } else { Findings::default() };
-        rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
+        let unit = rows.mistaken_unit().into_iter();
+        rows.accepted(unit.chain(of_scenes).chain(answer.warnings).collect())
     });
-    let texts = rows.mistaken_unit().into_iter().chain(found.iter().map(ToString::to_string));
+    let texts = found.iter().map(warning);
     let columns = arrays(py, request.quantities.iter().zip(answer.columns))?;
     Ok((model.name().into(), columns, asked.failures(py, answer.failures), texts.collect()))
 }

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
-use crate::convert::{Object, Quantities, object, refused, value_error, warn};
+use crate::convert::{Object, Quantities, object, refused, value_error, warn, warn_text};
 use crate::scene::SceneFile;
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
@@ -219,7 +219,7 @@ pub(crate) fn truth<'py>(
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
     for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
         if !refused.contains_key(model.id()) {
-            warn(py, format!("{model}: {why}"), 1)?;
+            warn_text(py, "no-value", format!("{model}: {why}"), 1)?;
             refused.insert(model.id().into(), why.to_string());
         }
     }

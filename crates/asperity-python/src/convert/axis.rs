@@ -4,7 +4,7 @@ use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
 use crate::convert::numbers::largest_magnitude;
-use crate::convert::{value_error, warn};
+use crate::convert::{value_error, warn_text};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -105,6 +105,6 @@ impl Axis {
         above: usize,
     ) -> PyResult<()> {
         let mistaken = self.mistaken_unit(name, numbers, scene.surface.asperity_height_std);
-        mistaken.map_or(Ok(()), |text| warn(py, text, above))
+        mistaken.map_or(Ok(()), |text| warn_text(py, "likely-unit", text, above))
     }
 }

@@ -3,7 +3,7 @@
 pub(crate) mod axis;
 pub(crate) mod numbers;
 
-use asperity::{ContactError, Quantity, Request, Tolerance};
+use asperity::{ContactError, Finding, Quantity, Request, Tolerance};
 use asperity_quadrature::QuadratureError;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
@@ -50,8 +50,23 @@ pub(crate) fn refused(error: ContactError) -> PyErr {
 }
 
 /// Emits a `ContactWarning` at the line that calls the package, `above` frames of the package up.
-pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize) -> PyResult<()> {
-    py.import("asperity._warn")?.call_method1("warn", (message.to_string(), above)).map(drop)
+pub(crate) fn warn(py: Python<'_>, found: &Finding, above: usize) -> PyResult<()> {
+    py.import("asperity._warn")?.call_method1("warn", (warning(found), above)).map(drop)
+}
+
+/// Likewise, a sentence of its own.
+pub(crate) fn warn_text(
+    py: Python<'_>,
+    code: &'static str,
+    text: String,
+    above: usize,
+) -> PyResult<()> {
+    warn(py, &Finding::warning(code, "", f64::NAN).fact(text), above)
+}
+
+/// The text of a warning, which filters of warnings find by its code.
+pub(crate) fn warning(found: &Finding) -> String {
+    format!("{}: {found}", found.code)
 }
 
 /// The dict, list or number of a serialisable value; None for NaN. Keys are sorted.

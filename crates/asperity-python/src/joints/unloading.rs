@@ -151,7 +151,7 @@ impl Unloading {
             let work = self.whole.work(closest)?;
             Ok((work, self.whole.energy_gain(closest, &work)?))
         })?;
-        gain.map_or(Ok(()), |gain| warn(py, gain.finding(), 0))?;
+        gain.map_or(Ok(()), |gain| warn(py, &gain.finding(), 0))?;
         Ok(work)
     }
 

@@ -44,6 +44,8 @@ use arguments::{Heights, OptionValue, inputs, inputs_in_si};
 ///     Options of the models, as in the section [options] of a scene file. With
 ///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
 ///     have the joint distribution of an isotropic Gaussian surface with these moments.
+/// accept : sequence of str
+///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
 ///
 /// Examples
 /// --------
@@ -63,9 +65,9 @@ impl SceneFile {
     #[pyo3(
         signature = (
             interface, surface, nominal_area, heights=None, separation_from="asperity-mean",
-            mean_plane_offset=None, options=None
+            mean_plane_offset=None, options=None, accept=vec![]
         ),
-        text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None)"
+        text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=())"
     )]
     fn new(
         interface: &Object<'_>,
@@ -75,6 +77,7 @@ impl SceneFile {
         separation_from: &str,
         mean_plane_offset: Option<&Object<'_>>,
         options: Option<BTreeMap<String, OptionValue>>,
+        accept: Vec<String>,
     ) -> PyResult<Self> {
         let scene = asperity::Scene::new(
             instance("interface", interface)?,
@@ -95,7 +98,8 @@ impl SceneFile {
         for (name, value) in options.unwrap_or_default() {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }
-        let file = file.with_inputs([]).map_err(refused)?;
+        let file = file.with_inputs([]).map_err(refused)?.accepting(&accept);
+        let file = file.map_err(value_error)?;
         // Refuses separations from the mean plane for heights without one.
         file.separation(0.0, SeparationUnit::Metres)
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
@@ -103,18 +107,27 @@ impl SceneFile {
         Ok(Self(Arc::new(file)))
     }
 
-    /// Reads a scene file and the files it names.
+    /// Reads a scene file and the files it names; warnings of the codes in ``accept`` are not emitted.
     #[staticmethod]
-    fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+    #[pyo3(signature = (path, accept=vec![]), text_signature = "(path, accept=())")]
+    fn from_toml(py: Python<'_>, path: PathBuf, accept: Vec<String>) -> PyResult<Self> {
         found(&path)?;
-        Self::read(py, py.detach(|| asperity_inputs::load(&path)))
+        Self::read(py, py.detach(|| asperity_inputs::load(&path)), &accept)
     }
 
     /// Reads a scene from the text of a scene file; relative paths in it begin at ``directory``.
     #[staticmethod]
-    #[pyo3(signature = (text, directory=PathBuf::from(".")), text_signature = "(text, directory='.')")]
-    fn parse(py: Python<'_>, text: &str, directory: PathBuf) -> PyResult<Self> {
-        Self::read(py, py.detach(|| asperity_inputs::parse(text, &directory)))
+    #[pyo3(
+        signature = (text, directory=PathBuf::from("."), accept=vec![]),
+        text_signature = "(text, directory='.', accept=())"
+    )]
+    fn parse(
+        py: Python<'_>,
+        text: &str,
+        directory: PathBuf,
+        accept: Vec<String>,
+    ) -> PyResult<Self> {
+        Self::read(py, py.detach(|| asperity_inputs::parse(text, &directory)), &accept)
     }
 
     /// The two bodies.
@@ -163,6 +176,12 @@ impl SceneFile {
     #[getter]
     fn options<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         object(py, &self.0.options.changed())
+    }
+
+    /// Codes of warnings that are not emitted.
+    #[getter]
+    fn accept<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, &self.0.accept)
     }
 
     /// A copy with other numbers, by the names of a scene file: those of ``Interface`` and
@@ -241,7 +260,7 @@ impl SceneFile {
     /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
     /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
     /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
-    /// ('error', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
+    /// ('warning', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
     #[pyo3(
         signature = (*args, **kwargs),
         text_signature = "(self, model=None, separation=None, *, load=None, pressure=None, separation_unit='asperity_height_std')"
@@ -265,6 +284,7 @@ impl SceneFile {
         arguments.set_item("separation_from", self.separation_from(py)?)?;
         arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
         arguments.set_item("options", self.options(py)?)?;
+        arguments.set_item("accept", self.accept(py)?)?;
         Ok(arguments)
     }
 
@@ -296,8 +316,9 @@ impl SceneFile {
     fn read(
         py: Python<'_>,
         read: Result<asperity_inputs::SceneFile, asperity_inputs::SceneError>,
+        accept: &[String],
     ) -> PyResult<Self> {
-        let file = read.map_err(value_error)?;
+        let file = read.map_err(value_error)?.accepting(accept).map_err(value_error)?;
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
     }

@@ -8,21 +8,21 @@ use crate::{
 };
 
 impl Recommendation {
-    /// Which model is the simplest within the limit, in one sentence with these names of models.
-    pub fn verdict(&self, name: impl Fn(&Model) -> String) -> String {
+    /// Which model is the simplest within the limit, in one sentence.
+    pub fn verdict(&self) -> String {
         let compared = |model: &&Model| self.comparisons.iter().any(|c| c.model.id() == model.id());
-        let of = format!("within {} % of {}", percent(self.within), name(&self.reference));
+        let of = format!("within {} % of {}", percent(self.within), self.reference.id());
         match (self.simplest.as_ref().filter(compared), &self.merging) {
             (None, _) => format!("no valid model is {of}"),
             (Some(simplest), None) if simplest.id() == self.reference.id() => {
-                format!("no simpler valid model is {of}; use {}", name(simplest))
+                format!("no simpler valid model is {of}; use {}", simplest.id())
             }
             (Some(simplest), None) => {
-                format!("{} is the simplest valid model {of}", name(simplest))
+                format!("{} is the simplest valid model {of}", simplest.id())
             }
             (Some(simplest), Some(_)) => format!(
                 "{} is the simplest model {of}, but no model of asperities is valid where contacts merge",
-                name(simplest)
+                simplest.id()
             ),
         }
     }
@@ -141,7 +141,7 @@ impl Recommendation {
         };
         let basis = expected.first().filter(|_| !parts.is_empty())?.basis();
         let parts: Vec<String> = parts.iter().map(part).collect();
-        Some(format!("{} {} ({basis}{lighter})", model.name(), parts.join("; ")))
+        Some(format!("{} {} ({basis}{lighter})", model.id(), parts.join("; ")))
     }
 
     /// The line for places without evidence, for the same reason.
@@ -171,13 +171,12 @@ fn reason(expected: &Result<ExpectedContact, ContactError>) -> Option<String> {
 
 impl fmt::Display for Recommendation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}", self.verdict(|model| model.name().to_string()))?;
+        writeln!(f, "{}", self.verdict())?;
         let lines = [self.summary(), self.expectations()].concat();
         lines.iter().try_for_each(|line| writeln!(f, "{line}"))?;
-        let width =
-            self.comparisons.iter().map(|c| c.model.name().len()).max().unwrap_or(0).max(12);
+        let width = self.comparisons.iter().map(|c| c.model.id().len()).max().unwrap_or(0).max(12);
         for Comparison { model, deviations, outside, off, .. } in &self.comparisons {
-            write!(f, "  {:width$}", model.name())?;
+            write!(f, "  {:width$}", model.id())?;
             match deviations {
                 Ok(all) => {
                     for (quantity, deviation) in all {
