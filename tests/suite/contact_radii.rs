@@ -113,7 +113,7 @@ fn inclined_contacts_and_missing_inputs_are_refused_by_name() {
             let refused = model.solve(&scene("mild"), &asked).unwrap_err();
             assert!(matches!(refused, ContactError::Unsupported { .. }), "{refused}");
             let message = refused.to_string();
-            let begins = format!("{} cannot give contact radii: ", model.name());
+            let begins = format!("{} cannot give contact radii: ", model.id());
             assert!(message.starts_with(&begins) && message.contains("inclined"), "{message}");
         }
     }

@@ -84,7 +84,7 @@ fn only_the_lateral_models_miss_the_shear_modulus() {
         let answer = model.compile(&scene, &request());
         if model.validity().angles {
             let message = answer.unwrap_err().to_string();
-            let start = format!("equivalent_shear_modulus is missing: {} needs it", model.name());
+            let start = format!("equivalent_shear_modulus is missing: {} needs it", model.id());
             assert!(message == start, "{message}");
         } else {
             assert!(answer.is_ok(), "{model}: {:?}", answer.err());
@@ -224,7 +224,7 @@ fn the_printed_sum_gives_its_negative_values_with_a_warning() {
     let found = found.map(|w| (w.model.as_deref().unwrap(), w.count, w.at.unwrap(), w.value));
     // At d = 30 the elastic part outweighs the rest: positive, if tiny.
     assert!(negative == 3 && forces[2] >= 0.0, "{forces:?}");
-    assert!(found == Some(("AT", 3, At::sigmas(0.0), forces[0])), "{found:?}");
+    assert!(found == Some(("at", 3, At::sigmas(0.0), forces[0])), "{found:?}");
     // The warning of the angle density: 4π ψ falls to -1.27921.
     let notes = model("at").notes();
     let angles = notes

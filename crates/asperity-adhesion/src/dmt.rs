@@ -39,7 +39,7 @@ impl Described for DerjaguinMullerToporov {
 
 impl AsperityModel for DerjaguinMullerToporov {
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        let pull = 2.0 * PI * asperity.adhesion(SOURCE.name)? * asperity.radius;
+        let pull = 2.0 * PI * asperity.adhesion(SOURCE.id)? * asperity.radius;
         let law = GreenwoodWilliamson.force(asperity, tolerance)?;
         if pull == 0.0 {
             return Ok(law);
@@ -51,7 +51,7 @@ impl AsperityModel for DerjaguinMullerToporov {
 
     fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
         // Refuses scenes without a work of adhesion.
-        asperity.adhesion(SOURCE.name)?;
+        asperity.adhesion(SOURCE.id)?;
         GreenwoodWilliamson.area(asperity, tolerance)
     }
 }

@@ -89,7 +89,7 @@ const SEPARATION: Citation = Citation { id: "jkr-separation", name: "JKR separat
 
 /// w_a and w_p; `None` without adhesion.
 fn constants(asperity: &Asperity) -> Result<Option<[f64; 2]>, ContactError> {
-    let (work, r) = (asperity.adhesion(SOURCE.name)?, asperity.radius);
+    let (work, r) = (asperity.adhesion(SOURCE.id)?, asperity.radius);
     let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
     let last = 3.0 * r * (strain * strain).cbrt();
     Ok((work != 0.0).then_some([work, last]))

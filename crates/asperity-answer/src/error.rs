@@ -34,9 +34,11 @@ pub enum AnswerError {
 impl AnswerError {
     /// This error of a model that is known by a name, if it has one.
     pub(crate) fn of_model(self, id: &str) -> Self {
-        match id {
-            "" => self,
-            id => Self::OfModel { id: id.into(), reason: Box::new(self) },
+        match (id, &self) {
+            ("", _) => self,
+            // Its message begins with the model.
+            (id, Self::Contact(ContactError::Refused { model, .. })) if id == model => self,
+            (id, _) => Self::OfModel { id: id.into(), reason: Box::new(self) },
         }
     }
 }

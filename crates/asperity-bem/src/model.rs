@@ -11,7 +11,7 @@ use asperity_core::{
 };
 
 use crate::continuation::{repeated, taken_part};
-use crate::summary::{ContactSummary, NAME, known, refused};
+use crate::summary::{ContactSummary, known, refused};
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
 /// Loads with a smaller relative difference are equal within rounding.
@@ -103,7 +103,7 @@ impl Bem {
 
 const SOURCE: Citation = Citation {
     id: Bem::ID,
-    name: NAME,
+    name: "BEM",
     authors: "Polonsky & Keer",
     year: 1999,
     title: "A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques",
@@ -223,7 +223,7 @@ fn same(one: LoadCase, other: LoadCase) -> bool {
 
 impl Contact for OnScene {
     fn model(&self) -> &str {
-        SOURCE.name
+        SOURCE.id
     }
 
     fn scene(&self) -> &Scene {

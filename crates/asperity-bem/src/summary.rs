@@ -54,12 +54,9 @@ pub(crate) fn known(quantity: Quantity) -> bool {
     quantity.follows_from_totals() || quantity.is_of_joint() || is_slope(quantity)
 }
 
-/// The name of the model.
-pub(crate) const NAME: &str = "BEM";
-
 /// An error of boundary elements as one of the model.
 pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: NAME.into(), reason: error.to_string() }
+    ContactError::Refused { model: crate::Bem::ID.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {

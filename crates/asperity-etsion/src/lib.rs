@@ -116,7 +116,7 @@ mod tests {
             assert_eq!(found.is_some(), expected, "{index}: {found:?}");
             if let Some(found) = found {
                 assert_eq!(found.severity, Severity::Warning);
-                let text = "Etsion underestimates the force by 9 to 17 % there";
+                let text = "etsion underestimates the force by 9 to 17 % there";
                 assert!(found.message().contains(text), "{found}");
             }
         }

@@ -167,8 +167,8 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// Unusual results of a model at these separations or loads; none if an input is implausible, of
-    /// which they may be a consequence.
+    /// Unusual results of a model at these separations or loads; none if an input is implausible,
+    /// of which they may be a consequence.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Findings {
         self.judge(model, || Check::answers(model, &self.scene, places))

@@ -113,7 +113,7 @@ impl ContactModel for Persson {
                 let scan = none.as_ref().and_then(|none| none.as_ref().err());
                 let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
                 let reason = format!(
-                    "`{}` needs it, or a scan,{scan} for stiffness and mean gap",
+                    "`{}` needs it, or a scan, for stiffness and mean gap{scan}",
                     self.id()
                 );
                 Err(ContactError::Missing { field: "hurst_exponent", reason })

@@ -215,7 +215,7 @@ mod tests {
         };
         assert!(at(1e7).contains("use ke or jg"), "{}", at(1e7));
         let merged = at(5e8);
-        assert!(merged.contains("GW ignores yielding") && merged.contains("contacts merge"));
+        assert!(merged.contains("gw ignores yielding") && merged.contains("contacts merge"));
         assert!(!merged.contains("use ke or jg"), "{merged}");
     }
 

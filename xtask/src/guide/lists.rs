@@ -1,7 +1,7 @@
 //! The parts of pages that are written from the code: contents, models and figures.
 
 use anyhow::{Context, Result};
-use asperity::{Described, Model};
+use asperity::{Code, Described, Model};
 
 use super::chapters::{self, ALL, Chapter};
 use super::site::Site;
@@ -71,6 +71,26 @@ pub fn models() -> Result<String> {
         html += &format!("<tr><td>{link}</td>{cells}</tr>\n");
     }
     Ok(html + "</tbody></table></div>\n")
+}
+
+/// All codes of findings, with what they mean and what to do.
+#[must_use]
+pub fn findings() -> String {
+    let marked = |text: &str| {
+        let parts = text.split('`').enumerate();
+        let part = |(k, part): (usize, &str)| match k % 2 {
+            0 => escape(part),
+            _ => format!("<code>{}</code>", escape(part)),
+        };
+        parts.map(part).collect::<String>()
+    };
+    let entry = |Code { name, meaning, harmless, remedy }: Code| {
+        let [meaning, harmless, remedy] = [meaning, harmless, remedy].map(marked);
+        format!(
+            "<h3 id=\"{name}\"><code>{name}</code></h3>\n<p>{meaning}</p>\n<p>Harmless: {harmless}</p>\n<p>To do: {remedy}</p>\n"
+        )
+    };
+    Code::all().map(entry).collect()
 }
 
 /// Every committed figure under its title.

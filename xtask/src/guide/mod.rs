@@ -107,6 +107,7 @@ fn html_of(chapter: &Chapter, pieces: &[Piece], folder: &Path, site: &mut Site) 
                 html += &markdown::render(text, &outline.headings, resolve)?;
             }
             Piece::Drawn("list of models") => html += &lists::models()?,
+            Piece::Drawn("list of findings") => html += &lists::findings(),
             Piece::Drawn("list of figures") => html += &lists::figures(site)?,
             Piece::Drawn(laws) => {
                 let (svg, alt) = laws::draw(laws)?;

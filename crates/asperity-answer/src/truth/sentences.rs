@@ -143,7 +143,7 @@ fn lines(
         let (all, different) = (both.len(), both.iter().filter(|pair| !inside(pair)).count());
         let (scan, table) =
             both.into_iter().reduce(|(a, b), (c, d)| (a.with(c, quantity), b.with(d, quantity)))?;
-        let (name, scan, table) = (model.name(), scan.words(quantity), table.words(quantity));
+        let (name, scan, table) = (model.id(), scan.words(quantity), table.words(quantity));
         let verdict = match different {
             0 => "the solved surfaces agree".into(),
             some if some == all => "the solved surfaces differ".into(),

@@ -60,7 +60,7 @@ fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
     let heavy = contact.evaluate(Quantity::Area, At::Pressure(UNIT)).unwrap_err().to_string();
     assert!(heavy.contains("less than the hardness"), "{heavy}");
     let contacts = bem.compile(&scene(), &Request::new([Quantity::Contacts])).unwrap_err();
-    assert!(contacts.to_string().starts_with("BEM cannot give contacts (available: force,"));
+    assert!(contacts.to_string().starts_with("bem cannot give contacts (available: force,"));
     let mut soft = scene();
     soft.interface.equivalent_modulus = -1.0;
     let refused = bem.compile(&soft, &request).unwrap_err().to_string();

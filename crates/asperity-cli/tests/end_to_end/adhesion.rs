@@ -64,7 +64,7 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     let (force, place) = (column(&run.out, "force_N"), column(&run.out, "separation_over_sigma"));
     assert!(force[1].to_bits() == found.force.value().to_bits());
     assert!(place[1].to_bits() == found.separation.value.to_bits());
-    assert!(run.messages.contains("note: tabor_parameter is 1733"), "{}", run.messages);
+    assert!(run.messages.contains("note[adhesion]: tabor_parameter is 1733"), "{}", run.messages);
     let one = 1.5 * std::f64::consts::PI * 1e-4 * 0.05 * 1e5;
     let (_, left) =
         run.messages.split_once("jkr-separation: roughness reduces the tension to ").unwrap();
@@ -106,7 +106,10 @@ fn tensions_are_loads_below_0() {
     let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").messages;
     assert!(!largest.contains("negative"), "{largest}");
     let several = bench.run("curve soft.toml --model gw,persson --load -5").messages;
-    assert!(several.contains("warning: gw, persson carry no tension; use dmt"), "{several}");
+    assert!(
+        several.contains("warning[no-tension]: gw, persson carry no tension; use dmt"),
+        "{several}"
+    );
     let refused = bench.run("solve soft.toml --model gw --load -5").messages;
     assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
     for load in ["-1N", "-1kN"] {
@@ -124,7 +127,10 @@ fn curves_and_recommendations_name_the_adhesive_model_to_use() {
     for arguments in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
         let run = bench.run(arguments);
         let all = run.out + &run.messages;
-        assert!(all.contains("note: tabor_parameter is 1733: use jkr"), "{arguments}: {all}");
+        assert!(
+            all.contains("note[adhesion]: tabor_parameter is 1733: use jkr"),
+            "{arguments}: {all}"
+        );
         assert!(all.contains("other models ignore work_of_adhesion"), "{arguments}: {all}");
     }
     let quiet = bench.run("curve soft.toml --model jkr --separation 1").messages;

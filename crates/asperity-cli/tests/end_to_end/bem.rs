@@ -142,8 +142,8 @@ fn coarse_grids_have_a_warning_and_refine_adds_columns() {
     let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     for arguments in [
-        "note: the edges of the scan do not match",
-        "warning: 96 x 96 pixels: the shortest waves are",
+        "note[periodic-part]: the edges of the scan do not match",
+        "warning[short-waves]: 96 x 96 pixels: the shortest waves are",
         " in contact in 2 rows, worst at a pressure of 1e6 Pa",
         ": at least 30 are needed",
         ": at least 100 are needed",
@@ -217,11 +217,11 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
         ("curve none.toml --model bem --pressure 1e6", "surface.file is missing"),
         (
             "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
-            "BEM cannot give contacts",
+            "bem cannot give contacts",
         ),
         (
             "export scan.toml --model bem --as csv --pressure 1e6:1e7:4",
-            "BEM: a table with a bound of its error takes thousands of solutions; use the curve of",
+            "bem: a table with a bound of its error takes thousands of solutions; use the curve of",
         ),
         ("bem nowhere.toml --pressure 1e6", "cannot be read"),
     ] {

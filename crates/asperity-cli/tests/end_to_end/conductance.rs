@@ -18,7 +18,7 @@ fn the_list_of_models_is_what_is_printed() {
     // A model that lacks a property of the scene leaves the others.
     assert_eq!(ids("dmt,ke,ghaednia,cmy"), "ke cmy");
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt,ke");
-    let why = "warning: left out: dmt: work_of_adhesion is missing: DMT needs it";
+    let why = "warning[left-out]: left out: dmt: work_of_adhesion is missing: dmt needs it";
     assert!(run.messages.contains(why), "{}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt");
     assert_eq!(run.code, Some(1), "{}", run.messages);
@@ -96,7 +96,10 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
         ))
     };
     let unsaid = printed("").messages;
-    assert!(unsaid.contains("note: --gas-parameter is missing and taken as 0"), "{unsaid}");
+    assert!(
+        unsaid.contains("note[gas-parameter]: --gas-parameter is missing and taken as 0"),
+        "{unsaid}"
+    );
     assert!(!run.messages.contains("--gas-parameter"), "{}", run.messages);
     bench.write(
         "soft.toml",
@@ -105,7 +108,7 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
     assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
-    let elastic = "note: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
+    let elastic = "note[default-model]: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
     assert!(soft.messages.contains(elastic), "{}", soft.messages);
     // The only one of the list is missed with its reason, also under --quiet.
     let alone =
@@ -158,11 +161,10 @@ fn unlikely_numbers_are_named_with_their_unit() {
     let run = bench.run(&format!("{asked} --conductivity 50000"));
     assert_eq!(run.code, Some(2), "given twice: {}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50000 --pressure 1MPa");
-    let unusual =
-        "warning: thermal_conductivity is 50000 W/(m K) (usual: 0.01 to 3000): 50000 looks like mW";
+    let unusual = "warning[unusual-size]: thermal_conductivity is 50000 W/(m K) (usual: 0.01 to 3000): 50000 looks like mW";
     assert!(run.messages.contains(unusual), "{}", run.messages);
     let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026"));
-    let wanted = "note: cmy: sigma is 1.4e-6 m and the mean slope m 0.14, as given";
+    let wanted = "note[gap-roughness]: cmy: sigma is 1.4e-6 m and the mean slope m 0.14, as given";
     assert!(run.messages.contains(wanted), "{}", run.messages);
     let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 14% --gas 0.026"));
     assert!(!run.messages.contains("looks like"), "{}", run.messages);

@@ -14,14 +14,15 @@ fn models_that_the_scene_does_not_allow_are_named() {
     let arguments = &run.messages;
     for id in ["gao", "at", "at-additive", "at-overlap"] {
         assert!(
-            arguments.contains(&format!("note: left out: {id}: equivalent_shear_modulus")),
+            arguments
+                .contains(&format!("note[left-out]: left out: {id}: equivalent_shear_modulus")),
             "{arguments}"
         );
     }
     let refused = bench.run("curve scene.toml --model gw,gao");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
     assert!(
-        refused.messages.contains("scene.toml: equivalent_shear_modulus is missing: Gao needs it")
+        refused.messages.contains("scene.toml: equivalent_shear_modulus is missing: gao needs it")
     );
 }
 
@@ -101,7 +102,7 @@ fn facts_about_a_model_are_not_repeated_with_results() {
     let run = bench.run("curve scene.toml --model gao,at --separation 2");
     assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
     let models = bench.data("models --format json");
-    assert!(models.contains("Gao: the angle density falls to 4 pi psi"), "{models}");
+    assert!(models.contains("gao: the angle density falls to 4 pi psi"), "{models}");
 }
 
 #[test]

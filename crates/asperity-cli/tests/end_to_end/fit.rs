@@ -29,11 +29,15 @@ fn a_curve_of_the_program_returns_its_scene() {
     for (found, truth) in column(&run.out, "value").iter().zip([1.7e-6, 2e9]) {
         assert!((found / truth - 1.0).abs() < 1e-8, "{}", run.out);
     }
-    let usual = "note: hardness is varied from 6.667e7 to 6e10 Pa by default";
+    let usual = "note[bounds]: hardness is varied from 6.667e7 to 6e10 Pa by default";
     assert!(run.messages.contains(usual), "{}", run.messages);
     assert!(!run.messages.contains("asperity_height_std is varied"), "{}", run.messages);
-    assert!(run.messages.contains("note: ke fits best by BIC, clearly before"), "{}", run.messages);
-    let hard = "warning: gw: hardness is not determined: it does not change the data";
+    assert!(
+        run.messages.contains("note[ranking]: ke fits best by BIC, clearly before"),
+        "{}",
+        run.messages
+    );
+    let hard = "warning[undetermined]: gw: hardness is not determined: it does not change the data";
     assert!(run.messages.contains(hard), "{}", run.messages);
     let found: Value =
         serde_json::from_str(&bench.data(&format!("{arguments} --format json"))).unwrap();
@@ -70,11 +74,11 @@ fn one_target_answers_the_inverse_question_or_says_why_not() {
         "fit scene.toml --free asperity_height_std --target area_fraction=60% --pressure 5MPa --model gw",
     );
     assert!(gw.code == Some(1) && gw.messages.contains("no model reaches"), "{}", gw.messages);
-    assert!(!gw.messages.contains("GW ignores yielding"), "{}", gw.messages);
+    assert!(!gw.messages.contains("gw ignores yielding"), "{}", gw.messages);
     let run = ask("0.1%");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     assert!(run.messages.contains("no model reaches the target"), "{}", run.messages);
-    let why = "warning: ke: area_fraction = 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
+    let why = "warning[unreachable]: ke: area_fraction = 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
     assert!(run.messages.contains(why), "{}", run.messages);
 }
 
@@ -129,7 +133,7 @@ fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
     let fit = "fit scene.toml data.csv --format csv --free";
     let run = bench.run(&format!("{fit} asperity_height_std=2um:9um"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    let bound = "warning: ke: asperity_height_std is at its lower bound of 2e-6 m";
+    let bound = "warning[limits]: ke: asperity_height_std is at its lower bound of 2e-6 m";
     assert!(run.messages.contains(bound), "{}", run.messages);
     let template = asperity_inputs::template();
     let (before, rest) = template.split_once("asperity_radius = 2e-4").unwrap();
@@ -142,7 +146,8 @@ fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
     bench.write("scene.toml", &format!("{before}{iso}{after}"));
     let run = bench.run(&format!("{fit} sq"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    let limit = "warning: ke: sq stops at 1.87e-6 m: below it, sq (times spd/spc) would be ";
+    let limit =
+        "warning[limits]: ke: sq stops at 1.87e-6 m: below it, sq (times spd/spc) would be ";
     assert!(run.messages.contains(limit), "{}", run.messages);
     assert!(run.messages.contains("whose bandwidth is at least 1.5"), "{}", run.messages);
     assert!(!run.messages.contains("not determined"), "{}", run.messages);
@@ -157,7 +162,7 @@ fn a_hardness_starts_from_the_yield_strength() {
     for free in ["hardness", "body1_hardness"] {
         let run = bench.run(&format!("fit scene.toml data.csv --free {free} --format csv"));
         assert_eq!(run.code, Some(0), "{}", run.messages);
-        let varied = format!("note: {free} is varied from 6.533e7 to 5.88e10 Pa");
+        let varied = format!("note[bounds]: {free} is varied from 6.533e7 to 5.88e10 Pa");
         assert!(run.messages.contains(&varied), "{}", run.messages);
     }
 }

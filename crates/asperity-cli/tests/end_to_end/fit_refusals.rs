@@ -118,7 +118,7 @@ fn a_model_without_the_quantity_is_left_out_among_others() {
     let fit = "fit scene.toml data.csv --free asperity_height_std --format csv --model";
     let run = bench.run(&format!("{fit} gao,ke"));
     assert_eq!((run.code, cells(&run.out, "model")), (Some(0), vec!["ke"]), "{}", run.messages);
-    assert!(run.messages.contains("warning: left out: gao has no value for the data"));
+    assert!(run.messages.contains("warning[left-out]: left out: gao has no value for the data"));
     let run = bench.run(&format!("{fit} gao"));
     assert!(run.code == Some(1) && run.messages.contains("gao has no value for the data at any"));
 }
@@ -165,7 +165,7 @@ fn one_line_that_the_others_contradict_is_named() {
     let rows = stiffness_rows(&bench);
     let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
     for (factor, code, kind) in
-        [(100.0, 1, "error: data.csv: ke: no values"), (2.0, 0, "warning: ke: line 4")]
+        [(100.0, 1, "error: data.csv: ke: no values"), (2.0, 0, "warning[outlier]: ke: line 4")]
     {
         let rows = rows.iter().enumerate();
         write_rows(
@@ -189,7 +189,8 @@ fn elastic_models_warn_of_yielding_as_in_curves() {
     let bench = Bench::new();
     write_rows(&bench, stiffness_rows(&bench));
     let run = bench.run("fit scene.toml data.csv --free asperity_height_std --model gw");
-    let yielding = "GW ignores yielding and underestimates the area at this load; use ke or jg";
+    let yielding =
+        "gw ignores yielding, and its area is right only by chance; to describe it, use ke or jg";
     assert!(run.code == Some(0) && run.messages.contains(yielding), "{}", run.messages);
 }
 

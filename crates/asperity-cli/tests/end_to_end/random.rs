@@ -35,7 +35,7 @@ fn one_key_of_the_scene_selects_random_asperities() {
         .data("compare random.toml --model gw,gw-random --reference gw --format csv --load 100");
     assert_eq!(column(&compared, "area_deviation"), [0.0, 0.0]);
     let checked = bench.data("check random.toml --model ke --load 100 --format csv");
-    assert!(checked.contains("real area of contact, by KE random"), "{checked}");
+    assert!(checked.contains("real area of contact, by ke-random"), "{checked}");
     let arguments = "recommend random.toml --model gw,ke --load 10000 --quantity area --format csv";
     let advice = bench.data(arguments);
     assert_eq!(column(&advice, "parts"), [1.0, 4.0], "{advice}");
@@ -48,7 +48,7 @@ fn yielding_under_random_asperities_is_reported_and_not_recommended() {
     let bench = bench();
     let share = "yielding asperities carry 94.72 % of the force at a load of 50000 N";
     let run = bench.run("curve random.toml --model gw --load 50kN");
-    assert!(run.messages.contains(&format!("GW random: {share}")), "{}", run.messages);
+    assert!(run.messages.contains(&format!("gw-random: {share}")), "{}", run.messages);
     let run = bench.run("recommend random.toml --load 50kN --quantity tangent --format csv");
     let verdict: Vec<_> =
         cells(&run.out, "model").into_iter().zip(cells(&run.out, "simplest")).collect();

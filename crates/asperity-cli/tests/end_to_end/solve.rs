@@ -117,20 +117,20 @@ fn cancellation_is_reported_with_its_error() {
     assert!((1e-4..0.5).contains(&to), "{to}");
     assert!(
         near.messages.contains(
-            "AT: positive and negative parts of the force cancel at a separation of 3.4637"
+            "at: positive and negative parts of the force cancel at a separation of 3.4637"
         )
     );
-    assert_eq!(near.messages.matches("cancel").count(), 1, "{}", near.messages);
+    assert_eq!(near.messages.matches("[cancelled]").count(), 1, "{}", near.messages);
     // Below the top, at a load.
     let force =
         column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
     let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
     let top = run(&format!("solve scene.toml --load {load:e},20"));
     assert!(
-        top.messages.contains("AT: positive and negative parts of the tangent cancel at a load of")
+        top.messages.contains("at: positive and negative parts of the tangent cancel at a load of")
     );
     assert!(top.messages.contains("the force has an extremum nearby"), "{}", top.messages);
-    assert_eq!(top.messages.matches("cancel").count(), 1, "{}", top.messages);
+    assert_eq!(top.messages.matches("[cancelled]").count(), 1, "{}", top.messages);
     // Nothing is printed elsewhere.
     for arguments in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {
         let arguments = run(arguments).messages;

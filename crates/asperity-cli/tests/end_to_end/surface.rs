@@ -65,7 +65,7 @@ fn only_the_mean_of_a_periodic_scan_is_removed() {
     assert!(plane > 1.1 * usual, "{plane} {usual}");
     let tilted = bench.run(&format!("surface {arguments} --level plane"));
     assert!(
-        tilted.messages.contains("warning: level plane of a periodic surface"),
+        tilted.messages.contains("warning[level]: level plane of a periodic surface"),
         "{}",
         tilted.messages
     );
@@ -77,7 +77,7 @@ fn only_the_mean_of_a_periodic_scan_is_removed() {
     let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
     bench.write("part.txt", &part.join("\n"));
     let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").messages;
-    let wanted = "warning: part.txt: the edges of the scan do not match (step ";
+    let wanted = "warning[open-seam]: part.txt: the edges of the scan do not match (step ";
     assert!(open.contains(wanted), "{open}");
     assert!(!bench.run(&format!("surface {arguments}")).messages.contains("do not match"));
 }
@@ -153,7 +153,11 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
     let arguments = "surface scan.txt --unit um --pixel-size 0.5 --scene made.toml";
     let run = bench.run(arguments);
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("note: made.toml: materials"), "{}", run.messages);
+    assert!(
+        run.messages.contains("note[example-values]: made.toml: materials"),
+        "{}",
+        run.messages
+    );
     let statistics = json(&bench, "scan.txt --unit um --pixel-size 0.5");
     let surface = bench.scene("made.toml").scene.surface;
     assert_eq!(statistics["asperity_height_std"].as_f64(), Some(surface.asperity_height_std));

@@ -35,7 +35,11 @@ fn models_are_compared_with_boundary_elements() {
     }
     // Its shortest waves are 3.5 pixels long.
     let coarse = "models are not ranked: the grid is too coarse for the shortest waves";
-    assert!(run.messages.contains(coarse) && !run.messages.contains("nearest"), "{}", run.messages);
+    assert!(
+        run.messages.contains(coarse) && !run.messages.contains("nearest to"),
+        "{}",
+        run.messages
+    );
 }
 
 #[test]
@@ -71,7 +75,7 @@ fn the_reason_for_a_blank_row_is_reported() {
     let ask = "truth measured.toml --pressure 1e8 --format csv";
     let printed = "ke-random cannot give ";
     let run = bench.run(&format!("{ask} --model ke-random"));
-    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction")[1], "", "{}", run.out);
     assert!(run.messages.contains(printed), "{}", run.messages);
     assert!(run.messages.contains("no model has a result"), "{}", run.messages);
@@ -91,18 +95,19 @@ fn invalid_results_are_reported_and_blank() {
     let soft = scan.replace("116e9", "116").replace("hardness = 5e9\n", "");
     bench.write("soft.toml", &soft);
     let run = bench.run("truth soft.toml --pressure 1e8 --model gw --format csv");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction"), ["1", ""], "{}", run.out);
-    for printed in
-        ["116 looks like GPa", ", above 1 at a pressure of", "error: soft.toml: no model has"]
-    {
+    for printed in [
+        "116 looks like GPa",
+        " times the nominal area at a pressure of",
+        "refusal[no-result]: soft.toml: no model has",
+    ] {
         assert!(run.messages.contains(printed), "{}", run.messages);
     }
     // The reverse: that is printed, and what knows no yielding is as far off as it is.
     bench.write("hard.toml", &scan.replace("116e9", "116e15"));
     let run = bench.run("truth hard.toml --pressure 1e8 --model gw,ke --format csv");
-    // The modulus is an error.
-    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(run.messages.contains("equivalent_modulus is 1.16e17 Pa"), "{}", run.messages);
     assert!(column(&run.out, "area_deviation")[1] < -0.99, "{}", run.out);
 }
@@ -137,9 +142,13 @@ fn the_solved_surfaces_agree_or_differ() {
     for (skewness, shape) in [(0.0, "psi 1."), (-1.0, ", skewness -1")] {
         resolved(&bench, skewness);
         let run = bench.run("truth made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
-        let line = run.messages.lines().find(|line| line.contains("the area by"));
+        let line =
+            run.messages.lines().find(|line| line.contains("ke ") && line.contains("the area by"));
         let line = line.unwrap_or_else(|| panic!("{}", run.messages));
-        assert!(line.starts_with("note: KE ") && line.contains(" on this scan; the "), "{line}");
+        assert!(
+            line.starts_with("note[evidence]: ke ") && line.contains(" on this scan; the "),
+            "{line}"
+        );
         assert!(line.contains("the solved surfaces ") && line.contains(shape), "{line}");
         assert!(line.contains("; boundary elements on "), "{line}");
     }

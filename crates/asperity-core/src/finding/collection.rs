@@ -54,7 +54,7 @@ impl Findings {
         self.0.sort_by_key(|found| (found.severity, !found.implausible));
     }
 
-    /// Without warnings and notes of these codes; refusals stay. A scene file names them in `accept`.
+    /// Without warnings and notes of these codes; refusals stay. Scene files name them in `accept`.
     #[must_use]
     pub fn silenced(mut self, codes: &[impl AsRef<str>]) -> Self {
         // More area than there is means no more than contacts that merge.

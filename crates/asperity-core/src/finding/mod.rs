@@ -38,8 +38,8 @@ impl fmt::Display for Severity {
 }
 
 /// Something unusual about an input, a scan, a law or an answer: the number, its usual range, the
-/// consequence and the remedy. Values stand, whatever the severity; a refusal is the reason why there
-/// is none.
+/// consequence and the remedy. Values stand, whatever the severity; a refusal is the reason why
+/// there is none.
 ///
 /// The text is `origin: model: fact where: advice`, without parts that are not set; the default
 /// fact is the number with its usual range. It is made in the terms of its reader

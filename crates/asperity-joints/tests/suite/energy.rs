@@ -59,7 +59,7 @@ fn energy_gains_of_steep_laws_and_of_jumps() {
         let found = gain(model, law, (0.7, -3.0)).1.unwrap();
         assert!((found.amount - wanted).abs() < 0.006, "{} {law}: {found:?}", model.id());
         let text = found.finding().to_string();
-        let start = format!("{}: by {law}, opening returns ", model.name());
+        let start = format!("{}: by {law}, opening returns ", model.id());
         assert!(text.contains(&start) && text.contains("use another unloading law"), "{text}");
     }
     // Some asperities create energy although the joint dissipates energy.

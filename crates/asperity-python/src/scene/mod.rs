@@ -107,7 +107,8 @@ impl SceneFile {
         Ok(Self(Arc::new(file)))
     }
 
-    /// Reads a scene file and the files it names; warnings of the codes in ``accept`` are not emitted.
+    /// Reads a scene file and the files it names; warnings of the codes in ``accept`` are not
+    /// emitted.
     #[staticmethod]
     #[pyo3(signature = (path, accept=vec![]), text_signature = "(path, accept=())")]
     fn from_toml(py: Python<'_>, path: PathBuf, accept: Vec<String>) -> PyResult<Self> {
