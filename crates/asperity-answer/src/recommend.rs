@@ -89,9 +89,10 @@ impl Recommend<'_> {
         }
         let found = models.iter().flat_map(|model| file.findings_at(*model, &places));
         sheet.report(file, found.collect());
-        let verdict = advice.verdict();
-        let text = format!("{verdict}; models are listed from simplest to most complex");
-        sheet.note("verdict", text);
+        sheet.note("verdict", advice.verdict());
+        if self.reference.is_some() && advice.verdict() != advice.simplest_sentence() {
+            sheet.note("verdict", advice.simplest_sentence());
+        }
         let (compared, all) = (advice.evidence.len(), places.len());
         if compared < all {
             let text = format!(

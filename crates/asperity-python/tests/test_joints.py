@@ -148,7 +148,7 @@ def test_an_energy_gain_is_warned_of_once_a_call_at_the_line_of_the_caller(
         with pytest.warns(asperity.ContactWarning) as seen:
             assert call() > 0.0
         (warning,) = seen
-        text = "AF: by brake, the loss is too small by 1.9 % of the work of closing, "
+        text = "energy-gain: af: by brake, the loss is too small by 1.9 % of the work of closing, "
         assert str(warning.message).startswith(text) and warning.filename == __file__
 
 
@@ -158,7 +158,7 @@ def test_joints_can_be_pickled_and_shown(scene: asperity.Scene) -> None:
     again = pickle.loads(pickle.dumps(slip))
     assert again.force(1e-8) == slip.force(1e-8) and again.friction == 0.25
     assert again.unloading.force(1e-8) == joint.force(1e-8)
-    assert repr(joint).startswith("<asperity.Unloading of JG by brake from 2.")
+    assert repr(joint).startswith("<asperity.Unloading of jg by brake from 2.")
     assert repr(again) == repr(slip) and "friction 0.25" in repr(slip)
 
 
@@ -167,8 +167,8 @@ def test_refusals_name_the_argument(scene: asperity.Scene) -> None:
     joint = ke.unloading(scene, 1.0, "etsion")
     refusals: list[tuple[Any, str]] = [
         (lambda: ke.unloading(scene, 1.0, "mindlin"), 'law: "mindlin" is none of hertz'),
-        (lambda: asperity.model("gao").unloading(scene, 1.0), "Gao cannot give unloading"),
-        (lambda: joint.area(0.1), "KE cannot give an area in unloading by etsion"),
+        (lambda: asperity.model("gao").unloading(scene, 1.0), "gao cannot give unloading"),
+        (lambda: joint.area(0.1), "ke cannot give an area in unloading by etsion"),
         (lambda: joint.force([0.1, -0.1]), "retreat is -"),
         (lambda: joint.slip(0.0), "friction is 0.0"),
         (lambda: joint.slip(0.2).shift_at(1.0), "share is 1.0"),

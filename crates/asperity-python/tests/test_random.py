@@ -56,7 +56,7 @@ def test_advice_comes_with_evidence() -> None:
     assert "stiffness" not in both.evidence and "gap" not in both.evidence
     tangent = asperity.recommend(scene, pressure=[1e8, 1e9], quantities=["tangent"]).evidence
     assert " in stiffness in first loading " in tangent and "the area" not in tangent
-    assert others[0].startswith("KE ") and "the area" in others[0] and "; boundary" in others[0]
+    assert others[0].startswith("ke") and "the area" in others[0] and "; boundary" in others[0]
     light = asperity.recommend(scene, pressure=100.0, quantities=["area"])
     assert light.evidence.startswith("no boundary-element solution is close") and light.off == {}
 

@@ -72,7 +72,7 @@ fn largest(off: &[f64]) -> f64 {
 }
 
 /// The deviations in words: `13 % low`, or `at most 13 % low` at several loads.
-fn words(off: &[f64]) -> String {
+pub(crate) fn words(off: &[f64]) -> String {
     let percent = (100.0 * largest(off)).round();
     let at_most = if off.len() > 1 { "at most " } else { "" };
     let side = match off {

@@ -17,7 +17,8 @@ pub struct Chapter {
     /// Its title.
     pub title: &'static str,
     /// What it shows: a markdown file, one section of it behind ` # `, the comment at the head of
-    /// a Rust file, a file `as code`, a `list of` models, findings or figures, or the `laws` of models.
+    /// a Rust file, a file `as code`, a `list of` models, findings or figures, or the `laws` of
+    /// models.
     pub parts: Vec<&'static str>,
 }
 

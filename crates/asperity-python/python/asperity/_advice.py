@@ -133,7 +133,7 @@ def plan(
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
     >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
-    KE, gaussian heights, 2 rows from a separation of 0 asperity_height_std to a separation of 2 asperity_height_std, relative tolerance 1e-10
+    ke, gaussian heights, 2 rows from a separation of 0 asperity_height_std to a separation of 2 asperity_height_std, relative tolerance 1e-10
       force from the force law: polynomials in the separation
         12 terms a value; 320 samples of the law, once
         elastic: sum of powers

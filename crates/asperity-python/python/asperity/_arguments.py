@@ -175,7 +175,8 @@ def _short(given: Any) -> str:
 
 def shown(given: dict[str, Any]) -> str:
     """The arguments of a scene that differ from the defaults, as text; of a table of heights its size."""
-    usual = {"heights": "gaussian", "separation_from": "asperity-mean", "options": {}}
+    usual: dict[str, Any] = {"heights": "gaussian", "separation_from": "asperity-mean"}
+    usual |= {"options": {}, "accept": ()}
     texts = {name: repr(v) for name, v in given.items() if v is not None and v != usual.get(name)}
     if isinstance(given["heights"], tuple):
         texts["heights"] = f"<table of {len(given['heights'][0])} points>"

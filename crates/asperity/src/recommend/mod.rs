@@ -78,6 +78,9 @@ pub struct Recommendation {
     pub comparisons: Vec<Comparison>,
     /// The finding that contacts of that model merge, if they do.
     pub merging: Option<Finding>,
+    /// The ids of the models nearest to boundary elements in the compared quantities, up to the
+    /// first that is valid there, each with the reason why it is not; empty without evidence.
+    pub nearest: Vec<(String, Option<Finding>)>,
     /// The compared quantities of the request; [`summary`](Self::summary) and
     /// [`expectations`](Self::expectations) are about these only.
     #[serde(skip)]
@@ -97,6 +100,7 @@ impl Recommendation {
             place.ratios.clear();
         }
         self.comparisons.iter_mut().for_each(|found| found.off = None);
+        self.nearest.clear();
         self
     }
 }
@@ -213,10 +217,49 @@ pub fn recommend_among(
     let itself = || outside(reference, scene, &request.at).is_none().then(|| reference.clone());
     let simplest = near.map(|(found, _)| found.model.clone()).or_else(itself);
     let merging = simplest.as_ref().and_then(|model| merging(model, scene, &request.at));
-    let comparisons = comparisons.into_iter().map(|(found, _)| found).collect();
-    let reference = reference.clone();
-    let compared = asked;
-    Ok(Recommendation { reference, within, simplest, merging, comparisons, compared, evidence })
+    let comparisons: Vec<_> = comparisons.into_iter().map(|(found, _)| found).collect();
+    let nearest = nearest(&comparisons, &asked, |model| outside(model, scene, &request.at));
+    let (reference, compared) = (reference.clone(), asked);
+    Ok(Recommendation {
+        reference,
+        within,
+        simplest,
+        merging,
+        comparisons,
+        nearest,
+        compared,
+        evidence,
+    })
+}
+
+/// The models by their largest deviation from boundary elements in these quantities, up to the
+/// first that is valid.
+fn nearest(
+    comparisons: &[Comparison],
+    compared: &[Compared],
+    outside: impl Fn(&Model) -> Option<Finding>,
+) -> Vec<(String, Option<Finding>)> {
+    let largest = |found: &Comparison| -> Option<f64> {
+        let asked = compared.iter().filter(|of| **of != Compared::MeanGap);
+        let off = |of: &Compared| found.off?.in_quantity(*of).map(|[off, _]| off.abs());
+        let all: Vec<f64> = asked.map(off).collect::<Option<_>>()?;
+        all.into_iter().reduce(f64::max)
+    };
+    let has_all = |found: &&Comparison| found.deviations.is_ok() && found.lacking.is_empty();
+    let known = comparisons.iter().filter(has_all);
+    let known = known.filter_map(|found| Some((largest(found)?, &found.model)));
+    let mut near: Vec<(f64, &Model)> = known.collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut found = vec![];
+    for (_, model) in near {
+        let why = outside(model);
+        let is_valid = why.is_none();
+        found.push((model.id().to_string(), why));
+        if is_valid {
+            break;
+        }
+    }
+    found
 }
 
 #[cfg(test)]

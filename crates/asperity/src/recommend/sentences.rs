@@ -4,12 +4,47 @@ use std::fmt;
 
 use crate::{
     AsWritten, Compared, Comparison, ContactError, Described, Dialect, EvidenceAt, ExpectedContact,
-    Model, Ratio, Recommendation, evidence::NONE, ranking,
+    Model, Ratio, Recommendation, evidence::NONE, ranking, ranking::words,
 };
 
 impl Recommendation {
-    /// Which model is the simplest within the limit, in one sentence.
+    /// Which model to use, in one sentence: the nearest to boundary elements or, without evidence,
+    /// the simplest within the limit.
+    #[must_use]
     pub fn verdict(&self) -> String {
+        self.nearest_sentence().unwrap_or_else(|| self.simplest_sentence())
+    }
+
+    /// The model nearest to boundary elements in the requested quantities and, if it does not hold
+    /// here, the nearest that does; `None` without evidence.
+    fn nearest_sentence(&self) -> Option<String> {
+        let text = |id: &str| {
+            let off = self.comparisons.iter().find(|found| found.model.id() == id)?.off?;
+            let words = |(of, name): (Compared, &str)| {
+                Some(format!("{name} {}", words(&[off.in_quantity(of)?[0]])))
+            };
+            let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
+            let all: Vec<String> = asked.filter_map(words).collect();
+            Some(format!("{id} ({})", all.join(", ")))
+        };
+        let (first, outside) = self.nearest.first()?;
+        let (last, invalid) = self.nearest.last()?;
+        let rest = match (outside, invalid) {
+            (None, _) => String::new(),
+            (Some(why), Some(_)) => format!(", but does not hold here (`{}`)", why.code),
+            (Some(why), None) => format!(
+                ", but does not hold here (`{}`); of the models that do, {} is",
+                why.code,
+                text(last)?
+            ),
+        };
+        let text = text(first)?;
+        Some(AsWritten.say(&format!("{text} is nearest to boundary elements{rest}")))
+    }
+
+    /// Which model is the simplest within the limit of the reference, in one sentence.
+    #[must_use]
+    pub fn simplest_sentence(&self) -> String {
         let compared = |model: &&Model| self.comparisons.iter().any(|c| c.model.id() == model.id());
         let of = format!("within {} % of {}", percent(self.within), self.reference.id());
         match (self.simplest.as_ref().filter(compared), &self.merging) {
@@ -172,6 +207,9 @@ fn reason(expected: &Result<ExpectedContact, ContactError>) -> Option<String> {
 impl fmt::Display for Recommendation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.verdict())?;
+        if !self.nearest.is_empty() {
+            writeln!(f, "{}", self.simplest_sentence())?;
+        }
         let lines = [self.summary(), self.expectations()].concat();
         lines.iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width = self.comparisons.iter().map(|c| c.model.id().len()).max().unwrap_or(0).max(12);
