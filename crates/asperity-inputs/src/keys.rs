@@ -106,7 +106,7 @@ keys! {
         work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it"
             also "adhesion adhesion_energy surface_energy energy_of_adhesion gamma"
             "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
-        accept("" "codes of warnings and notes to silence, as in check --format json")
+        accept("" "codes of warnings and notes to silence, as messages show them")
         body("" "two of them, here of steel; one with rigid_counterface = true")
         interface("" "of the two bodies together")
         surface("" "the rough surface, in exactly one of the ways below")

@@ -158,7 +158,7 @@ def test_joints_can_be_pickled_and_shown(scene: asperity.Scene) -> None:
     again = pickle.loads(pickle.dumps(slip))
     assert again.force(1e-8) == slip.force(1e-8) and again.friction == 0.25
     assert again.unloading.force(1e-8) == joint.force(1e-8)
-    assert repr(joint).startswith("<asperity.Unloading of jg by brake from 2.")
+    assert repr(joint).startswith("<asperity.Unloading of JG by brake from 2.")
     assert repr(again) == repr(slip) and "friction 0.25" in repr(slip)
 
 

@@ -36,7 +36,7 @@ def test_models_without_random_asperities_give_the_reason() -> None:
         area(scene, "gao")
     equal = asperity.Scene(scene.interface, scene.surface, scene.nominal_area)
     # Persson's theory describes the whole surface, without asperities.
-    with pytest.warns(asperity.ContactWarning, match="Persson ignores yielding"):
+    with pytest.warns(asperity.ContactWarning, match="persson ignores yielding"):
         np.testing.assert_array_equal(area(scene, "persson"), area(equal, "persson"))
 
 

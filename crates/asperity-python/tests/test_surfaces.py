@@ -167,7 +167,7 @@ def test_outliers_are_reported_first_and_replaced() -> None:
     assert found["m4_share"] > 0.5 and found["largest"] > 10e-6 * heights.std()
     with pytest.warns(asperity.ContactWarning) as recorded:
         statistics = surface.statistics()
-    assert str(recorded[0].message).startswith("12 points are far outside the neighbouring heights")
+    assert str(recorded[0].message).startswith("outliers: 12 points are far outside the neighbouring heights")
     assert statistics["outliers"]["count"] == 12
     despiked = surface.despiked()
     assert despiked.despiked_points == 12 and despiked.outliers()["count"] == 0
