@@ -113,7 +113,7 @@ impl ContactModel for Persson {
                 let scan = none.as_ref().and_then(|none| none.as_ref().err());
                 let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
                 let reason =
-                    format!("the stiffness of `{}`, or its mean gap,{scan} needs it", self.name());
+                    format!("stiffness and mean gap need it or the spectrum of a scan{scan}");
                 Err(ContactError::Missing { field: "hurst_exponent", reason })
             }
         };
