@@ -135,3 +135,12 @@ fn scans_unlike_the_solved_surfaces_have_blank_rows() {
     let reason = "warning: ke-corrected: no value in 2 of 2 rows, first: no boundary-element solution is close: measured_kurtosis is ";
     assert_eq!(run.messages.matches(reason).count(), 1, "{}", run.messages);
 }
+
+#[test]
+fn a_separation_that_the_model_itself_lacks_is_no_failure_of_its_corrected_values() {
+    let bench = Bench::new();
+    let line = "curve scene.toml --model persson --pressure 1e6,1e7 --corrected --format csv";
+    let run = bench.run(&format!("{line} --quantity area"));
+    assert!(cells(&run.out, "area_lower")[2..].iter().all(|cell| !cell.is_empty()), "{}", run.out);
+    assert!(!run.messages.contains("separation"), "{}", run.messages);
+}
