@@ -67,7 +67,7 @@ impl SceneFile {
             !stands_in && !shown.contains(&&*found.field)
         });
         let mut of_interface: Vec<Finding> = of_interface.collect();
-        // The numbers that were given, in place of findings about the asperities that follow from them.
+        // The numbers that were given, in place of findings about asperities that follow from them.
         let asperities = of_interface.iter().filter(|found| of_asperities(found));
         if let Some(worst) = asperities.map(|found| found.severity).min() {
             if let Some(odd) = self.odd_number.clone() {
