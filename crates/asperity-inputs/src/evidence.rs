@@ -56,8 +56,8 @@ impl SceneFile {
     }
 
     /// The given Hurst exponent, or that of the scan (of two surfaces, the rougher one), if its
-    /// spectrum follows a power law. Fitted once: of 1024 x 1024 points it takes a tenth of a second,
-    /// and each corrected model asks for it.
+    /// spectrum follows a power law. Fitted once: of 1024 x 1024 points it takes a tenth of a
+    /// second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
         let fit = || {
             let scan = self.scan.as_deref().or(self.rougher.as_deref())?;

@@ -68,9 +68,9 @@ impl SceneFile {
 
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
-    /// absolute. For numbers changed since reading, the interface replaces the bodies, unless it still
-    /// follows from them; the surface
-    /// keeps the kind of its keys if these were changed, and else has its asperities.
+    /// absolute. For numbers changed since reading, the interface replaces the bodies, unless it
+    /// still follows from them; the surface keeps the kind of its keys if these were
+    /// changed, and else has its asperities.
     ///
     /// ```
     /// use asperity_inputs::{parse, template};
