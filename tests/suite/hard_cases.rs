@@ -147,3 +147,40 @@ fn tangents_far_below_exponential_heights_meet_any_tolerance() {
         }
     }
 }
+
+/// At the end of skewed heights, the rounding of the separation adds more than the tolerance to
+/// every value: the stated bounds tell it alike for all quantities, alone or in a curve.
+#[test]
+fn what_rounding_adds_to_a_tolerance_is_stated_for_every_quantity() {
+    let mut interface = Interface::new(200e9 / 1.82, 0.3, 2e9);
+    interface.pressure_factor = None;
+    let surface = Surface::from_plasticity_index(0.727_361_66, 0.042, 1.3e-7, &interface).unwrap();
+    let mut scene = Scene::new(interface, surface, 1e-4);
+    scene.heights = HeightDistribution::Weibull(asperity::WeibullHeights::new(-0.62).unwrap());
+    let asked =
+        [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::UnloadingStiffness];
+    let etsion: Model = "etsion".parse().unwrap();
+    let last = |count: u32, tolerance: f64| {
+        let places = (1..=count).map(|k| 7.9899 * f64::from(k) / f64::from(count));
+        let request = Request::new(asked).within(Tolerance::new(tolerance).unwrap()).at(places);
+        let answer = etsion.solve(&scene, &request).unwrap();
+        let last = |q: &Quantity| {
+            let column = answer.columns.iter().find(|column| column.quantity == *q).unwrap();
+            let value = column.rows.last().unwrap().as_ref().unwrap();
+            (value.value(), value.bound(*q))
+        };
+        asked.iter().map(last).collect::<Vec<_>>()
+    };
+    let exact = last(1, 1e-13);
+    for count in [1, 3, 255] {
+        let found = last(count, 1.2e-13);
+        let force = found[0].1;
+        for ((value, bound), (other, error)) in found.into_iter().zip(&exact) {
+            assert!(
+                bound < 1e-10 && bound < 3.0 * force && force < 3.0 * bound,
+                "{bound:e} {force:e}"
+            );
+            assert!((value / other - 1.0).abs() <= bound + error, "{count}: {value:e} {other:e}");
+        }
+    }
+}

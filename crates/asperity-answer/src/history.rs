@@ -7,6 +7,8 @@ use crate::number::rounded;
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet};
 
+/// The most paths whose work is listed.
+const LISTED: usize = 6;
 /// Points on each path between turning points.
 const STEPS: usize = 50;
 
@@ -69,12 +71,21 @@ fn note_work(sheet: &mut Sheet, name: &str, joint: &Joint, path: &Path) {
     };
     let all = rounded(first + path.work.iter().sum::<f64>());
     let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
-    let (first, works) = (rounded(first), works.join(", "));
-    let text = match &*works {
-        "" => format!("{name}: closing to the turning point takes {first} J"),
-        _ => format!(
-            "{name}: first closing takes {first} J, the later paths {works} J (negative: returned), {all} J in total"
+    let (first, count) = (rounded(first), works.len());
+    let text = match count {
+        0 => format!("{name}: closing to the turning point takes {first} J"),
+        1..=LISTED => format!(
+            "{name}: first closing takes {first} J, the later paths {} J (negative: returned), {all} J in total",
+            works.join(", ")
         ),
+        _ => {
+            let least = path.work.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = path.work.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let [least, most] = [least, most].map(rounded);
+            format!(
+                "{name}: first closing takes {first} J, each of the {count} later paths from {least} to {most} J (negative: returned), {all} J in total"
+            )
+        }
     };
     sheet.note("work", text);
 }

@@ -6,6 +6,7 @@ use asperity_inputs::SceneFile;
 use crate::asked::{Asked, Line};
 use crate::blanks::Blanks;
 use crate::models::{NamedModel, grouped, once};
+use crate::subject::with_likely_pressure;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// Rows evaluated at a time, which bounds the memory.
@@ -153,7 +154,12 @@ impl<'s> Inquiry<'s> {
     ) -> Result<Asked, AnswerError> {
         watch.progress(id);
         let corrected = matches!(self.beside, Beside::Intervals);
-        let asked = Asked::new(self.file, model, &self.request, (self.all, corrected))?;
+        let asked = Asked::new(self.file, model, &self.request, (self.all, corrected));
+        let placed = |error| match self.file.at_its_key(error) {
+            Ok(placed) => AnswerError::Scene(placed),
+            Err(error) => AnswerError::Contact(error),
+        };
+        let asked = asked.map_err(placed)?;
         let refusals = asked.refusals().into_iter();
         found.lacking.extend(refusals.map(|reason| (reason, id.clone())));
         // At default separations, findings are reported for one typical separation only.
@@ -260,7 +266,10 @@ impl Found {
             let text = format!("{} {verb} no tension; use {ADHESIVE}", ids.join(", "));
             sheet.warn("no-tension", text);
         }
-        let of_places = file.accepted(std::mem::take(&mut self.of_places));
+        let of_places = std::mem::take(&mut self.of_places).into_iter();
+        let hardness = file.scene.interface.hardness;
+        let of_places = of_places.map(|found| with_likely_pressure(found, hardness)).collect();
+        let of_places = file.accepted(of_places);
         sheet.extend(of_places.at_least(asperity::Severity::Warning));
     }
 }

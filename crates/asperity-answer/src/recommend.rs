@@ -95,9 +95,7 @@ impl Recommend<'_> {
         }
         let (compared, all) = (advice.evidence.len(), places.len());
         if compared < all {
-            let text = format!(
-                "boundary elements are expected at {compared} of the {all} separations or loads, from the first to the last"
-            );
+            let text = format!("there is evidence for {compared} of {all} separations or loads");
             sheet.note("evidence", text);
         }
         for text in [advice.summary(), advice.expectations()].concat() {

@@ -3,6 +3,7 @@
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
     At, ContactError, Finding, Findings, Model, Separation, SeparationUnit, Severity, Tolerance,
+    short,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
@@ -95,4 +96,22 @@ pub fn unit_warning(
     let message = mistaken_unit(name, value, unit, height_std)?;
     let text = format!("{message}; write lengths with their unit, for example 2um");
     Some(Finding::warning("likely-unit", name.to_string(), value).fact(text))
+}
+
+/// Pressures \[Pa\] that look like MPa where few asperities touch.
+const FAINT: std::ops::RangeInclusive<f64> = 0.01..=500.0;
+
+/// A finding of few contacts at a pressure with the likely unit of the pressure.
+pub(crate) fn with_likely_pressure(found: Finding, hardness: Option<f64>) -> Finding {
+    match found.at {
+        Some(At::Pressure(pressure))
+            if found.code == "few-contacts"
+                && FAINT.contains(&pressure)
+                && hardness.is_none_or(|hardness| 1e6 * pressure < hardness) =>
+        {
+            let [given, meant] = [pressure, 1e6 * pressure].map(short);
+            found.likely_unit(format!("{given} looks like MPa; {given} MPa is {meant} Pa"))
+        }
+        _ => found,
+    }
 }

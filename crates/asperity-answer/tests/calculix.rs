@@ -39,6 +39,7 @@ fn exported(
         subject: Subject { file: &file, name: "", id: "ke", model, tolerance },
         ends: [At::Pressure(1e5), At::Pressure(2e7)],
         nodes: 2,
+        log: false,
         max_error: Some(error),
         format: TableFormat::Calculix,
         units: UnitSystem::MmTonneS,

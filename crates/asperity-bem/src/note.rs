@@ -14,14 +14,20 @@ const LEAST_WAVELENGTH: f64 = 8.0;
 const LEAST_PIXELS: usize = 100;
 /// Least number of patches: with fewer, realisations differ by ten per cent and more.
 const LEAST_PATCHES: usize = 30;
+/// Share of the pixels in contact above which patches merge, so that a larger load leaves fewer.
+const MERGED: f64 = 0.25;
 /// Share of the mean square slope that waves below the shortest wavelength may hold.
 const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Findings of a contact at this place: few pixels, whose area is coarse, or few patches, so
-/// that one map does not represent its surface.
-pub(crate) fn of_contact(at: At, pixels: usize, patches: usize) -> impl Iterator<Item = Finding> {
+/// Findings of a contact at this place: few of the pixels touch, whose area is coarse, or they make
+/// few patches, so that one map does not represent its surface.
+pub(crate) fn of_contact(
+    at: At,
+    [touching, pixels]: [usize; 2],
+    patches: usize,
+) -> impl Iterator<Item = Finding> {
     let few = |code, field, found: usize, (one, many): (&str, &str), least: usize, advice| {
         let names = if found == 1 { one } else { many };
         let few = Finding::warning(code, field, found as f64)
@@ -33,9 +39,14 @@ pub(crate) fn of_contact(at: At, pixels: usize, patches: usize) -> impl Iterator
     };
     let names = ("pixel is", "pixels are");
     let advice = "to resolve the area; refine the grid or raise the load";
-    let few_pixels = few("few-pixels", "pixels", pixels, names, LEAST_PIXELS, advice);
+    let few_pixels = few("few-pixels", "pixels", touching, names, LEAST_PIXELS, advice);
     let names = ("patch is", "patches are");
-    let advice = "for one map to represent its surface; average several maps or raise the load";
+    let advice = match touching as f64 > MERGED * pixels as f64 {
+        true => {
+            "for one map to represent its surface, and patches have merged; average several maps or use a larger one"
+        }
+        false => "for one map to represent its surface; average several maps or raise the load",
+    };
     let few_patches = few("few-patches", "patches", patches, names, LEAST_PATCHES, advice);
     few_pixels.into_iter().chain(few_patches)
 }

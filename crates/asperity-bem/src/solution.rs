@@ -98,7 +98,7 @@ impl Solution {
             LoadCase::Load(load) => At::Load(load),
             LoadCase::MeanGap(_) => At::Pressure(mean_pressure),
         };
-        notes.extend(note::of_contact(at, count, patches.len()));
+        notes.extend(note::of_contact(at, [count, pressures.len()], patches.len()));
         Self {
             given,
             mean_pressure,

@@ -195,10 +195,11 @@ impl ContactError {
                 "quantity {name:?} is not known{}: the quantities are {known}",
                 nearest_hint(*near)
             ),
-            Self::UnknownModel { name, near, known } => format!(
-                "model {name:?} is not known{}: the models are {known}",
-                nearest_hint(near.as_ref())
-            ),
+            Self::UnknownModel { name, near, known } => {
+                let others = || format!(": the models are {known}");
+                let rest = near.as_ref().map_or_else(others, |near| nearest_hint(Some(near)));
+                format!("model {name:?} is not known{rest}")
+            }
             Self::Scale { quantity, scale } => format!(
                 "the scale of the `{quantity}` is {scale:e}, outside the range of f64: check the units of the inputs"
             ),
@@ -206,10 +207,10 @@ impl ContactError {
                 "the law's interference unit over `asperity_height_std` is {ratio:e}: 1e-100 to 1e100 was required"
             ),
             Self::OutOfReach { load, largest, at } => {
-                format!("load is {load:?} N: {}", reach(*load, *largest, *at))
+                format!("load is {load:?} N{}", reach(*load, *largest, *at))
             }
             Self::Unresolved { from, to } => format!(
-                "the separations that carry the load cannot be resolved between {from:#} and {to:#}, as law or heights vary too much there: ask for the largest separation alone, or declare the kinks of the law and the breaks of the heights"
+                "law or heights vary too much between {from:#} and {to:#} to find every separation that carries the load: request the largest separation alone, or declare the kinks of the law and the breaks of the heights"
             ),
             Self::TooLight { load, smallest, at } => format!(
                 "load is {load:?} N: at least {} N, the force at the largest separation ({:#}), was required",
@@ -235,16 +236,16 @@ fn reach(load: f64, largest: f64, at: At) -> String {
     match (load < 0.0, largest < 0.0) {
         (false, _) => {
             format!(
-                "a load above 0 and at most {} N, the largest force found, at {:#}, was required",
+                ", above {} N, the largest force of the model, at {:#}",
                 short(largest),
                 at.rounded()
             )
         }
         (true, true) => {
-            format!("the surfaces pull off at {} N, at {:#}", short(largest), at.rounded())
+            format!(": the surfaces pull off at {} N, at {:#}", short(largest), at.rounded())
         }
         // The tension is so large that the search ends where no asperity touches.
-        (true, false) => "a smaller tension, or a load above 0, was required".into(),
+        (true, false) => ": a smaller tension, or a load above 0, was required".into(),
     }
 }
 

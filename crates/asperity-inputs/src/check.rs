@@ -4,11 +4,12 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     At, Check, Contact, ContactError, ContactModel, Finding, Findings, HeightDistribution,
-    ProfileMoments,
+    ProfileMoments, short,
 };
 use asperity_topography::Statistics;
 
 use crate::SceneFile;
+use crate::keys::Key;
 
 /// Statistics of a scan beyond its asperities.
 #[derive(Debug, Clone)]
@@ -61,19 +62,18 @@ impl SceneFile {
             let stands_in = self.no_asperities.is_some() && of_asperities(found);
             !stands_in && !shown.contains(&&*found.field)
         });
-        let of_interface = of_interface.map(|found| match self.follows_from {
-            [_, ..] if of_asperities(&found) => {
-                found.from_origin(format!("asperities from `{}`", self.follows_from.join("`, `")))
-            }
-            _ => found,
-        });
         let mut of_interface: Vec<Finding> = of_interface.collect();
-        // The number that was given, in place of findings about the asperities that follow from it.
+        // The numbers that were given, in place of findings about asperities that follow from them.
         let asperities = of_interface.iter().filter(|found| of_asperities(found));
         let worst = asperities.map(|found| (found.severity, !found.is_implausible())).min();
-        if let Some((odd, (severity, plausible))) = self.odd_number.clone().zip(worst) {
-            of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
-            of_interface.push(odd.severity(severity).implausible(!plausible));
+        if let Some((severity, plausible)) = worst {
+            if let Some(odd) = self.odd_number.clone() {
+                of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
+                of_interface.push(odd.severity(severity).implausible(!plausible));
+            } else if !self.follows_from.is_empty() {
+                of_interface.retain(|found| !of_asperities(found));
+                of_interface.extend(self.unusual_together());
+            }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
@@ -103,16 +103,29 @@ impl SceneFile {
         kept
     }
 
+    /// A finding of the numbers that were given for unusual asperities that follow from them.
+    fn unusual_together(&self) -> Option<Finding> {
+        let values = self.roughness.map(|roughness| roughness.numbers);
+        let given = (0..).zip(self.follows_from).map(|(k, name)| match values {
+            Some(values) => {
+                let unit = Key::find("surface", name).map_or("", |key| key.unit);
+                format!("`{name}` = {} {unit}", short(values[k])).trim_end().to_string()
+            }
+            None => format!("`{name}`"),
+        });
+        let given: Vec<String> = given.collect();
+        let found = self.scene.surface.plain_findings().into_iter().next()?;
+        let found = found.from_origin(format!("asperities from {}", given.join(", ")));
+        Some(found.advice("check these numbers and their units"))
+    }
+
     /// The finding without a likely unit if the number was given with its unit.
     fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
         let stated = |key: &str| {
             let of = |path: &String| path == key || path.ends_with(&format!(".{key}"));
             self.stated.iter().any(of)
         };
-        // Asperities that follow from other numbers were given in no unit.
-        let derived = ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty();
-        let stated = derived || stated(&found.field);
-        if stated { found.with_stated_unit() } else { Some(found) }
+        if stated(&found.field) { found.with_stated_unit() } else { Some(found) }
     }
 
     /// One finding for each cause, without those that the scene accepts.
@@ -235,10 +248,17 @@ impl SceneFile {
         // Outliers would be part of measured heights.
         let clean = !statistics.outliers.matter() && self.no_asperities.is_none();
         if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
+            // Only one areal scan, or aligned ones, has summits.
+            let advice = match self.scan.as_deref().is_some_and(|scan| !scan.is_profile()) {
+                true => {
+                    "the heights are not Gaussian; heights = \"measured\" uses those of the scan"
+                }
+                false => {
+                    "the heights are not Gaussian; use heights = { skewness = .. } or a table of heights"
+                }
+            };
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
-                Finding::warning("not-gaussian", field, value).usual(usual).advice(
-                    "the heights are not Gaussian; heights = \"measured\" uses those of the scan",
-                )
+                Finding::warning("not-gaussian", field, value).usual(usual).advice(advice)
             }));
         }
         found.extend(statistics.unusual_slope(*pixel_size));

@@ -125,7 +125,11 @@ impl<'a> Document<'a> {
 
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        self.number(path)?.ok_or_else(|| self.missing(path, Key::meaning(path)))
+        self.number(path)?.ok_or_else(|| {
+            let (section, name) = section_and_name(path);
+            let example = Key::find(section, name).map_or("", |key| key.form[1]);
+            self.missing(path, format!("a number ({}), for example {example}", Key::meaning(path)))
+        })
     }
 
     /// Sets the numbers of a section that are given.
@@ -237,6 +241,10 @@ impl<'a> Document<'a> {
             // A single body has no work of adhesion.
             elsewhere = Key::find("", other).filter(|_| !keys.contains(&other));
             allowed = format!("{difference}{allowed}");
+        }
+        if section == "interface" && name.starts_with("body") {
+            near = None;
+            allowed = "write [[body]] twice instead of [interface], once for each body".into();
         }
         if let Some(key) = elsewhere {
             allowed = format!("it belongs to {}; {allowed}", key.home());

@@ -55,14 +55,16 @@ impl SceneFile {
         Ok(Some(shape.with_hurst(self.hurst())))
     }
 
-    /// The Hurst exponent of the scan, if its spectrum follows a power law. Fitted once: of 1024 x
-    /// 1024 points it takes a tenth of a second, and each corrected model asks for it.
+    /// The given Hurst exponent, or that of the scan (of two surfaces, the rougher one), if its
+    /// spectrum follows a power law. Fitted once: of 1024 x 1024 points it takes a tenth of a
+    /// second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
         let fit = || {
-            let Spectra { radial, .. } = self.scan.as_deref()?.spectra().ok()?;
+            let scan = self.scan.as_deref().or(self.rougher.as_deref())?;
+            let Spectra { radial, .. } = scan.spectra().ok()?;
             Some(PowerLaw::fit(&radial?).ok()?.hurst)
         };
-        *self.hurst.get_or_init(fit)
+        self.options.hurst_exponent.or_else(|| *self.hurst.get_or_init(fit))
     }
 }
 

@@ -138,6 +138,9 @@ mod tests {
         let refused = with("material = \"steel-100cr5\"").unwrap_err();
         assert!(refused.contains("the nearest is \"steel-100cr6\""), "{refused}");
         let refused = with("poissons_ratio = 0.3").unwrap_err();
-        assert_eq!(refused, "line 3: body[1].youngs_modulus is missing: Pa");
+        assert_eq!(
+            refused,
+            "line 3: body[1].youngs_modulus is missing: a number (Pa), for example 210 GPa"
+        );
     }
 }

@@ -155,7 +155,8 @@ pub(crate) fn measured(
             return Err(document.conflict("surface.heights", two, needed));
         }
     }
-    let at = if is_pair { two } else { &first.at };
+    // Moments of numbers beside a scan are isotropic and Gaussian.
+    let at = if second.is_some() { two } else { &first.at };
     let refused = |reason: TopographyError| {
         let reason = match is_pair {
             true => reason.to_string(),
@@ -169,16 +170,18 @@ pub(crate) fn measured(
     };
     let mut notes = vec![];
     let mut alone = |of: &Scan| {
-        let found = of.measure(document, &of.read(document)?)?;
+        let scan = of.read(document)?;
+        let found = of.measure(document, &scan)?;
         let own = found.statistics.warnings.iter().filter(|found| !OF_SUM.contains(&found.code));
         notes.extend(own.cloned().map(from(&of.at)));
-        Ok::<_, SceneError>(found)
+        Ok::<_, SceneError>((found, scan))
     };
     let sum = |one: Measured, two: Statistics, pixel: f64| {
         let statistics = Statistics::combined(&one.statistics, &two).map_err(refused)?;
         let pixel_size = one.pixel_size.max(pixel);
-        Ok::<_, SceneError>((Measured { statistics, pixel_size, long_wavelength: None }, None))
+        Ok::<_, SceneError>(Measured { statistics, pixel_size, long_wavelength: None })
     };
+    let mut rougher = None;
     let (measured, scan) = match (second, alignment, other) {
         (Some(second), Some(alignment), _) => {
             let (one, two) = (first.read(document)?, second.read(document)?);
@@ -186,10 +189,15 @@ pub(crate) fn measured(
             (first.measure(document, &both)?, Some(both))
         }
         (Some(second), None, _) => {
-            let (one, two) = (alone(first)?, alone(second)?);
-            sum(one, two.statistics, two.pixel_size)?
+            let ((one, scan), (two, other)) = (alone(first)?, alone(second)?);
+            rougher = Some(if one.statistics.m4 < two.statistics.m4 { other } else { scan });
+            (sum(one, two.statistics, two.pixel_size)?, None)
         }
-        (None, _, Some(moments)) => sum(alone(first)?, Statistics::gaussian(moments), 0.0)?,
+        (None, _, Some(moments)) => {
+            let (one, scan) = alone(first)?;
+            rougher = (one.statistics.m4 > moments.m4).then_some(scan);
+            (sum(one, Statistics::gaussian(moments), 0.0)?, None)
+        }
         (None, _, None) => {
             let scan = first.read(document)?;
             (first.measure(document, &scan)?, Some(scan))
@@ -222,6 +230,7 @@ pub(crate) fn measured(
     file.table = heights.transpose()?;
     file.measured = Some(measured);
     file.scan = scan.map(Arc::new);
+    file.rougher = rougher.map(Arc::new);
     file.no_asperities = no_asperities;
     Ok((file, notes))
 }

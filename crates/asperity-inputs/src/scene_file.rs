@@ -4,14 +4,15 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, Datum, Finding, Findings, HeightDistribution, Scene, Separation, SeparationUnit, Surface,
-    TabulatedHeights, WeibullHeights,
+    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Scene, Separation,
+    SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
 
 use crate::document::{Document, Files, HandedFiles};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
+use crate::keys::joined;
 use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
@@ -41,6 +42,8 @@ pub struct SceneFile {
     pub accept: Vec<String>,
     /// The scan of the surface, levelled and filtered, if there is exactly one.
     pub scan: Option<Arc<Topography>>,
+    /// Of two surfaces, the scan with the larger m4, if one of them has.
+    pub(crate) rougher: Option<Arc<Topography>>,
     /// The reason why the scan has no asperities, in a scene from [`load_scan`].
     pub(crate) no_asperities: Option<String>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
@@ -49,6 +52,8 @@ pub struct SceneFile {
     pub roughness: Option<Roughness>,
     /// The number of the surface that explains findings about the asperities.
     pub(crate) odd_number: Option<Finding>,
+    /// The place of the hardness of the interface or of the first body.
+    pub(crate) hardness_at: Option<Box<Place>>,
     /// The keys that were given with a unit.
     pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
@@ -200,6 +205,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         bodies,
         warnings: notes.into_iter().collect::<Findings>().silenced(&accept),
         accept,
+        hardness_at: Some(document.place(&joined(interface_section, "hardness"))),
         stated: document.stated.clone(),
         ..file
     })
@@ -233,10 +239,12 @@ impl From<Scene> for SceneFile {
             warnings: Findings::default(),
             accept: vec![],
             scan: None,
+            rougher: None,
             no_asperities: None,
             follows_from: &[],
             roughness: None,
             odd_number: None,
+            hardness_at: None,
             stated: vec![],
             read: None,
             spectrum: Arc::default(),
@@ -250,6 +258,19 @@ impl SceneFile {
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
+    }
+
+    /// A missing hardness as an error at its place in the file.
+    ///
+    /// # Errors
+    /// Any other error as it is, and any error of a scene without a file.
+    pub fn at_its_key(&self, error: ContactError) -> Result<SceneError, ContactError> {
+        match (&self.hardness_at, &error) {
+            (Some(at), ContactError::Missing { field: "hardness", .. }) => {
+                Ok(SceneError::from_contact(error, |_| at.clone()))
+            }
+            _ => Err(error),
+        }
     }
 
     /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.

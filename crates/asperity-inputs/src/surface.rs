@@ -190,6 +190,8 @@ fn numbers(
         let fact = format!("{} = {} {hint}", document.place(&at(key)), short(value));
         Finding::warning("unusual-size", key, value).fact(fact)
     });
+    let follows_from = if is_asperities { &[] } else { way };
+    let numbers = Numbers { surface, roughness, follows_from, odd };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();
@@ -198,18 +200,20 @@ fn numbers(
             found.within(section).from_origin(place)
         }));
         if roughness.is_none_or(|roughness| roughness.way != Way::Moments) {
-            notes.push(gaussian_moments(section).from_origin(place(section)));
+            notes.push(gaussian_moments(section, &numbers.moments()).from_origin(place(section)));
         }
     } else {
         notes.extend(slope);
     }
-    let follows_from = if is_asperities { &[] } else { way };
-    Ok(Some((Numbers { surface, roughness, follows_from, odd }, key)))
+    Ok(Some((numbers, key)))
 }
 
 /// The note on moments that follow from other numbers.
-fn gaussian_moments(section: &'static str) -> Finding {
+fn gaussian_moments(section: &'static str, moments: &ProfileMoments) -> Finding {
+    let [m0, m2, m4] = [moments.m0, moments.m2, moments.m4].map(short);
     Finding::note("gaussian-moments", section, f64::NAN)
-        .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
-        .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
+        .fact(format!(
+            "m0 = {m0} m^2, m2 = {m2} and m4 = {m4} 1/m^2 are those of an isotropic Gaussian surface with these numbers"
+        ))
+        .advice("use a scan where this is in doubt")
 }

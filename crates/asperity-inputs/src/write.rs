@@ -8,7 +8,7 @@ use toml::{Table, Value};
 
 use crate::document::Document;
 use crate::keys::{Key, joined, keys_of};
-use crate::{Place, SceneError, SceneFile, parse, template, write_heights};
+use crate::{Place, SceneError, SceneFile, interface_of, parse, template, write_heights};
 
 /// A scene file as read, whose keys are written again if the scene has not changed.
 #[derive(Debug)]
@@ -68,8 +68,9 @@ impl SceneFile {
 
     /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
     /// its head, one per line. A table of heights is part of the text, and paths of scans are
-    /// absolute. For numbers changed since reading, the interface replaces the bodies; the surface
-    /// keeps the kind of its keys if these were changed, and else has its asperities.
+    /// absolute. For numbers changed since reading, the interface replaces the bodies, unless it
+    /// still follows from them; the surface keeps the kind of its keys if these were
+    /// changed, and else has its asperities.
     ///
     /// ```
     /// use asperity_inputs::{parse, template};
@@ -151,13 +152,28 @@ impl SceneFile {
         Ok(text + &lines("", &top) + &sections)
     }
 
-    /// The bodies as read if unchanged, otherwise the interface.
+    /// The bodies as read if unchanged, the bodies from which the interface still follows, or else
+    /// the interface.
     fn interface_keys(&self) -> Table {
         let interface = self.scene.interface;
         if let Some(read) = self.read.as_ref().filter(|read| read.interface == interface) {
             let names = ["rigid_counterface", "work_of_adhesion", "interface", "body"];
             let kept = read.table.iter().filter(|(name, _)| names.contains(&name.as_str()));
             return kept.map(|(name, value)| (name.clone(), value.clone())).collect();
+        }
+        // No body has a pressure factor.
+        let follows = interface_of(&self.bodies).is_ok_and(|made| {
+            self.with_pair(made) == interface && interface.pressure_factor == made.pressure_factor
+        });
+        if follows {
+            let bodies = self.bodies.iter().filter_map(|body| Table::try_from(body).ok());
+            let mut keys = Table::from_iter([("body".into(), bodies.collect::<Vec<_>>().into())]);
+            if self.bodies.len() == 1 {
+                keys.insert("rigid_counterface".into(), true.into());
+            }
+            let work = interface.work_of_adhesion;
+            keys.extend(work.map(|work| ("work_of_adhesion".into(), work.into())));
+            return keys;
         }
         let interface = Table::try_from(interface).unwrap_or_default();
         Table::from_iter([("interface".into(), interface.into())])

@@ -112,10 +112,8 @@ impl ContactModel for Persson {
             (None, none) => {
                 let scan = none.as_ref().and_then(|none| none.as_ref().err());
                 let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
-                let reason = format!(
-                    "`{}` needs it, or a scan, for stiffness and mean gap{scan}",
-                    self.id()
-                );
+                let reason =
+                    format!("stiffness and mean gap need it or the spectrum of a scan{scan}");
                 Err(ContactError::Missing { field: "hurst_exponent", reason })
             }
         };

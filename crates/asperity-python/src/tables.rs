@@ -55,6 +55,7 @@ pub(crate) fn contact_table<'py>(
         subject: Subject { file, name: "", id: "", model: &model, tolerance },
         ends: [first, last].map(|end| axis.at(end, file.separation_from)),
         nodes,
+        log: false,
         max_error,
         format,
         units,

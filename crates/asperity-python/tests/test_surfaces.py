@@ -216,7 +216,7 @@ def test_random_surfaces_are_those_of_the_program_and_have_their_parameters() ->
     assert (largest / least) ** 0.5 == pytest.approx(2, rel=0.02)
     report = surface.report()
     assert report["slope_ratio"] == pytest.approx(2, rel=0.1)
-    assert report["filter"] == "mean removed; no S-filter; no L-filter"
+    assert report["filtered"] == "mean removed; no S-filter; no L-filter"
     with pytest.raises(TypeError, match="exactly one of sq and gradient"):
         asperity.random_surface((8, 8), 1e-6, long=8e-6, short=4e-6)
     with pytest.raises(ValueError, match="more than two pixels"):

@@ -14,7 +14,8 @@ use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
 /// What to do where a random surface is refused.
-pub(crate) const EQUAL: &str = "set asperities = \"equal\" in [surface]";
+pub(crate) const EQUAL: &str =
+    "set asperities = \"equal\" in [surface] and use a model without -random";
 
 /// Tolerance of the tables relative to the envelope of the law; rounding errors are just below.
 const TOLERANCE: f64 = 2e-13;

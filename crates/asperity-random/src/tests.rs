@@ -190,7 +190,7 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!(
         refused
             .to_string()
-            .contains("contacts are inclined; set asperities = \"equal\" in [surface]"),
+            .contains("set asperities = \"equal\" in [surface] and use a model without -random"),
         "{refused}"
     );
     // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for

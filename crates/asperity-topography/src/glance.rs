@@ -52,16 +52,16 @@ pub struct Glance {
     pub power_law: Result<PowerLaw, String>,
 }
 
-/// An object of all numbers, with `hurst_missing`, the reason where there is no power law.
+/// An object of all numbers, with `hurst_exponent_missing`, the reason where there is no power law.
 impl Serialize for Glance {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("points", &self.points.value)?;
-        map.serialize_entry("filter", &self.filter)?;
+        map.serialize_entry("filtered", &self.filter)?;
         for number in &self.numbers {
             map.serialize_entry(number.name, &number.value)?;
-            if number.name == "hurst" {
-                map.serialize_entry("hurst_missing", &self.power_law.as_ref().err())?;
+            if number.name == "hurst_exponent" {
+                map.serialize_entry("hurst_exponent_missing", &self.power_law.as_ref().err())?;
             }
         }
         map.end()
@@ -133,7 +133,7 @@ impl Glance {
             ("str", str, "", "shortest over longest: 1 for an isotropic surface"),
             ("spd", spd, "1/m2", "density of peaks; hills below 5 % of sz pruned"),
             ("spc", spc, "1/m", "mean curvature of these peaks"),
-            ("hurst", hurst, "", "Hurst exponent fitted to the radial spectrum"),
+            ("hurst_exponent", hurst, "", "Hurst exponent fitted to the radial spectrum"),
             ("roll_off", roll_off, "m", "wavelength above which the spectrum is flat"),
             ("cut_off", cut_off, "m", "wavelength below which it leaves the power law"),
         ];
@@ -172,7 +172,8 @@ pub fn report(statistics: &Statistics, glance: Option<&Glance>) -> Vec<Reported>
     let (trust, parameters) = numbers.split_at(TRUST);
     let shown = |number: &&Reported| ![ALONG, ACROSS].contains(&number.name);
     all.extend(trust.iter().filter(shown).cloned());
-    let filter = Reported { meaning: filter.clone().into(), ..reported(("filter", None, "", "")) };
+    let filter =
+        Reported { meaning: filter.clone().into(), ..reported(("filtered", None, "", "")) };
     all.extend([ssk, sku, filter, sq]);
     all.extend(parameters.iter().cloned().chain(moments));
     all
@@ -286,7 +287,9 @@ mod tests {
         assert!((of("m2_over_half") / gain - 1.0).abs() < 0.02, "{found:?}");
         assert!((of("m4_over_half") / gain.powi(2) - 1.0).abs() < 0.02, "{found:?}");
         let json = serde_json::to_value(&found).unwrap();
-        assert!(json["filter"].is_string() && json["sal"].is_number() && json["spectra"].is_null());
+        assert!(
+            json["filtered"].is_string() && json["sal"].is_number() && json["spectra"].is_null()
+        );
     }
 
     #[test]

@@ -23,6 +23,9 @@ pub struct PowerSpectrum {
     pub wave_number: Vec<f64>,
     /// Power spectral density, \[m³\] along a direction and \[m⁴\] radially.
     pub density: Vec<f64>,
+    /// The wave number \[rad/m\] above which no wave is left; `None` where waves reach down to two
+    /// pixels.
+    pub end: Option<f64>,
 }
 
 /// The spectra of a surface.
@@ -136,11 +139,16 @@ fn profile(power: &[f64], n: usize, step: f64) -> PowerSpectrum {
 /// Averages over bins of equal ratios.
 fn binned(waves: impl Iterator<Item = (f64, f64)>, lowest: f64, largest: f64) -> PowerSpectrum {
     let mut bins: Vec<[f64; 3]> = vec![];
+    let (mut end, mut highest) = (0.0_f64, 0.0_f64);
     for (q, density) in waves.filter(|(q, _)| *q <= largest * (1.0 + 1e-9)) {
         // The lowest wave is in the middle of its bin.
         let bin = ((q / lowest).log2() * BINS + 0.5).max(0.0) as usize;
         if bin >= bins.len() {
             bins.resize(bin + 1, [0.0; 3]);
+        }
+        highest = highest.max(density);
+        if density > ROUNDING * highest {
+            end = end.max(q);
         }
         let bin = &mut bins[bin];
         *bin = [bin[0] + q, bin[1] + density, bin[2] + 1.0];
@@ -148,7 +156,8 @@ fn binned(waves: impl Iterator<Item = (f64, f64)>, lowest: f64, largest: f64) ->
     let top = bins.iter().map(|bin| bin[1] / bin[2].max(1.0)).fold(0.0, f64::max);
     bins.retain(|[_, density, n]| *n > 0.0 && density / n > ROUNDING * top);
     let mean = |term: usize| bins.iter().map(|bin| bin[term] / bin[2]).collect();
-    PowerSpectrum { wave_number: mean(0), density: mean(1) }
+    let end = Some(end).filter(|end| *end < 0.9 * largest);
+    PowerSpectrum { wave_number: mean(0), density: mean(1), end }
 }
 
 /// The wavelength of which half the power is above, from wave numbers on a length.
@@ -248,7 +257,7 @@ mod tests {
     fn the_window_keeps_the_mean_square() {
         let wave = |x: u32| 2e-7 * (TAU * 4.0 * f64::from(x) / 128.0 + 0.7).cos();
         let profile = Topography::new((0..128).map(wave).collect(), 128, [1e-6; 2]).unwrap();
-        let PowerSpectrum { wave_number, density } = profile.spectra().unwrap().along_rows;
+        let PowerSpectrum { wave_number, density, .. } = profile.spectra().unwrap().along_rows;
         // Hann's window spreads a wave over its neighbours, 1/6, 2/3 and 1/6 of the power; up to 8
         // waves each bin has one.
         for (k, part) in [(3.0, 1.0 / 6.0), (4.0, 2.0 / 3.0), (5.0, 1.0 / 6.0)] {

@@ -163,7 +163,7 @@ mod tests {
         let wanted = "load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr or jkr-separation";
         assert_eq!(tension, wanted);
         let heavy = reason(1e30);
-        assert!(heavy.contains("largest force found"), "{heavy}");
+        assert!(heavy.contains("largest force of the model"), "{heavy}");
         let significant_digits = |number: &str| {
             let mantissa = number.split('e').next().unwrap_or_default();
             mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()

@@ -58,7 +58,7 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
     let within = |error| {
         let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
-        Export { subject, ends, nodes, max_error, format, units, conductance, friction }
+        Export { subject, ends, nodes, log: false, max_error, format, units, conductance, friction }
             .answer(&mut Sheet::default(), &Silent)
     };
     let mut found = within(TABLE_ERROR);

@@ -131,6 +131,8 @@ pub struct Export<'a> {
     pub ends: [At; 2],
     /// Number of nodes at equal distances of separation, at least 2.
     pub nodes: usize,
+    /// Whether they are at equal ratios of load instead, where the ends are loads above 0.
+    pub log: bool,
     /// Nodes are added until no interpolated pressure is off by more than this relative error.
     pub max_error: Option<f64>,
     /// The format of the table.
@@ -160,7 +162,7 @@ impl Export<'_> {
     /// and tangent at the nodes, in SI units.
     ///
     /// # Errors
-    /// Those of the model on the scene, ends in the wrong order, pressures that do not fall, an
+    /// Those of the model on the scene, equal ends, pressures that do not fall, an
     /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);

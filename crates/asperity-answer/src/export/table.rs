@@ -46,6 +46,7 @@ impl ContactTable {
     /// The table that is asked for.
     pub(crate) fn new(export: &Export<'_>) -> Outcome<Self> {
         let builder = Builder::new(&export.subject, export.format.interpolation())?;
+        let builder = Builder { log: export.log, ..builder };
         builder.between(export.ends, export.nodes, export.max_error)
     }
 }
@@ -58,6 +59,8 @@ struct Builder {
     /// Separations \[σ_z\] at which the force may have a kink.
     kinks: Vec<f64>,
     tolerance: f64,
+    /// Whether the first nodes are at equal ratios of load.
+    log: bool,
 }
 
 impl Builder {
@@ -76,6 +79,7 @@ impl Builder {
             interpolation,
             kinks: kinks(subject)?,
             tolerance: tolerance.relative(),
+            log: false,
         })
     }
 
@@ -131,18 +135,29 @@ impl Builder {
         Ok(separation.measured_in(unit, from, self.contact.scene())?.value)
     }
 
-    fn even(&self, [first, last]: [At; 2], count: usize) -> Outcome<Vec<ContactNode>> {
-        let by_load = !matches!(first, At::Separation(_));
-        let (first, last) = (self.sigmas(first)?, self.sigmas(last)?);
-        // The smaller load is at the larger separation.
-        let (first, last) = if by_load { (last, first) } else { (first, last) };
+    /// The first nodes, by ascending separation.
+    fn even(&self, mut ends: [At; 2], count: usize) -> Outcome<Vec<ContactNode>> {
+        let count = count.max(2);
+        let [mut first, mut last] = [self.sigmas(ends[0])?, self.sigmas(ends[1])?];
+        if first > last {
+            ends.reverse();
+            (first, last) = (last, first);
+        }
         if first.partial_cmp(&last) != Some(Ordering::Less) {
             return Err(format!(
-                "range is {first} to {last}: a first separation below the last was required"
+                "both ends of the range are at a separation of {first} asperity_height_std: two different ones were required"
             )
             .into());
         }
-        linspace(first, last, count.max(2)).into_iter().map(|s| self.node(s)).collect()
+        let mut separations = match ends.map(|at| at.load(self.contact.scene())) {
+            [Some(one), Some(other)] if self.log => {
+                let loads = linspace(one.ln(), other.ln(), count).into_iter();
+                loads.map(|ln| self.sigmas(At::Load(ln.exp()))).collect::<Result<_, _>>()?
+            }
+            _ => linspace(first, last, count),
+        };
+        (separations[0], separations[count - 1]) = (first, last);
+        separations.into_iter().map(|s| self.node(s)).collect()
     }
 
     fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {

@@ -239,7 +239,7 @@ mod tests {
         assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
         let message = found.missing[0].1.to_string();
         assert!(
-            message.starts_with("hurst_exponent is missing: persson needs it, or a scan"),
+            message.starts_with("hurst_exponent is missing: stiffness and mean gap"),
             "{message}"
         );
         assert!(found.refused.is_empty());

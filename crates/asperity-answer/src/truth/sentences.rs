@@ -147,7 +147,7 @@ fn lines(
         let verdict = match different {
             0 => "the solved surfaces agree".into(),
             some if some == all => "the solved surfaces differ".into(),
-            some => format!("the solved surfaces differ at {some} of {all} loads"),
+            some => format!("at {some} of {all} loads the solved surfaces differ"),
         };
         let basis = first.basis();
         Some(format!("{name} {scan} on this scan; {verdict}: {name} {table} ({basis})"))

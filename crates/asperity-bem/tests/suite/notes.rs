@@ -39,6 +39,20 @@ fn few_pixels_and_few_patches_are_counted() {
 }
 
 #[test]
+fn a_larger_load_is_advised_only_where_it_makes_more_patches() {
+    let solver = BoundaryElements::new(rough(128, 2), MODULUS).unwrap();
+    let solve = |share: f64| solver.solve(LoadCase::MeanPressure(share * UNIT)).unwrap();
+    for (share, merged) in [(1e-3, false), (0.5, true), (1.0, true)] {
+        let solution = solve(share);
+        assert_eq!(solution.area > 0.3, merged, "{}", solution.area);
+        let few = solution.notes.iter().find(|note| note.code == "few-patches").unwrap();
+        let text = few.to_string();
+        assert_eq!(text.ends_with("or raise the load"), !merged, "{text}");
+        assert_eq!(text.ends_with("or use a larger one"), merged, "{text}");
+    }
+}
+
+#[test]
 fn half_the_grid_tells_how_far_the_answer_depends_on_it() {
     let map =
         RandomSurface::new(2.0, 4.0, 8.0).unwrap().gradient(0.1).unwrap().heights(256).unwrap();

@@ -68,7 +68,7 @@ impl Curve {
             return pull_off(self.asked, self.work_of_adhesion, &self.output.output);
         }
         if self.work_of_adhesion.is_some() {
-            let text = "--work-of-adhesion is for --pull-off; add it";
+            let text = "--work-of-adhesion needs --pull-off; for a curve, set work_of_adhesion in the scene";
             usage_error(command, ErrorKind::MissingRequiredArgument, text);
         }
         // The former command of comparisons always has a reference, at one separation.

@@ -68,10 +68,10 @@ struct Ends {
     #[arg(long, value_name = "A:B[:N]")]
     separation: Option<Length<Span>>,
     /// Range of loads, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "A:B[:N]", value_parser = range(load))]
+    #[arg(long, value_name = "A:B[:N[:log]]", value_parser = range(load))]
     load: Option<Span>,
     /// Range of pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "A:B[:N]", value_parser = range(pressure))]
+    #[arg(long, value_name = "A:B[:N[:log]]", value_parser = range(pressure))]
     pressure: Option<Span>,
 }
 
@@ -122,6 +122,7 @@ impl ExportCommand {
             subject: scene.subject(&named, Tolerance::default()),
             ends,
             nodes: span.count.unwrap_or(2),
+            log: span.log,
             max_error: self.max_error,
             format: self.format,
             units: self.units,

@@ -147,12 +147,12 @@ impl FitCommand {
     ) -> Result<()> {
         print_notes(scene, ranking, &self.free);
         print_findings(scene, data, models, ranking)?;
-        self.output.draw(|| fit_plot::svg(&scene.file, data, models, ranking))?;
+        let picture = self.output.picture(|| fit_plot::svg(&scene.file, data, models, ranking))?;
         let output = &self.output.output;
-        match output.format {
+        self.output.write_beside(picture, || match output.format() {
             Format::Json => output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n")),
             _ => output.write(&table(ranking)),
-        }
+        })
     }
 
     /// The file of the data, or of the scene where a target is given.

@@ -35,7 +35,7 @@ enum What {
 impl List {
     /// Writes a list, narrow in a terminal, and its notes.
     pub fn run(self) -> Result<()> {
-        let narrow = self.output.format == Format::Table;
+        let narrow = self.output.format() == Format::Table;
         let sheet = match self.what {
             What::Models => models(&self.word, narrow)?,
             What::Materials => materials(&self.word, narrow)?,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use asperity::{At, ContactModel, Quantity, Request};
 use asperity_answer::{Blanks, Sheet};
 use asperity_inputs::{MeasuredKeys, SceneFile};
@@ -96,6 +96,9 @@ impl Scales {
             table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
         }
         blanks.texts(cutoffs.len()).for_each(|text| output::warn("blank", text));
+        if table.rows.iter().all(|row| row[1..].iter().all(|cell| cell.number().is_none())) {
+            bail!("no row has a value");
+        }
         Ok(table)
     }
 }

@@ -128,7 +128,7 @@ impl Surface {
             return self.output.write(&table, || scales::picture(&table));
         }
         let (mut each, mut found) = (vec![], Findings::default());
-        let (mut density, mut glance) = (None, None);
+        let (mut density, mut glance, mut picture) = (None, None, None);
         let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
@@ -138,7 +138,9 @@ impl Surface {
             // An error of a scene: statistics without a contact have no wrong answer.
             let slope = statistics.unusual_slope(dx.max(dy));
             let slope = slope.map(|found| found.severity(Severity::Warning));
-            let of_scan = seam.chain(slope).chain(statistics.warnings.iter().cloned());
+            let size = slope.or_else(|| statistics.unusual_height());
+            let size = size.into_iter().chain(statistics.unusual_kurtosis());
+            let of_scan = seam.chain(size).chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {
@@ -148,7 +150,7 @@ impl Surface {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
                 let cutoffs = [self.smooth, self.filter];
                 let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
-                self.output.draw(|| {
+                picture = self.output.picture(|| {
                     let title = self.names(|path| path.file_name().unwrap_or_default());
                     Ok(draw_surface(surface, &found, Some(&title))?)
                 })?;
@@ -176,16 +178,17 @@ impl Surface {
             output::note("example-values", format!("{}: {text}", path.display()));
         }
         let output = &self.output.output;
-        if output.format == Format::Json {
+        if output.format() == Format::Json {
             let all = Report { statistics, glance };
-            return output.write_text(&(serde_json::to_string_pretty(&all)? + "\n"));
+            let text = serde_json::to_string_pretty(&all)? + "\n";
+            return self.output.write_beside(picture, || output.write_text(&text));
         }
         let mut table = Sheet::new(&["name", "value", "unit", "meaning"]);
         let row = |Reported { name, value, unit, meaning }| {
             vec![name.into(), Cell::from(value), unit.into(), meaning.as_ref().into()]
         };
         table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
-        output.write(&table)
+        self.output.write_beside(picture, || output.write(&table))
     }
 
     /// Refuses options that exclude each other.

@@ -123,8 +123,18 @@ pub fn loads<'n>(
 }
 
 impl OutputArgs {
+    /// The format that the ending of the file names, csv or json, or else the chosen one.
+    pub fn format(&self) -> Format {
+        let named = self.output.as_ref().and_then(|path| path.extension()?.to_str());
+        match named.map(str::to_lowercase).as_deref() {
+            Some("json") => Format::Json,
+            Some("csv") => Format::Csv,
+            _ => self.format,
+        }
+    }
+
     pub fn write(&self, sheet: &Sheet) -> Result<()> {
-        output::write(self.output.as_deref(), |out| table::write(sheet, self.format, out))
+        output::write(self.output.as_deref(), |out| table::write(sheet, self.format(), out))
     }
 
     pub fn write_text(&self, text: &str) -> Result<()> {
@@ -135,15 +145,27 @@ impl OutputArgs {
 impl DrawnArgs {
     /// Writes the sheet, and its plot where one is requested.
     pub fn write(&self, sheet: &Sheet, picture: impl FnOnce() -> Result<String>) -> Result<()> {
-        self.draw(picture)?;
-        self.output.write(sheet)
+        self.write_beside(self.picture(picture)?, || self.output.write(sheet))
     }
 
-    /// Writes a plot where one is requested.
-    pub fn draw(&self, picture: impl FnOnce() -> Result<String>) -> Result<()> {
-        match &self.plot {
-            Some(plot) => output::write_text(Some(plot), &picture()?),
+    /// The plot where one is requested.
+    pub fn picture(&self, draw: impl FnOnce() -> Result<String>) -> Result<Option<String>> {
+        self.plot.as_ref().map(|_| draw()).transpose()
+    }
+
+    /// Writes the result and its plot; where the file of the result fails, no plot stays.
+    pub fn write_beside(
+        &self,
+        picture: Option<String>,
+        result: impl FnOnce() -> Result<()>,
+    ) -> Result<()> {
+        let draw = || match self.plot.as_ref().zip(picture) {
+            Some((plot, picture)) => output::write_text(Some(plot), &picture),
             None => Ok(()),
+        };
+        match output::is_standard(self.output.output.as_deref()) {
+            true => draw().and_then(|()| result()),
+            false => result().and_then(|()| draw()),
         }
     }
 }

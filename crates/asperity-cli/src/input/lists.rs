@@ -19,7 +19,8 @@ pub struct Span {
     pub first: f64,
     pub last: f64,
     pub count: Option<usize>,
-    log: bool,
+    /// Whether the values have equal ratios.
+    pub log: bool,
 }
 
 impl FromStr for Numbers {
@@ -78,7 +79,7 @@ impl Span {
         Ok(Self { first, last, count: count.transpose()?, log })
     }
 
-    /// A range A:B, or A:B:N in equal steps.
+    /// A range A:B, or A:B:N in equal steps, of which the ends may be 0.
     pub fn even(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         match Self::read(text, number)? {
@@ -121,9 +122,9 @@ pub fn all(one: ReadNumber) -> impl Fn(&str) -> Result<Numbers, String> + Clone 
     move |text| Numbers::read(text, one)
 }
 
-/// Reads a range A:B or A:B:N, whose ends `one` reads.
+/// Reads a range A:B, A:B:N or A:B:N:log, whose ends `one` reads.
 pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
-    move |text| Span::even(text, one)
+    move |text| have_units(text, one).and_then(|_| Span::read(text, one))
 }
 
 #[cfg(test)]
@@ -195,5 +196,6 @@ mod tests {
         assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
         assert!(Span::even("1:3:4:log", number).is_err());
+        assert!(range(load)("1:3:4:log").is_ok_and(|span| span.log));
     }
 }

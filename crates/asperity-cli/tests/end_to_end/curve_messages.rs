@@ -56,7 +56,7 @@ fn rows_without_a_value_are_blank_with_one_message() {
     assert_eq!(cells(&run.out, "load_N")[1], "1e30");
     assert_eq!(run.messages.lines().count(), 2, "{}", run.messages);
     assert!(run.messages.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
-    assert!(run.messages.contains("a load above 0 and at most"), "{}", run.messages);
+    assert!(run.messages.contains("the largest force of the model"), "{}", run.messages);
     let json = bench.run("curve scene.toml --model ke --load 5.0,1e30 --format json");
     let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
     assert!(rows[0]["area_m2"].is_f64() && rows[1]["area_m2"].is_null());
@@ -141,4 +141,56 @@ fn a_comma_separates() {
     let run = bench.run("slip scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
     let one = "has a decimal comma; write 1.5um";
     assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
+}
+
+#[test]
+fn a_faint_pressure_looks_like_megapascals_where_few_asperities_touch() {
+    let bench = Bench::new();
+    let messages =
+        |place: &str| bench.run(&format!("curve scene.toml --model ke {place}")).messages;
+    let faint = messages("--pressure 5");
+    assert!(faint.contains("(usual: at least 30): 5 looks like MPa; 5 MPa is 5e6 Pa"), "{faint}");
+    // Neither loads nor pressures with enough contacts, nor those that would exceed the hardness.
+    for place in ["--load 5", "--pressure 5e6", "--pressure 3e3"] {
+        let found = messages(place);
+        assert!(!found.contains("looks like"), "{place}: {found}");
+    }
+}
+
+#[test]
+fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
+    let bench = Bench::new();
+    let scene = asperity_inputs::template();
+    let copper =
+        scene.replace("# electrical_resistivity = 1.7e-7", "electrical_resistivity = 2.5e7");
+    bench.write("copper.toml", &copper);
+    let found = bench.run("check copper.toml").out;
+    let wanted = "2.5e7 looks like a conductivity in S/m, of which the resistivity is 4e-8 ohm m";
+    assert!(found.contains(wanted), "{found}");
+    // A hardness that is missing has its place.
+    bench.write("soft.toml", &scene.replace("\nhardness =", "\n# hardness ="));
+    let refused = bench.run("curve soft.toml --model ke --load 1").messages;
+    let wanted = "error: soft.toml:11: body[1].hardness is missing: set hardness or yield_strength";
+    assert!(refused.contains(wanted), "{refused}");
+    let (head, rest) = scene.split_once("asperity_radius = 2e-4").unwrap();
+    let tail = rest.split_once("heights = \"gaussian\"").unwrap().1;
+    let iso = "sq = \"1.1 um\"\nspd = \"600 1/um2\"\nspc = \"5 1/mm\"";
+    bench.write("iso.toml", &format!("{head}{iso}{tail}"));
+    let found = bench.run("check iso.toml").out;
+    let wanted = "asperities from sq = 1.1e-6 m, spd = 6e14 1/m^2, spc = 5000 1/m: roughness_parameter is 1.32e5";
+    assert!(found.contains(wanted), "{found}");
+    assert!(found.contains("check these numbers and their units"), "{found}");
+}
+
+#[test]
+fn a_format_follows_the_ending_and_a_failing_file_leaves_no_plot() {
+    let bench = Bench::new();
+    let line = "curve scene.toml --model ke --load 5,10";
+    assert_eq!(bench.run(&format!("{line} --output a.json")).code, Some(0));
+    let rows: serde_json::Value = serde_json::from_str(&bench.read("a.json")).unwrap();
+    assert_eq!(rows[1]["load_N"], 10.0);
+    assert_eq!(bench.run(&format!("{line} --format table --output a.csv")).code, Some(0));
+    assert!(bench.read("a.csv").starts_with("model,load_N,"));
+    let failing = bench.run(&format!("{line} --output missing/a.csv --plot a.svg"));
+    assert!(failing.code == Some(1) && !bench.path("a.svg").exists(), "{}", failing.messages);
 }

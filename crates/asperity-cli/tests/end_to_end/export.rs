@@ -308,3 +308,17 @@ fn tables_in_mm_hold_the_same_numbers_in_their_units() {
     let run = bench.run("export scene.toml --model ke --as csv --load 1:10:5 --units inch");
     assert!(run.code == Some(2) && run.messages.contains("none of SI, mm-N-MPa, mm-tonne-s"));
 }
+
+#[test]
+fn nodes_may_have_equal_ratios_of_load() {
+    let bench = Bench::new();
+    let table = bench.data("export scene.toml --model ke --as csv --pressure 1e4:1e7:31:log");
+    let pressure = column(&table, "pressure_Pa");
+    assert_eq!(pressure.len(), 31);
+    for (k, found) in pressure.iter().rev().enumerate() {
+        let wanted = 10f64.powf(4.0 + 0.1 * k as f64);
+        assert!((found / wanted - 1.0).abs() < 1e-8, "{k} {found}");
+    }
+    let refused = bench.run("export scene.toml --model ke --as csv --separation 1:3:9:log");
+    assert!(refused.messages.contains("log is not allowed here"), "{}", refused.messages);
+}

@@ -45,7 +45,16 @@ fn both_files_hold_the_heights_of_the_library() {
     near("ssk", -0.8, 0.002);
     near("slope_ratio", 2.0, 0.15);
     near("lay_direction", 30.0, 4.0);
-    near("hurst", 0.7, 0.1);
+    near("hurst_exponent", 0.7, 0.1);
+    // Exact, where bins of a quarter of an octave alone would be up to 1.4 times as long.
+    for short in [0.7, 1.0, 1.3, 2.0, 2.5] {
+        let line = "generate --long 16um --size 256x256 --pixel 0.125um --sq 0.1um --output c.x3p";
+        assert_eq!(bench.run(&format!("{line} --short {short}um")).code, Some(0));
+        let report = bench.data("surface c.x3p --periodic --format json");
+        let report: serde_json::Value = serde_json::from_str(&report).unwrap();
+        let found = 1e6 * report["cut_off"].as_f64().unwrap();
+        assert!((found / short - 1.0).abs() < 0.01, "{short} {found}");
+    }
 }
 
 #[test]

@@ -315,3 +315,13 @@ fn former_names_of_commands_give_the_same_rows_and_messages() {
         assert_eq!(bench.run(refused).code, Some(2), "{refused}");
     }
 }
+
+#[test]
+fn the_work_of_many_paths_is_summed_up() {
+    let bench = Bench::new();
+    let turns: Vec<String> = (0..200).map(|k| (100 + 50 * (k % 2)).to_string()).collect();
+    let run = bench.run(&format!("joint scene.toml --model ke --history-load {}", turns.join(",")));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("each of the 199 later paths from -"), "{}", run.messages);
+    assert!(run.messages.lines().all(|line| line.len() < 300), "{}", run.messages);
+}

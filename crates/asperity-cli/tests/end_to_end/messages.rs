@@ -234,7 +234,7 @@ fn persson_is_compared_with_asperity_models_at_loads() {
     let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["persson", "persson-fudge", "gw"]);
-    let arguments = "hurst_exponent is missing: persson needs it";
+    let arguments = "persson, persson-fudge: hurst_exponent is missing: stiffness and mean gap";
     assert!(run.messages.contains(arguments), "{}", run.messages);
     // erf(p/√(2V)), V = E² m₂/2: of the scene's own surface.
     let scene = bench.scene("scene.toml").scene;

@@ -94,7 +94,7 @@ fn the_report_leads_with_what_decides_trust_and_is_drawn() {
     let place = |name: &str| names.iter().position(|found| *found == name).expect(name);
     let trust =
         ["missing_share", "outliers", "tilt_x", "slope_ratio", "long_waves", "m4_over_half"];
-    let later = ["ssk", "filter", "sq", "sa", "spc", "m0", "asperity_radius"];
+    let later = ["ssk", "filtered", "sq", "sa", "spc", "m0", "asperity_radius"];
     let places: Vec<usize> = trust.into_iter().chain(later).map(place).collect();
     assert!(places.is_sorted(), "{names:?}");
     assert!(out.contains("plane removed; no S-filter; Gaussian L-filter of 3e-5 m"), "{out}");
@@ -106,4 +106,28 @@ fn the_report_leads_with_what_decides_trust_and_is_drawn() {
     assert_eq!(bench.run(same).code, Some(2));
     let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 0.5 --plot two.svg");
     assert!(two.code == Some(2) && two.messages.contains("--plot takes one FILE or --aligned"));
+}
+
+#[test]
+fn heights_in_a_wrong_unit_and_a_few_far_points_are_told() {
+    let bench = Bench::new();
+    let waves = |spot: f64| -> String {
+        let point = |k: usize| {
+            let (x, y) = ((k % 64) as f64, (k / 64) as f64);
+            let z = (0.7 * x + 0.2 * y).sin() + (0.3 * x - 0.9 * y).cos();
+            if (20..23).contains(&(k % 64)) && (30..33).contains(&(k / 64)) { z + spot } else { z }
+        };
+        let row = |k: usize| (0..64).map(|x| point(64 * k + x).to_string()).collect::<Vec<_>>();
+        (0..64).map(|k| row(k).join(" ") + "\n").collect()
+    };
+    bench.write("waves.txt", &waves(0.0));
+    bench.write("spot.txt", &waves(400.0));
+    let told = |name: &str, words: &str| bench.run(&format!("surface {name} {words}")).messages;
+    let metres = told("waves.txt", "--unit m --pixel-size 2");
+    assert!(metres.contains("sq is 1 m") && metres.contains("usual: 3e-11 to 0.002"), "{metres}");
+    assert!(!told("waves.txt", "--unit um --pixel-size 2").contains("sq is"));
+    let spot = told("spot.txt", "--unit um --pixel-size 2 --despike");
+    assert!(spot.contains("sku is ") && spot.contains("groups that despike leaves"), "{spot}");
+    let blank = bench.run("surface waves.txt --unit um --pixel-size 2 --scales 1e-12,2e-12");
+    assert_eq!((blank.code, &*blank.out), (Some(1), ""), "{}", blank.messages);
 }

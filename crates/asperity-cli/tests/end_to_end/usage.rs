@@ -64,7 +64,6 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "plan scene.toml --load 5 --separation 5",
         "export scene.toml --model ke --as csv",
         "export scene.toml --model ke --as csv --separation 0:4",
-        "export scene.toml --model ke --as csv --load 1:4:3:log",
         "export scene.toml --model ke --as csv --load 1:4:3 --pressure 1:4:3",
         "export scene.toml --model ke --as nastran --separation 0:4:5",
         "export scene.toml --model ke --as csv --separation 4:0:5",

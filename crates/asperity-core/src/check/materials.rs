@@ -1,6 +1,6 @@
 //! Plausibility of moduli, hardnesses and other material numbers.
 
-use super::likely_unit::{Input, PRESSURES};
+use super::likely_unit::{Input, PRESSURES, within};
 use super::moduli::Material;
 use crate::finding::short;
 use crate::{Body, Finding, Findings, Interface};
@@ -24,6 +24,8 @@ const RESISTIVITY: Input = Input::new(
     "ohm m",
     &[("uohm cm", 1e-8), ("nohm m", 1e-9), ("ohm mm2/m", 1e-6)],
 );
+/// From carbon to cold copper \[S/m\]: a resistivity of these is a conductivity.
+const OF_CONDUCTORS: [f64; 2] = [1e4, 1e9];
 /// S = 0.454 + 0.41 ν.
 const PRESSURE_FACTOR: Input =
     Input::new("pressure_factor", [0.2, 1.2], "", &[]).advice("leave it out for 0.454 + 0.41 nu");
@@ -71,7 +73,14 @@ fn conducting(
     resistivity: Option<f64>,
 ) -> impl Iterator<Item = Finding> {
     let thermal = conductivity.and_then(|k| CONDUCTIVITY.finding(k));
-    let electrical = resistivity.and_then(|rho| RESISTIVITY.finding(rho));
+    let electrical = resistivity.and_then(|rho| {
+        let found = RESISTIVITY.finding(rho)?;
+        let [given, inverse] = [rho, rho.recip()].map(short);
+        let conductivity = format!(
+            "{given} looks like a conductivity in S/m, of which the resistivity is {inverse} ohm m"
+        );
+        Some(if within(rho, OF_CONDUCTORS) { found.likely_unit(conductivity) } else { found })
+    });
     let found = thermal.into_iter().chain(electrical);
     found.map(|found| found.implausible(false))
 }

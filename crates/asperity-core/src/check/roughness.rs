@@ -52,7 +52,7 @@ impl Surface {
             .slip(makes_sense)
             .or_else(|| self.in_one_unit())
             .or_else(|| self.is_implausible().then(|| self.slip(is_possible)).flatten());
-        found.map_or_else(|| self.apart(), |found| vec![found]).into_iter().collect()
+        found.map_or_else(|| self.plain_findings(), |found| [found].into_iter().collect())
     }
 
     fn numbers(&self) -> [f64; 3] {
@@ -149,8 +149,10 @@ impl Surface {
         ]
     }
 
-    /// Findings of each number alone, without a likely unit.
-    fn apart(&self) -> Vec<Finding> {
+    /// Findings of each number outside its range without a likely unit, as for asperities that
+    /// follow from other numbers.
+    #[must_use]
+    pub fn plain_findings(&self) -> Findings {
         let odd = self.criteria().into_iter().filter(|(input, x)| !within(*x, input.usual));
         let found = |(input, value): (Input, f64)| {
             let found = input.in_unit(value, &[]);

@@ -253,9 +253,10 @@ impl Finding {
     /// [models of the whole surface](crate::Validity::asperities) do not use.
     #[must_use]
     pub fn is_of_asperities(&self) -> bool {
-        const CODES: [&str; 6] = [
+        const CODES: [&str; 7] = [
             FEW_ASPERITIES,
             ROUGHNESS_PARAMETER,
+            "anisotropic",
             "estimators-disagree",
             "no-asperities",
             "no-second-estimator",

@@ -25,6 +25,10 @@ fn every_error_names_line_field_and_requirement() {
             &["line 8: interface.nominal_area is not known: it belongs to the top of the file"],
         ),
         (
+            text("", &format!("{INTERFACE}body_1 = {{ hardness = 1e9 }}\n"), SURFACE),
+            &["interface.body_1 is not known: write [[body]] twice instead of [interface]"],
+        ),
+        (
             text("[grains]", INTERFACE, SURFACE),
             &["line 2: grains is not known: the keys here are nominal_area"],
         ),
@@ -174,7 +178,7 @@ fn every_error_names_line_field_and_requirement() {
         ),
         (
             text("", "[interface]\nequivalent_modulus = 1e9", SURFACE),
-            &["line 3: interface.poissons_ratio is missing: of the softer body"],
+            &["line 3: interface.poissons_ratio is missing: a number (of the softer body"],
         ),
         (
             text("", INTERFACE, &with("[options]\nforce = 3")),
@@ -189,8 +193,14 @@ fn every_error_names_line_field_and_requirement() {
             &["line 13: TOML: duplicate key: \"asperity_radius = 1\" was found"],
         ),
         ("nominal_area = ".into(), &["line 1: TOML: "]),
-        (String::new(), &["line 1: nominal_area is missing: m^2, the apparent area of contact"]),
-        (format!("{INTERFACE}{SURFACE}"), &["line 1: nominal_area is missing: m^2, the app"]),
+        (
+            String::new(),
+            &["line 1: nominal_area is missing: a number (m^2, the apparent area of contact"],
+        ),
+        (
+            format!("{INTERFACE}{SURFACE}"),
+            &["line 1: nominal_area is missing: a number (m^2, the app"],
+        ),
         ("[surface]\nm0 = 1".into(), &["line 1: nominal_area is missing"]),
         ("nominal_area = 1".into(), &["line 1: interface is missing: either"]),
         (

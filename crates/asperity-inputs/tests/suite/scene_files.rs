@@ -115,7 +115,7 @@ fn every_way_gives_the_surface_of_the_library() {
     assert_eq!(read(&text("", INTERFACE, &blunt)).unwrap().findings()[0].message(), wanted);
     let far = gradient.replace("\"1 um\"", "\"1 m\"");
     let found = read(&text("", INTERFACE, &far)).unwrap().findings();
-    assert!(found.iter().any(|one| one.message().starts_with("asperities from sq, spd, sdq: ")));
+    assert!(found.iter().any(|one| one.message().starts_with("asperities from sq = 1 m, spd = ")));
     // Degrees or per cent, refused and warned of.
     let angle = |sdq: &str, sq: &str| {
         let surface = gradient.split("sdq = ").next().unwrap().replace("1 um", sq);

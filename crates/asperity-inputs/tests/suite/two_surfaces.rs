@@ -61,13 +61,9 @@ fn iso_parameters_add_as_moments_of_gaussian_surfaces() {
     is(&file.scene.surface, asperities([a[0] + b[0], a[1] + b[1], a[2] + b[2]]));
     let notes: Vec<String> = file.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(notes.len(), 2, "{notes:?}");
-    assert!(
-        notes[0].contains(": surface: m0, m2 and m4 are those of an isotropic"),
-        "{}",
-        notes[0]
-    );
-    assert!(notes[1].contains(": surface.counterface: m0, m2"), "{}", notes[1]);
-    assert!(notes[1].contains("m0 = sq^2, m4 = 9 pi spc^2/64"), "{}", notes[1]);
+    assert!(notes[0].contains(": surface: m0 = 1.21e-12 m^2, m2 = 0.00"), "{}", notes[0]);
+    assert!(notes[1].contains(": surface.counterface: m0 = 1.6e-13"), "{}", notes[1]);
+    assert!(notes[1].contains("m0 = 1.6e-13 m^2, m2 = "), "{}", notes[1]);
     let mixed = numbers(&format!(
         "m0 = {:e}\nm2 = {:e}\nm4 = {:e}\n[surface.counterface]\nsq = 0.4e-6\nspd = 3e8\nspc = 4e3",
         a[0], a[1], a[2]
@@ -237,4 +233,72 @@ fn impossible_pairs_are_refused() {
         }
     }
     assert!(failures.is_empty(), "{failures}");
+}
+
+#[test]
+fn findings_of_the_only_scan_are_at_that_scan() {
+    let folder = tempfile::tempdir().unwrap();
+    let rough = asperity_bem::RandomSurface::new(2.0, 4.0, 24.0).unwrap();
+    let ground = rough.side(128e-6).unwrap().gradient(0.05).unwrap().lay(5.0, 0.0).unwrap();
+    let heights = ground.heights(128).unwrap().heights().to_vec();
+    let row = |row: &[f64]| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+    let text: Vec<String> = heights.chunks(128).map(row).collect();
+    std::fs::write(folder.path().join("lay.txt"), text.join("\n")).unwrap();
+    let numbers = "m0 = 1e-16\nm2 = 1e-6\nm4 = 1e5\n";
+    let scan = format!("file = \"lay.txt\"\n{READ}\n");
+    for (surface, place) in [
+        (format!("{scan}[surface.counterface]\n{numbers}"), "line 8: surface.file: "),
+        (format!("{numbers}[surface.counterface]\n{scan}"), "line 12: surface.counterface.file: "),
+    ] {
+        let file = scene(folder.path(), &surface).unwrap();
+        let lay = file.warnings.iter().find(|found| found.code == "anisotropic").unwrap();
+        assert!(lay.to_string().starts_with(place), "{lay}");
+    }
+}
+
+#[test]
+fn measured_heights_are_advised_only_where_one_scan_has_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let pits: Vec<String> = (0..64 * 64)
+        .map(|k| {
+            let (x, y) = ((k % 64) as f64, (k / 64) as f64);
+            (-1e-7 * (1.3 * ((0.7 * x + 0.2 * y).sin() + (0.3 * x - 0.9 * y).cos())).exp())
+                .to_string()
+        })
+        .collect();
+    let rows: Vec<String> = pits.chunks(64).map(|row| row.join(" ")).collect();
+    std::fs::write(folder.path().join("pits.txt"), rows.join("\n")).unwrap();
+    let advice = |files: &str| {
+        let file = scene(folder.path(), &format!("{files}\nunit = \"m\"\npixel_size = 1e-6"));
+        let found = file.unwrap().findings();
+        found.iter().find(|found| found.code == "not-gaussian").unwrap().to_string()
+    };
+    assert!(advice("file = \"pits.txt\"").contains("heights = \"measured\""));
+    let two = advice("files = [\"pits.txt\", \"pits.txt\"]");
+    assert!(!two.contains("measured\"") && two.contains("a table of heights"), "{two}");
+}
+
+#[test]
+fn a_counterface_of_nothing_keeps_the_hurst_exponent_of_the_scan() {
+    let folder = tempfile::tempdir().unwrap();
+    let rough = asperity_bem::RandomSurface::of_wavelengths([128e-6, 128e-6, 4e-6], [256e-6; 2]);
+    let rough = rough.unwrap().hurst(0.3).unwrap().gradient(0.02).unwrap().seed(3);
+    let heights = rough.heights(256).unwrap().heights().to_vec();
+    let row = |row: &[f64]| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+    let text: Vec<String> = heights.chunks(256).map(row).collect();
+    std::fs::write(folder.path().join("rough.txt"), text.join("\n")).unwrap();
+    let hurst = |more: &str| {
+        let file = scene(folder.path(), &format!("file = \"rough.txt\"\n{READ}\n{more}")).unwrap();
+        file.surface_shape().unwrap().unwrap().hurst
+    };
+    let alone = hurst("").unwrap();
+    assert!((alone - 0.3).abs() < 0.1, "{alone}");
+    let beside =
+        |m4: f64| hurst(&format!("counterface = {{ m0 = 1e-18, m2 = 1e-10, m4 = {m4:e} }}"));
+    assert_eq!(beside(1.0), Some(alone));
+    // Of a rougher counterface, the spectrum is unknown.
+    let rougher = hurst("counterface = { m0 = 1e-12, m2 = 1e-2, m4 = 1e13 }");
+    assert_eq!(rougher, None);
+    let given = "counterface = { m0 = 1e-18, m2 = 1e-10, m4 = 1 }\n[options]\nhurst_exponent = 0.4";
+    assert_eq!(hurst(given), Some(0.4));
 }

@@ -207,6 +207,13 @@ fn changed_numbers_are_written() {
     file.scene.interface.hardness = Some(3e9);
     let (text, _) = written_only(&file);
     assert!(text.contains("hardness = 3e9") && !text.contains("[[body]]"), "{text}");
+    // An interface that follows from changed bodies is written as these.
+    let plain = read(template());
+    let hardness = plain.inputs(["body1_hardness", "body2_youngs_modulus"]).unwrap();
+    let changed = plain.with_inputs(hardness.into_iter().zip([1.5e9, 7e10])).unwrap();
+    let (text, again) = written_only(&changed);
+    assert!(text.contains("hardness = 1.5e9") && text.contains("youngs_modulus = 7e10"), "{text}");
+    assert!(again.bodies == changed.bodies && !text.contains("[interface]"), "{text}");
     let index = template().replace("asperity_radius = 2e-4 ", "plasticity_index = 2 ");
     let index = index.replace("asperity_density = 2e8 ", "roughness_parameter = 0.04 ");
     let file = read(&index);

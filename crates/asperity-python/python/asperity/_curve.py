@@ -262,6 +262,8 @@ class CorrectedCurve(Curve):
     ('ke-corrected', True)
     """
 
+    separation_failures: dict[int, str]
+    """The rows whose quantities have values and whose separation has none, each with the reason."""
     _ends: tuple[dict[str, Floats], dict[str, Floats]]
     _separation: Floats
 
@@ -283,13 +285,14 @@ class CorrectedCurve(Curve):
             )
         asked = engine, rows, quantities, rtol
         name, found, failures, no_separation = _asperity.corrected(asked, separation_unit)
-        reasons = rows.failed(failures, errors) | rows.failed(no_separation, "mask")
+        reasons = rows.failed(failures, errors)
         columns, lower, upper = (
             {q: rows.shaped(ends[k]) for q, ends in found.items()} for k in range(3)
         )
         separation = columns.pop("separation")
         curve = cls(engine, name, rows, rtol, separation_unit, columns, reasons)
         curve._ends, curve._separation = (lower, upper), separation
+        curve.separation_failures = rows.failed(no_separation, "mask")
         return curve
 
     def lower(self, quantity: str) -> Floats:
@@ -310,7 +313,7 @@ class CorrectedCurve(Curve):
     @property
     def separation(self) -> Floats:
         """The separations of the model less its expected differences of mean gaps; masked where the
-        solved surfaces do not determine them, with the reason in ``failures``."""
+        solved surfaces do not determine them, with the reason in ``separation_failures``."""
         return self._separation
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:

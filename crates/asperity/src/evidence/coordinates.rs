@@ -205,17 +205,15 @@ fn outside((field, value, [low, high], beyond): (&str, f64, [f64; 2], f64)) -> O
     if value <= 0.0 || (least..=most).contains(&value) {
         return None;
     }
-    let [value, low, high, from, to] = [value, low, high, least, most].map(|x| match x {
+    let [value, low, high] = [value, low, high].map(|x| match x {
         small if small < 0.1 => format!("{small:.1e}"),
         below_one if below_one < 1.0 => format!("{below_one:.2}"),
         large if large >= 1e4 => short(large),
         usual => format!("{usual:.1}"),
     });
     Some(match least > 0.0 {
-        true => {
-            format!("{field} = {value}; solved range {low} to {high}, used from {from} to {to}")
-        }
-        false => format!("{field} = {value}; solved up to {high}, used up to {to}"),
+        true => format!("{field} = {value}; solved range {low} to {high}"),
+        false => format!("{field} = {value}; solved up to {high}"),
     })
 }
 

@@ -68,6 +68,9 @@ fn loads_and_pressures_are_ends_like_any_other() {
     let of = |a, b| ke([a, b], 9, None, Interpolation::Hermite).unwrap().nodes;
     let nodes = of(At::Pressure(1e4), At::Pressure(1e6));
     assert!((nodes[0].pressure / 1e6 - 1.0).abs() < 1e-9);
+    // In either order.
+    assert_eq!(of(At::Pressure(1e6), At::Pressure(1e4)), nodes);
+    assert!(ke([At::Load(5.0); 2], 9, None, Interpolation::Hermite).is_err());
     assert!((nodes[8].pressure / 1e4 - 1.0).abs() < 1e-9);
     assert_eq!(nodes, of(At::Load(1e4 * 3e-5), At::Load(1e6 * 3e-5)));
     let metres = of(At::metres(1e-6), At::metres(3e-6));
