@@ -72,7 +72,8 @@ impl SceneFile {
                 of_interface.push(odd.severity(severity).implausible(!plausible));
             } else if !self.follows_from.is_empty() {
                 of_interface.retain(|found| !of_asperities(found));
-                of_interface.extend(self.unusual_together());
+                let together = self.unusual_together();
+                of_interface.extend(together.map(|found| found.implausible(!plausible)));
             }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));

@@ -65,7 +65,7 @@ impl Check {
             None => (scene.file.check(None)?, None),
         };
         checked.extend(scene.file.warnings.clone());
-        if self.output.format == Format::Json {
+        if self.output.format() == Format::Json {
             self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;
         } else {
             self.output.write(&numbers(&checked))?;
