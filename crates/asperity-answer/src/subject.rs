@@ -6,6 +6,7 @@ use asperity::{
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
+use crate::models::grouped;
 use crate::{AnswerError, Sheet};
 
 /// A model on a scene.
@@ -22,6 +23,9 @@ pub struct Subject<'a> {
     /// Relative tolerance of every value.
     pub tolerance: Tolerance,
 }
+
+/// Findings, each as severity, code and text, with the name of an unloading law.
+pub(crate) type LawFindings = Vec<((Severity, &'static str, String), String)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
@@ -67,6 +71,15 @@ impl Subject<'_> {
     pub(crate) fn joints(&self, laws: &[UnloadingLaw]) -> Result<Vec<Joint>, ContactError> {
         let scene = &self.file.scene;
         laws.iter().map(|law| Joint::new(self.model, scene, *law, self.tolerance)).collect()
+    }
+
+    /// Adds findings of several unloading laws, each text once with the names of its laws.
+    pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: LawFindings) {
+        for ((severity, code, text), laws) in grouped(found) {
+            let text = format!("{} by {}: {text}", self.id, laws.join(", "));
+            let found = Finding::note(code, "", f64::NAN).fact(text).severity(severity);
+            sheet.findings.push(found);
+        }
     }
 
     /// Warns of a joint that creates energy when it is closed to a place and opened.

@@ -40,7 +40,8 @@ impl Solution<'_> {
         let mut found = self.of_parameters(&limits);
         found.extend_from_slice(&limits);
         found.extend(self.unreachable(is_exact));
-        let outlier = contradicted_lines(self.problem, &self.found.best, &self.residuals)?;
+        let fitted = (&self.values[..], &self.residuals[..]);
+        let outlier = contradicted_lines(self.problem, &self.found.best, fitted)?;
         let misfit = match is_exact {
             true => None,
             false => self.misfit(outlier.as_ref(), &limits)?,

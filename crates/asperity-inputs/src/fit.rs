@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use asperity::fit::{
-    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Ranking,
-    Rig, Role, USUAL_FACTOR, places, predict,
+    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress,
+    Ranking, Rig, Role, USUAL_FACTOR, places, predict,
 };
 use asperity::{At, Finding, Interface, Model, Quantity, Severity, short};
 

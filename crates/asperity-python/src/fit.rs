@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
 use asperity::Severity;
+use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
 use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;

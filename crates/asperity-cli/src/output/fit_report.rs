@@ -1,7 +1,7 @@
 //! Fitted models as notes, warnings and a table.
 
-use asperity::fit::{Fitted, Ranking};
 use asperity::Finding;
+use asperity::fit::{Fitted, Ranking};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::Free;
 
