@@ -4,7 +4,7 @@ use asperity::{At, ContactError, Described, Evaluation, Finding, Findings, Quant
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
-use crate::blanks::Blanks;
+use crate::blanks::{Blanks, words};
 use crate::models::{NamedModel, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -250,9 +250,11 @@ pub(crate) struct Found {
 impl Found {
     /// Adds the findings to the sheet, one for each reason.
     fn report(&mut self, file: &SceneFile, sheet: &mut Sheet) {
-        for (reason, ids) in grouped(self.lacking.drain(..)) {
-            let found = Finding::warning("no-value", "", f64::NAN).fact(reason);
-            sheet.findings.push(found.of_model(ids.join(", ")));
+        let lacking = self.lacking.drain(..).map(|(reason, id)| (words(&reason), (id, reason)));
+        for (_, models) in grouped(lacking) {
+            let ids: Vec<&str> = models.iter().map(|(id, _)| &**id).collect();
+            let found = Finding::warning("no-value", "", f64::NAN).fact(models[0].1.clone());
+            sheet.findings.push(found.of_model(once(&ids).join(", ")));
         }
         if !self.without_tension.is_empty() {
             let ids = once(&self.without_tension);

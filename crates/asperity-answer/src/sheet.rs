@@ -100,14 +100,21 @@ impl Sheet {
         self.rows.push(row);
     }
 
-    /// Adds a note that is a sentence of its own.
+    /// Adds a note that is a sentence of its own, unless it stands there already.
     pub fn note(&mut self, code: &'static str, text: impl Into<String>) {
-        self.findings.push(Finding::note(code, "", f64::NAN).fact(text.into()));
+        self.add_once(Finding::note(code, "", f64::NAN).fact(text.into()));
     }
 
-    /// Adds a warning that is a sentence of its own.
+    /// Adds a warning that is a sentence of its own, unless it stands there already.
     pub fn warn(&mut self, code: &'static str, text: impl Into<String>) {
-        self.findings.push(Finding::warning(code, "", f64::NAN).fact(text.into()));
+        self.add_once(Finding::warning(code, "", f64::NAN).fact(text.into()));
+    }
+
+    fn add_once(&mut self, new: Finding) {
+        let is_new = |known: &Finding| known.message() != new.message();
+        if self.findings.iter().all(is_new) {
+            self.findings.push(new);
+        }
     }
 
     /// Adds findings, most severe first.

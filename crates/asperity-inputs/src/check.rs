@@ -52,9 +52,13 @@ impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
+        let of_first = self.bodies.first().map_or(Findings::default(), |body| body.findings());
         let body_field = |(body, k): (&asperity::Body, usize)| {
             let section = format!("body[{k}]");
-            body.findings().into_iter().map(move |finding| finding.within(&section))
+            // Two bodies of one material have one finding.
+            let is_new = |finding: &Finding| k == 1 || !of_first.contains(finding);
+            let found: Vec<Finding> = body.findings().into_iter().filter(is_new).collect();
+            found.into_iter().map(move |finding| finding.within(&section))
         };
         let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(body_field).collect();
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
