@@ -1,5 +1,6 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
+use asperity::recommended::JKR;
 use asperity::{At, ContactError, Described, Evaluation, Finding, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
@@ -189,7 +190,7 @@ impl<'s> Inquiry<'s> {
                     let what = if answered { format!("`{quantity}`") } else { "value".into() };
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
-                    let opening = if id == "jkr" && opens(reason) { OPENING } else { "" };
+                    let opening = if id == JKR && opens(reason) { OPENING } else { "" };
                     blanks.count(&what, reason.marked() + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);

@@ -105,7 +105,6 @@ pub fn unit_warning(
     height_std: f64,
 ) -> Option<Finding> {
     let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-    let message = mistaken_unit(name, value, unit, height_std)?;
-    let text = format!("{message}; write lengths with their unit, for example 2um");
-    Some(Finding::warning("likely-unit", name.to_string(), value).fact(text))
+    let remedy = "write lengths with their unit, for example 2um";
+    mistaken_unit(name, value, unit, height_std, remedy)
 }

@@ -160,16 +160,7 @@ pub(crate) fn recommend<'py>(
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
     let (among, left_out) = match models {
-        None => {
-            let mut models = file.options.models();
-            let ids: Vec<String> = models.iter().map(|model| model.id().into()).collect();
-            // The evidence covers these models, too.
-            let (mut others, mut left_out) = file.models_beside_bem();
-            others.retain(|model| !ids.iter().any(|id| id == model.id()));
-            left_out.retain(|model| !ids.contains(&model.id));
-            models.extend(others);
-            (models, left_out)
-        }
+        None => file.models_beside_bem(),
         Some(ids) => {
             let models = ids.iter().map(|id| file.model(id).map_err(value_error));
             (models.collect::<PyResult<_>>()?, vec![])

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Findings, Scene, SeparationUnit, Severity};
+use asperity::{At, Case, ContactError, Datum, Finding, Findings, Scene, SeparationUnit, Severity};
 use asperity_inputs::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -157,7 +157,7 @@ impl Rows {
     }
 
     /// A warning if the separation of largest magnitude has probably another unit.
-    pub(crate) fn mistaken_unit(&self) -> Option<String> {
+    pub(crate) fn mistaken_unit(&self) -> Option<Finding> {
         let largest = largest_magnitude(&self.numbers).to_bits();
         let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
         let height_std = self.scene(row).ok()?.surface.asperity_height_std;

@@ -41,7 +41,7 @@ pub(crate) fn answer<'py>(
         let of_scenes = if checked { check_rows(&asked) } else { Findings::default() };
         rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
     });
-    let texts = rows.mistaken_unit().into_iter().chain(found.iter().map(ToString::to_string));
+    let texts = rows.mistaken_unit().into_iter().chain(found).map(|found| found.to_string());
     let columns = arrays(py, request.quantities.iter().zip(answer.columns))?;
     Ok((model.name().into(), columns, asked.failures(py, answer.failures), texts.collect()))
 }
