@@ -127,7 +127,7 @@ fn order(first: &Fitted, least: f64, others: &[&Fitted]) -> String {
     let near = valid.iter().filter(|other| other.bic.is_some_and(|bic| bic - least < STRONG));
     let near: Vec<&str> = near.map(|other| other.model.as_str()).collect();
     let mut text = match &near[..] {
-        _ if valid.is_empty() => format!("{name} alone holds here"),
+        _ if valid.is_empty() => format!("{name} is the only model of the list that holds here"),
         [] => format!("{name} fits best by BIC, clearly before the others"),
         near => format!(
             "{name} fits best by BIC, but these data do not distinguish it from {} (BIC within {STRONG})",
