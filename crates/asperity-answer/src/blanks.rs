@@ -1,11 +1,5 @@
 //! The reasons for blanks, each kind once; reasons are alike up to their numbers.
 
-/// A reason without its numbers.
-pub(crate) fn words(reason: &str) -> String {
-    // 1e30 leaves what 12 leaves.
-    reason.chars().filter(|c| c.is_alphabetic() && *c != 'e').collect()
-}
-
 /// The reasons for blanks in rows of one model: what is blank, the first reason of each kind and
 /// the number of its rows.
 #[derive(Debug, Clone, Default)]
@@ -14,6 +8,11 @@ pub struct Blanks(Vec<(String, String, usize)>);
 impl Blanks {
     /// Counts a row without this, such as a value at all or one quantity.
     pub fn count(&mut self, what: &str, reason: String) {
+        // 1e30 leaves what 12 leaves.
+        let words = |text: &str| {
+            let is_word = |c: &char| c.is_alphabetic() && *c != 'e';
+            text.chars().filter(is_word).collect::<String>()
+        };
         let known = self.0.iter_mut().find(|(known, first, _)| {
             *known == what && (*first == reason || words(first) == words(&reason))
         });

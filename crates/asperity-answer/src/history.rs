@@ -1,9 +1,10 @@
 //! A joint through a history of turning points.
 
 use asperity::joints::{Joint, Path, UnloadingLaw};
-use asperity::{At, ContactError, Separation, SeparationUnit, Severity};
+use asperity::{At, ContactError, Finding, Separation, SeparationUnit};
 
 use crate::number::rounded;
+use crate::sheet::{note, warning};
 use crate::subject::{LawFindings, Subject};
 use crate::{AnswerError, Sheet};
 
@@ -37,7 +38,7 @@ pub fn history(
                 let numbers = [point.way as f64, sigma?, metres?, force, force / area, stiffness];
                 sheet.add(&[subject.id, &law], numbers);
             }
-            found.extend(work(&joint, &path).map(|found| (found, law.clone())));
+            found.extend(work(&joint, &path).map(|found| (found, joint.law())));
             if let [_, .., last] = &path.points[..] {
                 let closest = At::metres(last.closest);
                 let work = joint.work(closest);
@@ -53,7 +54,7 @@ pub fn history(
             if open > 0 {
                 let all = path.points.len();
                 let text = format!("the joint is open at {open} of {all} points");
-                found.push(((Severity::Warning, "few-contacts", text), law));
+                found.push((warning("few-contacts", text), joint.law()));
             }
         }
         subject.report_laws(sheet, found);
@@ -62,12 +63,11 @@ pub fn history(
 }
 
 /// The work of the first closing and of the later paths, which are listed if they are few.
-fn work(joint: &Joint, path: &Path) -> Option<(Severity, &'static str, String)> {
+fn work(joint: &Joint, path: &Path) -> Option<Finding> {
     let closing = match joint.work(At::metres(path.points.first()?.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            let text = format!("the work is unavailable: {error}");
-            return Some((Severity::Warning, "no-work", text));
+            return Some(warning("no-work", format!("the work is unavailable: {error}")));
         }
     };
     let later = &path.work[..];
@@ -88,5 +88,5 @@ fn work(joint: &Joint, path: &Path) -> Option<(Severity, &'static str, String)> 
             )
         }
     };
-    Some((Severity::Note, "work", text))
+    Some(note("work", text))
 }

