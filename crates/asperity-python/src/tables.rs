@@ -64,8 +64,8 @@ pub(crate) fn contact_table<'py>(
     };
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
-    let warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
-    warnings.map(|found| warn(py, found, 1)).collect::<PyResult<()>>()?;
+    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
+    warnings.try_for_each(|found| warn(py, found, 1))?;
     Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
 }
 
