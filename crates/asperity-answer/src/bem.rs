@@ -67,7 +67,11 @@ impl Press<'_> {
         let half = half.filter(|_| !watch.is_stopped());
         let half = half.map(|half| self.rows(&half, &quantities, sheet, watch)).transpose()?;
         let half = half.map(|(rows, _, of_half)| {
-            found.extend(of_half);
+            // What the whole grid is too coarse for, half of it is, too.
+            let known: Vec<&str> = found.iter().map(|one| one.code).collect();
+            let new: Vec<Finding> =
+                of_half.into_iter().filter(|one| !known.contains(&one.code)).collect();
+            found.extend(new);
             rows
         });
         sheet.report(self.file, found);

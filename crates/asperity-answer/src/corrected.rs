@@ -27,9 +27,9 @@ impl Inquiry<'_> {
             Cell::from(separation.and_then(|s| measured(self.file, s, unit).ok()))
         };
         // The id stands in front of every message.
-        let words = |reason: &ContactError| {
-            let text = reason.marked();
-            text.split_once("-corrected`: ").map_or(text.clone(), |(_, rest)| rest.into())
+        let words = |reason: &ContactError| match reason {
+            ContactError::Refused { model, reason } if *model == id => reason.clone(),
+            reason => reason.marked(),
         };
         for (k, &at) in self.request.at.iter().enumerate() {
             let row = corrected.as_ref().map_err(Clone::clone);

@@ -1,10 +1,11 @@
 //! A joint through a history of turning points.
 
 use asperity::joints::{Joint, Path, UnloadingLaw};
-use asperity::{At, ContactError, Separation, SeparationUnit};
+use asperity::{At, ContactError, Finding, Separation, SeparationUnit};
 
 use crate::number::rounded;
-use crate::subject::Subject;
+use crate::sheet::{note, warning};
+use crate::subject::{LawFindings, Subject};
 use crate::{AnswerError, Sheet};
 
 /// The most paths whose work is listed.
@@ -25,6 +26,7 @@ pub fn history(
     let heads = ["model", "law", "way", "separation_over_sigma", "separation_m", "force_N"];
     sheet.under(&[&heads, &["pressure_Pa", "stiffness_N_per_m"]]);
     subject.fill(sheet, |sheet| {
+        let mut found = LawFindings::new();
         for joint in subject.joints(laws)? {
             let path = joint.path(&joint.turning_points(turns)?, STEPS)?;
             let (law, area) = (joint.law().to_string(), subject.file.scene.nominal_area);
@@ -36,8 +38,7 @@ pub fn history(
                 let numbers = [point.way as f64, sigma?, metres?, force, force / area, stiffness];
                 sheet.add(&[subject.id, &law], numbers);
             }
-            let name = format!("{} by {law}", subject.id);
-            note_work(sheet, &name, &joint, &path);
+            found.extend(work(&joint, &path).map(|found| (found, joint.law())));
             if let [_, .., last] = &path.points[..] {
                 let closest = At::metres(last.closest);
                 let work = joint.work(closest);
@@ -52,40 +53,40 @@ pub fn history(
             let open = path.points.iter().filter(|point| point.force == 0.0).count();
             if open > 0 {
                 let all = path.points.len();
-                let text = format!("{name}: the joint is open at {open} of {all} points");
-                sheet.warn("few-contacts", text);
+                let text = format!("the joint is open at {open} of {all} points");
+                found.push((warning("few-contacts", text), joint.law()));
             }
         }
+        subject.report_laws(sheet, found);
         Ok(())
     })
 }
 
-/// Notes the work of the first closing and of the later paths.
-fn note_work(sheet: &mut Sheet, name: &str, joint: &Joint, path: &Path) {
-    let Some(first) = path.points.first() else { return };
-    let first = match joint.work(At::metres(first.separation)) {
+/// The work of the first closing and of the later paths, which are listed if they are few.
+fn work(joint: &Joint, path: &Path) -> Option<Finding> {
+    let closing = match joint.work(At::metres(path.points.first()?.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return sheet.warn("no-work", format!("{name}: the work is unavailable: {error}"));
+            return Some(warning("no-work", format!("the work is unavailable: {error}")));
         }
     };
-    let all = rounded(first + path.work.iter().sum::<f64>());
-    let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
-    let (first, count) = (rounded(first), works.len());
-    let text = match count {
-        0 => format!("{name}: closing to the turning point takes {first} J"),
-        1..=LISTED => format!(
-            "{name}: first closing takes {first} J, the later paths {} J (negative: returned), {all} J in total",
-            works.join(", ")
-        ),
-        _ => {
-            let least = path.work.iter().copied().fold(f64::INFINITY, f64::min);
-            let most = path.work.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let [least, most] = [least, most].map(rounded);
+    let later = &path.work[..];
+    let [first, all] = [closing, closing + later.iter().sum::<f64>()].map(rounded);
+    let text = match later.len() {
+        0 => format!("closing to the turning point takes {first} J"),
+        1..=LISTED => {
+            let works = later.iter().map(|work| rounded(*work)).collect::<Vec<_>>().join(", ");
             format!(
-                "{name}: first closing takes {first} J, each of the {count} later paths from {least} to {most} J (negative: returned), {all} J in total"
+                "first closing takes {first} J, the later paths {works} J (negative: returned), {all} J in total"
+            )
+        }
+        count => {
+            let least = rounded(later.iter().copied().fold(f64::INFINITY, f64::min));
+            let most = rounded(later.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+            format!(
+                "first closing takes {first} J, each of the {count} later paths from {least} to {most} J (negative: returned), {all} J in total"
             )
         }
     };
-    sheet.note("work", text);
+    Some(note("work", text))
 }

@@ -1,11 +1,13 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
-use asperity::{At, ContactError, Described, Evaluation, Finding, Findings, Quantity, Request};
+use asperity::recommended::JKR;
+use asperity::{At, ContactError, Described, Evaluation, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
 use crate::blanks::Blanks;
 use crate::models::{NamedModel, grouped, once};
+use crate::sheet::warning;
 use crate::subject::with_likely_pressure;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -195,7 +197,7 @@ impl<'s> Inquiry<'s> {
                     let what = if answered { format!("`{quantity}`") } else { "value".into() };
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
-                    let opening = if id == "jkr" && opens(reason) { OPENING } else { "" };
+                    let opening = if id == JKR && opens(reason) { OPENING } else { "" };
                     blanks.count(&what, reason.marked() + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
@@ -257,8 +259,7 @@ impl Found {
     /// Adds the findings to the sheet, one for each reason.
     fn report(&mut self, file: &SceneFile, sheet: &mut Sheet) {
         for (reason, ids) in grouped(self.lacking.drain(..)) {
-            let found = Finding::warning("no-value", "", f64::NAN).fact(reason);
-            sheet.findings.push(found.of_model(ids.join(", ")));
+            sheet.findings.push(warning("no-value", reason).of_model(ids.join(", ")));
         }
         if !self.without_tension.is_empty() {
             let ids = once(&self.without_tension);

@@ -38,7 +38,9 @@ pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
 pub use subject::{Subject, unit_warning};
-pub use truth::{ContactState, Truth, beside_table, compare_with_bem, summary, truth, unranked};
+pub use truth::{
+    ContactState, Truth, Truths, beside_table, compare_with_bem, summary, truth, unranked,
+};
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;
 pub use watch::{Silent, Watch};

@@ -125,7 +125,8 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
-/// The models without a result, one text for each reason.
+/// The models without a result, one text for each reason, that of the first: an input that several
+/// lack, or that is outside the same range.
 pub(crate) fn by_reason<'e>(
     lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
 ) -> Vec<String> {
@@ -135,8 +136,17 @@ pub(crate) fn by_reason<'e>(
         ContactError::Refused { reason, .. } => format!(": {reason}"),
         reason => format!(": {}", reason.marked()),
     };
-    let grouped = grouped(lacking.into_iter().map(|(id, error)| (reason(error), id)));
-    grouped.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
+    let kind = |error: &ContactError| match error {
+        ContactError::Missing { field, .. } => (*field).to_string(),
+        ContactError::OutOfRange { field, required, .. } => format!("{field} {required}"),
+        error => reason(error),
+    };
+    let groups = grouped(lacking.into_iter().map(|(id, error)| (kind(error), (id, error))));
+    let text = |(_, models): (String, Vec<(&str, &ContactError)>)| {
+        let ids: Vec<&str> = models.iter().map(|(id, _)| *id).collect();
+        format!("{}{}", once(&ids).join(", "), reason(models[0].1))
+    };
+    groups.into_iter().map(text).collect()
 }
 
 /// Values under their keys, each once, in the order of the first.

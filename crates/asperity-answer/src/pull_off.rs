@@ -1,5 +1,6 @@
 //! The largest tension of surfaces with adhesion.
 
+use asperity::recommended::{DMT, JKR_SEPARATION};
 use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
 use asperity_inputs::SceneFile;
 
@@ -50,8 +51,8 @@ pub fn pull_off(
 fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
     // Pull-off force of one asperity in units of pi R w_a.
     let single = match id {
-        "jkr-separation" => 1.5,
-        "dmt" => 2.0,
+        JKR_SEPARATION => 1.5,
+        DMT => 2.0,
         _ => return,
     };
     let Some(work) = scene.interface.work_of_adhesion else { return };

@@ -100,18 +100,35 @@ impl Sheet {
         self.rows.push(row);
     }
 
-    /// Adds a note that is a sentence of its own.
+    /// Adds a note that is a sentence of its own, unless it stands there already.
     pub fn note(&mut self, code: &'static str, text: impl Into<String>) {
-        self.findings.push(Finding::note(code, "", f64::NAN).fact(text.into()));
+        self.add_once(note(code, text));
     }
 
-    /// Adds a warning that is a sentence of its own.
+    /// Adds a warning that is a sentence of its own, unless it stands there already.
     pub fn warn(&mut self, code: &'static str, text: impl Into<String>) {
-        self.findings.push(Finding::warning(code, "", f64::NAN).fact(text.into()));
+        self.add_once(warning(code, text));
+    }
+
+    fn add_once(&mut self, new: Finding) {
+        let is_new = |known: &Finding| known.message() != new.message();
+        if self.findings.iter().all(is_new) {
+            self.findings.push(new);
+        }
     }
 
     /// Adds findings, most severe first.
     pub fn extend(&mut self, findings: Findings) {
         self.findings.extend(findings);
     }
+}
+
+/// A note that is a sentence of its own.
+pub(crate) fn note(code: &'static str, text: impl Into<String>) -> Finding {
+    Finding::note(code, "", f64::NAN).fact(text.into())
+}
+
+/// A warning that is a sentence of its own.
+pub(crate) fn warning(code: &'static str, text: impl Into<String>) -> Finding {
+    Finding::warning(code, "", f64::NAN).fact(text.into())
 }

@@ -7,6 +7,8 @@ use asperity::{
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
+use crate::models::grouped;
+use crate::sheet::warning;
 use crate::{AnswerError, Sheet};
 
 /// A model on a scene.
@@ -23,6 +25,9 @@ pub struct Subject<'a> {
     /// Relative tolerance of every value.
     pub tolerance: Tolerance,
 }
+
+/// Findings of unloading laws.
+pub(crate) type LawFindings = Vec<(Finding, UnloadingLaw)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
@@ -55,8 +60,7 @@ impl Subject<'_> {
 
     /// Warns of blank cells of the model.
     pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        let found = Finding::warning("blank", "", f64::NAN).fact(text);
-        sheet.findings.push(found.from_origin(self.name));
+        sheet.findings.push(warning("blank", text).from_origin(self.name));
     }
 
     /// A separation from the plane of the scene, in this unit.
@@ -68,6 +72,15 @@ impl Subject<'_> {
     pub(crate) fn joints(&self, laws: &[UnloadingLaw]) -> Result<Vec<Joint>, ContactError> {
         let scene = &self.file.scene;
         laws.iter().map(|law| Joint::new(self.model, scene, *law, self.tolerance)).collect()
+    }
+
+    /// Adds findings of several unloading laws, each text once with the names of its laws.
+    pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: LawFindings) {
+        for (text, alike) in grouped(found.into_iter().map(|one| (one.0.message(), one))) {
+            let laws = alike.iter().map(|(_, law)| law.to_string()).collect::<Vec<_>>().join(", ");
+            let found = alike[0].0.clone().fact(format!("{} by {laws}: {text}", self.id));
+            sheet.findings.push(found);
+        }
     }
 
     /// Warns of a joint that creates energy when it is closed to a place and opened.
@@ -93,9 +106,8 @@ pub fn unit_warning(
     height_std: f64,
 ) -> Option<Finding> {
     let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-    let message = mistaken_unit(name, value, unit, height_std)?;
-    let text = format!("{message}; write lengths with their unit, for example 2um");
-    Some(Finding::warning("likely-unit", name.to_string(), value).fact(text))
+    let remedy = "write lengths with their unit, for example 2um";
+    mistaken_unit(name, value, unit, height_std, remedy)
 }
 
 /// Pressures \[Pa\] that look like MPa where few asperities touch.

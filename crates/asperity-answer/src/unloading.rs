@@ -1,11 +1,12 @@
 //! A joint that opens from its closest approach.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Evaluation, SeparationUnit, linspace};
+use asperity::{At, ContactError, Evaluation, Finding, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
-use crate::subject::{Subject, unit_warning};
+use crate::sheet::{note, warning};
+use crate::subject::{LawFindings, Subject, unit_warning};
 use crate::{AnswerError, Sheet};
 
 /// Number of default retreats.
@@ -31,7 +32,7 @@ pub fn unloading(
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     sheet.under(&[&heads, area, &["stiffness_N_per_m", "contacts"]]);
     subject.fill(sheet, |sheet| {
-        let (mut openings, mut last) = (vec![], None);
+        let (mut openings, mut last, mut found) = (vec![], None, LawFindings::new());
         for joint in subject.joints(laws)? {
             let opening = joint.unloading(closest)?;
             if opening.force(0.0)?.value() == 0.0 {
@@ -42,8 +43,8 @@ pub fn unloading(
                 .into());
             }
             let end = opening.last_contact();
-            note_work(sheet, subject, &joint, closest);
-            note_end(sheet, &format!("{} by {}", subject.id, joint.law()), &end);
+            found.push((work(sheet, subject, &joint, closest), joint.law()));
+            found.push((last_contact(&end), joint.law()));
             // Only a default depends on the end of contact.
             last = last.into_iter().chain(end).reduce(f64::max);
             openings.push(opening);
@@ -56,8 +57,9 @@ pub fn unloading(
             },
         };
         for opening in &openings {
-            add_rows(sheet, subject, opening, &retreats, with_area)?;
+            found.extend(add_rows(sheet, subject, opening, &retreats, with_area)?);
         }
+        subject.report_laws(sheet, found);
         Ok(())
     })
 }
@@ -78,9 +80,8 @@ fn has_area(law: UnloadingLaw) -> bool {
     law != UnloadingLaw::Etsion
 }
 
-/// Notes the work of closing and opening.
-fn note_work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) {
-    let name = format!("{} by {}", subject.id, joint.law());
+/// The work of closing and opening.
+fn work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) -> Finding {
     let works = joint.work(closest).and_then(|work| {
         subject.warn_energy_gain(sheet, joint, closest, &work)?;
         let lost = work.lost();
@@ -91,33 +92,39 @@ fn note_work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: A
         })
     });
     match works.map(|works| works.map(rounded)) {
-        Ok([spent, lost, factor]) => sheet.note(
+        Ok([spent, lost, factor]) => note(
             "work",
             format!(
-                "{name}: closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
+                "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
             ),
         ),
-        Err(error) => sheet.warn("no-work", format!("{name}: the work is unavailable: {error}")),
+        Err(error) => warning("no-work", format!("the work is unavailable: {error}")),
     }
 }
 
-/// Tells where contact ends.
-fn note_end(sheet: &mut Sheet, name: &str, end: &Result<f64, ContactError>) {
-    match end.as_ref().map(|end| (*end, rounded(*end))) {
-        Ok((0.0, _)) => sheet.warn("few-contacts", format!("{name}: even at the closest approach, fewer than one asperity touches on average")),
-        Ok((_, end)) => sheet.note("end-of-contact", format!("{name}: contact ends at a retreat of {end} m, beyond which fewer than one asperity touches on average")),
-        Err(error) => sheet.note("no-end-of-contact", format!("{name}: the end of contact was not found: {error}")),
+/// Where contact ends.
+fn last_contact(end: &Result<f64, ContactError>) -> Finding {
+    let few = "fewer than one asperity touches on average";
+    match end {
+        Ok(0.0) => warning("few-contacts", format!("even at the closest approach, {few}")),
+        Ok(end) => note(
+            "end-of-contact",
+            format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)),
+        ),
+        Err(error) => {
+            note("no-end-of-contact", format!("the end of contact was not found: {error}"))
+        }
     }
 }
 
-/// The rows of one law, with a warning of blanks.
+/// Adds the rows of one law; warnings of blanks.
 fn add_rows(
     sheet: &mut Sheet,
     subject: &Subject<'_>,
     opening: &Unloading,
     retreats: &[f64],
     with_area: bool,
-) -> Result<(), ContactError> {
+) -> Result<LawFindings, ContactError> {
     let (scene, law) = (&subject.file.scene, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
     let (name, mut blanks) = (law.to_string(), Blanks::default());
@@ -142,8 +149,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    for text in blanks.texts(retreats.len()) {
-        subject.warn_blank(sheet, format!("{} by {law}: {text}", subject.id));
-    }
-    Ok(())
+    let blank = |text: String| (warning("blank", text), law);
+    Ok(blanks.texts(retreats.len()).map(blank).collect())
 }

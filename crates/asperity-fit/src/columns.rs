@@ -7,8 +7,6 @@ use crate::names::unknown_column;
 use crate::observation::{LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
 
-/// The largest number of rows.
-const MOST: usize = 100_000;
 /// Columns of `curve` without information: sigma is unknown, and a fit has its own models.
 const IGNORED: [&str; 2] = ["separation_over_sigma", "model"];
 /// Columns of places. Pressure is a quantity as well.
@@ -50,9 +48,6 @@ impl<'c> Columns<'c> {
         let rows = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
         let refused =
             |column: &str, reason: String| Err(FitError::Column { column: column.into(), reason });
-        if rows > MOST {
-            return refused("the data", format!("{rows} rows: at most {MOST} were required"));
-        }
         let mut found = Self { rows, lines, columns: vec![] };
         for (place, (name, values)) in columns.iter().enumerate() {
             let name = name.trim();

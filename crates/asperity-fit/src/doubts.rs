@@ -40,7 +40,8 @@ impl Solution<'_> {
         let mut found = self.of_parameters(&limits);
         found.extend_from_slice(&limits);
         found.extend(self.unreachable(is_exact));
-        let outlier = contradicted_lines(self.problem, &self.found.best, &self.residuals)?;
+        let fitted = (&self.values[..], &self.residuals[..]);
+        let outlier = contradicted_lines(self.problem, &self.found.best, fitted)?;
         let misfit = match is_exact {
             true => None,
             false => self.misfit(outlier.as_ref(), &limits)?,
@@ -50,7 +51,7 @@ impl Solution<'_> {
             let text = format!(
                 "the residuals are {shown} times the standard deviations (reduced chi squared {chi}); intervals are too narrow; check the standard deviations, or leave them out"
             );
-            found.push(doubt(NOTES, "", ratio, text).severity(Severity::Note));
+            found.push(doubt(NOTES, "residuals", ratio, text).severity(Severity::Note));
         }
         found.extend(outlier);
         // At a limit a number or unit is wrong, which the law of another stiffness may hide.
@@ -64,7 +65,7 @@ impl Solution<'_> {
     /// Doubts about parameters beside their limits, which explain some of them.
     fn of_parameters(&self, limits: &[Finding]) -> Vec<Finding> {
         let (problem, best) = (self.problem, &self.found.best);
-        let note = |text: String| doubt(NOTES, "", f64::NAN, text).severity(Severity::Note);
+        let note = |field, text| doubt(NOTES, field, f64::NAN, text).severity(Severity::Note);
         let has_intervals = self.freedom > 0 || problem.data.has_std();
         let free = self.spread.as_ref().map(Spread::free_directions);
         let mut found = free.map_or(vec![], |free| undetermined(problem.parameters, &free));
@@ -80,13 +81,14 @@ impl Solution<'_> {
             }
         } else {
             found.push(note(
+                "intervals",
                 "no intervals: as many parameters as measured values, without standard deviations"
                     .into(),
             ));
         }
         for other in self.found.others.iter().filter(|_| is_determined) {
             let at = self.parameters_at(&other.coordinates, |_| String::new());
-            found.push(note(format!("{at} fits the data as well")));
+            found.push(note("minimum", format!("{at} fits the data as well")));
         }
         if !best.converged {
             let text = "the search did not converge: the values are the best that it found";

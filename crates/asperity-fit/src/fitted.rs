@@ -1,10 +1,14 @@
 //! The result of a fit.
 
-use asperity_core::Finding;
+use asperity_core::{Finding, Findings, Severity};
 use serde::Serialize;
 
 use crate::Doubts;
 use crate::doubt::{MISFIT, UNREACHABLE};
+
+/// Parameters and values of two models that differ by less, relative, are the same: a minimum is
+/// found to about 1e-8.
+const EQUAL: f64 = 1e-6;
 
 /// A model fitted to data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -36,6 +40,13 @@ pub struct Fitted {
     pub doubts: Doubts,
     /// Every measured value beside the fitted one.
     pub residuals: Vec<Residual>,
+    /// The model of the list that gives the same values with the same parameters.
+    pub same_as: Option<String>,
+    /// Unusual results of the model where data were measured, such as yielding that it ignores.
+    pub unusual: Findings,
+    /// Whether its law is elastic.
+    #[serde(skip)]
+    pub(crate) is_elastic: bool,
     /// Evaluations of the model for all data.
     pub evaluations: usize,
 }
@@ -57,6 +68,21 @@ impl Fitted {
     #[must_use]
     pub fn describes_data(&self) -> bool {
         self.misfit().is_none() && !self.has_unreachable()
+    }
+
+    /// The warning that the law of the model does not hold where data were measured.
+    #[must_use]
+    pub fn invalid(&self) -> Option<&Finding> {
+        self.unusual.iter().find(|one| one.is_of_model() && one.severity < Severity::Note)
+    }
+
+    /// Whether another fit has the same parameters and values.
+    pub(crate) fn equals(&self, other: &Self) -> bool {
+        let near = |(a, b): (f64, f64)| (a - b).abs() <= EQUAL * b.abs();
+        let parameters = self.parameters.iter().zip(&other.parameters);
+        let values = self.residuals.iter().zip(&other.residuals);
+        parameters.map(|(a, b)| (a.value, b.value)).all(near)
+            && values.map(|(a, b)| (a.fitted, b.fitted)).all(near)
     }
 
     /// What is to be read of this fit, in its order: the doubts that no other hides.

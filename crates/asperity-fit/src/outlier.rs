@@ -3,8 +3,9 @@
 use asperity_core::{Finding, short};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+use crate::distance::distance;
 use crate::doubt::{OUTLIER, doubt, rounded};
-use crate::problem::{Minimum, Problem};
+use crate::problem::{Minimum, Problem, squares};
 use crate::{FitError, Observation};
 
 /// Least distance of an outlier from a fit to the others: of logarithms, or in standard deviations.
@@ -38,7 +39,7 @@ struct Without {
 pub(crate) fn contradicted_lines(
     problem: &Problem<'_>,
     best: &Minimum,
-    residuals: &[f64],
+    (values, residuals): (&[f64], &[f64]),
 ) -> Result<Option<Finding>, FitError> {
     let far = FAR[usize::from(problem.data.has_std())];
     // The line itself draws the fit, at most half of the way if it is one of several.
@@ -46,6 +47,9 @@ pub(crate) fn contradicted_lines(
         return Ok(None);
     }
     let order = by_residual(problem, residuals);
+    if distance(problem.data, values) > 1.0 && !are_far(problem, residuals, &order) {
+        return Ok(None);
+    }
     let mut alone: Vec<Without> = vec![];
     for row in order.iter().take(MOST) {
         alone.extend(without(problem, best, &[*row])?);
@@ -64,6 +68,16 @@ pub(crate) fn contradicted_lines(
         }
     }
     Ok(clearest(&pairs).or(found).map(|found| found.finding(problem)))
+}
+
+/// Whether two rows may explain a misfit: outliers draw the fit at most half of the way, so that
+/// they keep a quarter of the sum of squares.
+fn are_far(problem: &Problem<'_>, residuals: &[f64], order: &[usize]) -> bool {
+    let rows = &order[..order.len().min(2)];
+    let each = problem.data.iter().zip(residuals);
+    let of_rows: Vec<f64> =
+        each.filter(|(one, _)| rows.contains(&one.row)).map(|(_, r)| *r).collect();
+    squares(&of_rows) >= 0.25 * squares(residuals)
 }
 
 /// The rows of the data, that of the largest residual first.

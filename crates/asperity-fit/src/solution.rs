@@ -1,6 +1,6 @@
 //! Values, intervals and residuals of a minimum.
 
-use asperity_core::Scene;
+use asperity_core::{Findings, Scene};
 
 use crate::distance::rms;
 use crate::problem::{Problem, squares};
@@ -81,6 +81,9 @@ impl<'s> Solution<'s> {
             condition: spread.and_then(Spread::condition),
             doubts,
             residuals: each.map(residual).collect(),
+            same_as: None,
+            unusual: Findings::default(),
+            is_elastic: self.problem.model.validity().holds_to.is_some_and(|to| to <= 1.0),
             evaluations: 0,
             parameters: self.estimates,
         })

@@ -3,12 +3,12 @@
 use std::ops::ControlFlow;
 
 use asperity::fit::{
-    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
-    Role, USUAL_FACTOR, places, predict,
+    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress,
+    Ranking, Rig, Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Findings, Interface, Model, Quantity, short};
+use asperity::{At, Finding, Interface, Model, Quantity, Severity, short};
 
-use crate::free::other_unit;
+use crate::free::bounds_in_other_unit;
 use crate::free::unit_of_free;
 use crate::{Free, Place, SceneError, SceneFile, key_of_input};
 
@@ -75,7 +75,9 @@ impl SceneFile {
         };
         // What a rig adds has no value in the scene to compare with.
         let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
-        if let Some(reason) = known.and_then(|known| other_unit(&free.name, known, [low, high])) {
+        if let Some(reason) =
+            known.and_then(|known| bounds_in_other_unit(&free.name, known, [low, high]))
+        {
             return Err(refused(&free.name, reason));
         }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
@@ -104,8 +106,8 @@ impl SceneFile {
         }
     }
 
-    /// A model fitted to data from this scene; `progress` is called before every evaluation and may
-    /// end the fit.
+    /// A model fitted to data from this scene, with unusual results where it describes them;
+    /// `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
     /// Those of [`free_parameters`](Self::free_parameters) and [`inputs`](Self::inputs);
@@ -127,7 +129,13 @@ impl SceneFile {
             let numbers = inputs.iter().copied().zip(values.iter().copied());
             Ok(self.with_inputs(numbers)?.scene)
         };
-        Ok(Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?)
+        let mut fitted = Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?;
+        if fitted.describes_data() {
+            let (file, rig) = self.fitted(&fitted)?;
+            let places = places(&**model, &file.scene, rig, data);
+            fitted.unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
+        }
+        Ok(fitted)
     }
 
     /// The values of a fitted model where data were measured, in their order; none where the model
@@ -146,19 +154,15 @@ impl SceneFile {
         Ok(found.into_iter().map(Result::ok).collect())
     }
 
-    /// Unusual results of a fitted model where data were measured, yielding that it ignores for
-    /// example.
-    ///
-    /// # Errors
-    /// Those of [`fitted_values`](Self::fitted_values).
-    pub fn findings_of_fit(
-        &self,
-        model: &Model,
-        fitted: &Fitted,
-        data: &Data,
-    ) -> Result<Findings, SceneError> {
-        let (file, rig) = self.fitted(fitted)?;
-        Ok(file.findings_at(&**model, &places(&**model, &file.scene, rig, data)))
+    /// Doubts about fitted models and their unusual results, one for each cause, without those that
+    /// the scene accepts.
+    #[must_use]
+    pub fn findings_of_fits(&self, ranking: &Ranking) -> Vec<Finding> {
+        let mut found = ranking.doubts();
+        found.retain(|one| !self.accept.iter().any(|code| code == one.code));
+        let unusual = ranking.distinct().flat_map(|one| one.unusual.iter().cloned());
+        found.extend(self.accepted(unusual.collect()));
+        found
     }
 
     /// The scene with the fitted numbers, and the rig.

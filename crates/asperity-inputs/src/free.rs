@@ -77,7 +77,11 @@ pub(crate) fn unit_of_free(name: &str) -> Option<&'static str> {
 }
 
 /// The reason against bounds far from the scene's value that are near it in another unit.
-pub(crate) fn other_unit(name: &str, start: f64, [low, high]: [f64; 2]) -> Option<String> {
+pub(crate) fn bounds_in_other_unit(
+    name: &str,
+    start: f64,
+    [low, high]: [f64; 2],
+) -> Option<String> {
     let is_far = low > FAR * start || FAR * high < start;
     let (si, _, units) = UNITS.into_iter().find(|(si, ..)| Some(*si) == unit_of_free(name))?;
     let size = |power: i32| 10f64.powi(power);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use asperity::Severity;
-use asperity::fit::{DataColumn, FitError, Fitted, MeasuredTable, rank};
+use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
 use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
@@ -47,7 +47,7 @@ pub(crate) fn fit<'py>(
         FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds, has_unit: false }),
     });
     let free: Vec<Free> = free.collect::<PyResult<_>>()?;
-    let (mut fitted, mut findings): (Vec<Fitted>, Vec<_>) = (vec![], vec![]);
+    let mut fitted = vec![];
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
@@ -55,13 +55,7 @@ pub(crate) fn fit<'py>(
             file.fit(&model, &data, &free, &mut |_| stop.step(""))
         })?;
         match found {
-            Ok(found) => {
-                if found.describes_data() {
-                    let unusual = file.findings_of_fit(&model, &found, &data);
-                    findings.extend(unusual.map_err(value_error)?);
-                }
-                fitted.push(found);
-            }
+            Ok(found) => fitted.push(found),
             Err(SceneError::Fit(FitError::NoStart { reason, .. })) if engine.is_written() => {
                 return Err(engine.raise(py, reason));
             }
@@ -71,10 +65,9 @@ pub(crate) fn fit<'py>(
             Err(error) => return Err(value_error(error)),
         }
     }
-    let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
     let ranking = rank(fitted);
-    let doubts = ranking.models.iter().flat_map(Fitted::findings);
-    let warnings = doubts.filter(|found| found.severity < Severity::Note);
-    warnings.chain(findings).try_for_each(|found| warn(py, &found, 1))?;
+    let found = file.findings().into_iter().chain(file.findings_of_fits(&ranking));
+    let mut warnings = found.filter(|found| found.severity < Severity::Note);
+    warnings.try_for_each(|found| warn(py, &found, 1))?;
     object(py, &ranking)
 }

@@ -1,5 +1,6 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
+use asperity::Severity;
 use asperity::joints::conductance::{self, Correlation, GapRoughness};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
@@ -11,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::ask::asked::arrays;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{tolerance, value_error};
+use crate::convert::{tolerance, value_error, warn};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -64,6 +65,8 @@ pub(crate) fn contact_table<'py>(
     };
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
+    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
+    warnings.try_for_each(|found| warn(py, found, 1))?;
     Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
 }
 

@@ -29,7 +29,7 @@ def test_the_numbers_of_a_scene_come_back() -> None:
     with pytest.warns(asperity.ContactWarning, match="gw: hardness is not determined"):
         found = asperity.fit(SCENE, made(**truth), list(truth), ["gw", "ke"])
     assert [fit.model for fit in found] == ["ke", "gw"]
-    assert found.summary.startswith("ke fits best by BIC, clearly before the others")
+    assert found.summary.startswith("ke is the only model of the list that holds here; gw ranks")
     best = found.best
     for name, value in truth.items():
         assert abs(best[name] / value - 1) < 1e-8, name
@@ -135,3 +135,15 @@ def test_an_outlier_and_yielding_are_warnings() -> None:
     with pytest.warns(asperity.ContactWarning, match="row 4 .* deviates by a factor of 2 from"):
         found = asperity.fit(SCENE, data, "asperity_height_std").best
     assert found.outlier is not None and len(found.residuals) == 8
+
+
+def test_an_implausible_scene_is_told_and_equal_models_are_named() -> None:
+    wrong = SCENE.replace(asperity_height_std=1.0)
+    with pytest.warns(asperity.ContactWarning, match="unusual-size: .* looks like um"):
+        asperity.fit(wrong, made("ke"), "hardness")
+    hard = SCENE.replace(hardness=2e10)
+    data = made("gw")
+    del data["unloading_stiffness_N_per_m"]
+    found = asperity.fit(hard, data, "asperity_height_std", ["ke", "gw", "jg"])
+    assert {fit.model: fit.same_as for fit in found} == {"ke": "gw", "gw": None, "jg": "gw"}
+    assert found.summary.startswith("nothing yields: ")

@@ -187,7 +187,7 @@ impl Export<'_> {
         if pressure_error > 0.1 {
             let percent = (100.0 * pressure_error).round();
             let text = format!(
-                "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
+                "the interpolation error of the pressure is up to {percent} %; use more nodes, a maximum error or a narrower range"
             );
             sheet.warn("interpolation-error", text);
         }

@@ -10,7 +10,7 @@ use asperity::{
     Check, Compared, Contact, ContactError, ContactModel, Finding, Model, Quantity, Request, Scene,
 };
 pub use sentences::{beside_table, summary, unranked};
-pub use sheet::truth;
+pub use sheet::{Truths, truth};
 
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]

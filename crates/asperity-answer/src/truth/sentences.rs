@@ -127,8 +127,10 @@ fn lines(
         table.iter().filter_map(|place| Some((covered(place)?, place))).collect();
     let Some((_, EvidenceAt { expected: Ok(first), .. })) = covered.first() else {
         let reason = table.iter().find_map(|place| place.expected.as_ref().err());
-        let reason = reason.map_or_else(String::new, ToString::to_string);
-        let (_, reason) = reason.split_once(": ").unwrap_or(("", &reason));
+        let reason = reason.map_or_else(String::new, |reason| match reason {
+            ContactError::Refused { reason, .. } => reason.clone(),
+            reason => reason.marked(),
+        });
         return Ok(vec![format!("the solved surfaces do not cover this scan: {reason}")]);
     };
     let line = |quantity: Compared| {

@@ -3,12 +3,12 @@
 use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactError, Described, Finding, Model};
+use asperity::{ContactError, Described, Finding, Findings, Model};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use crate::bem::half_grid;
-use crate::models::{self, by_reason, grouped, once};
+use crate::models::{self, by_reason, grouped};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// A number of a contact, or its deviation.
@@ -38,48 +38,28 @@ pub fn truth(
     sheet.under(&[&["load_N", "pressure_Pa", "model"], &numbers, &["boundary"]]);
     let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
     let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
-    let solve = |bem: &Bem, models: &[Model]| {
-        compare_with_bem(&file.scene, bem, pressures, models, |progress| {
-            let all = 3 * pressures.len();
-            watch.step(&format!("boundary elements: contact {} of {all}", progress.done + 1))
-        })
-    };
-    let half = refine.then(|| half_grid(bem)).transpose()?;
-    let found = solve(bem, &models)?;
-    let half = match half.filter(|_| !watch.is_stopped()) {
-        Some(half) => solve(&half, &[])?.into_iter().map(Result::ok).collect(),
-        None => vec![None; found.len()],
-    };
-    let errors = found.iter().filter_map(|one| one.as_ref().err());
+    let solved = Truths::solve(file, bem, &models, pressures, refine, watch)?;
+    let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
-    for error in once(&errors.map(ToString::to_string).collect::<Vec<_>>()) {
-        sheet.warn("unsolved", error);
-    }
-    let solved = found.into_iter().zip(half).filter_map(|(one, half)| Some((one.ok()?, half)));
-    let (found, half): (Vec<Truth>, Vec<Option<Truth>>) = solved.unzip();
+    errors.for_each(|error| sheet.warn("unsolved", error.to_string()));
+    let found = &solved.found;
     if found.is_empty() {
         return match watch.is_stopped() {
             true => Ok(()),
             false => Err(format!("{name}: no load was solved").into()),
         };
     }
-    let of_truth = |truth: &Truth| {
-        let refused = truth.refused.iter().map(|(_, why)| why.clone());
-        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
-    };
-    sheet.report(file, found.iter().flat_map(of_truth).collect());
-    for text in by_reason(missing(&found)) {
+    sheet.report(file, solved.findings());
+    for text in by_reason(solved.missing()) {
         sheet.warn("no-value", text);
     }
-    sheet.note("nearest", summary(&found));
-    for line in beside_table(file, &found) {
+    sheet.note("nearest", summary(found));
+    for line in beside_table(file, found) {
         sheet.note("evidence", line);
     }
-    for (truth, half) in found.iter().zip(&half) {
-        for mut row in truth.rows(half.as_ref(), file.scene.nominal_area) {
-            row.push(bem.continuation().name().into());
-            sheet.rows.push(row);
-        }
+    for mut row in solved.rows(file.scene.nominal_area) {
+        row.push(bem.continuation().name().into());
+        sheet.rows.push(row);
     }
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
     if !models.is_empty() && states.all(|state| state == ContactState::default()) {
@@ -89,11 +69,82 @@ pub fn truth(
     Ok(())
 }
 
-/// One reason per model and kind: others differ only in the load.
-fn missing(found: &[Truth]) -> Vec<(&str, &ContactError)> {
-    let missing = found.iter().flat_map(|truth| &truth.missing);
-    let kinds = grouped(missing.map(|(model, why)| ((model.id(), discriminant(why)), why)));
-    kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
+/// A scan at several pressures, compared with models.
+#[derive(Debug, Clone, Default)]
+#[non_exhaustive]
+pub struct Truths {
+    /// The solved pressures, in their order.
+    pub found: Vec<Truth>,
+    /// The same on half the grid, where that is asked for and solved.
+    pub half: Vec<Option<Truth>>,
+    /// The places of the other pressures, with the reasons.
+    pub failed: Vec<(usize, BemError)>,
+}
+
+impl Truths {
+    /// Solves the scan at mean pressures \[Pa\], and half the grid to `refine`; `watch` may stop the
+    /// work.
+    ///
+    /// # Errors
+    /// Those of [`compare_with_bem`], and a grid that cannot be halved.
+    pub fn solve(
+        file: &SceneFile,
+        bem: &Bem,
+        models: &[Model],
+        pressures: &[f64],
+        refine: bool,
+        watch: &dyn Watch,
+    ) -> Result<Self, AnswerError> {
+        let solve = |bem: &Bem, models: &[Model]| {
+            compare_with_bem(&file.scene, bem, pressures, models, |progress| {
+                let all = 3 * pressures.len();
+                watch.step(&format!("boundary elements: contact {} of {all}", progress.done + 1))
+            })
+        };
+        let half = refine.then(|| half_grid(bem)).transpose()?;
+        let found = solve(bem, models)?;
+        let half = match half.filter(|_| !watch.is_stopped()) {
+            Some(half) => solve(&half, &[])?.into_iter().map(Result::ok).collect(),
+            None => vec![None; found.len()],
+        };
+        let mut all = Self::default();
+        for (place, (found, half)) in found.into_iter().zip(half).enumerate() {
+            match found {
+                Ok(found) => {
+                    all.found.push(found);
+                    all.half.push(half);
+                }
+                Err(error) => all.failed.push((place, error)),
+            }
+        }
+        Ok(all)
+    }
+
+    /// Limits of the solutions, and of models whose area would exceed the nominal one.
+    #[must_use]
+    pub fn findings(&self) -> Findings {
+        let of_truth = |truth: &Truth| {
+            let refused = truth.refused.iter().map(|(_, why)| why.clone());
+            truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+        };
+        self.found.iter().flat_map(of_truth).collect()
+    }
+
+    /// What models lack, by their ids: one reason per model and kind, as others differ only in the
+    /// load.
+    #[must_use]
+    pub fn missing(&self) -> Vec<(&str, &ContactError)> {
+        let missing = self.found.iter().flat_map(|truth| &truth.missing);
+        let kinds = grouped(missing.map(|(model, why)| ((model.id(), discriminant(why)), why)));
+        kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
+    }
+
+    /// The [rows](Truth::rows) of all pressures on a nominal area \[m^2\].
+    #[must_use]
+    pub fn rows(&self, area: f64) -> Vec<Vec<Cell>> {
+        let both = self.found.iter().zip(&self.half);
+        both.flat_map(|(truth, half)| truth.rows(half.as_ref(), area)).collect()
+    }
 }
 
 impl Truth {

@@ -13,7 +13,7 @@ use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::interrupt;
-use crate::output::fit_report::{print_findings, print_notes, table};
+use crate::output::fit_report::{report, table};
 use crate::output::table::Format;
 use crate::output::{self, fit_plot, progress};
 use crate::scene::{LoadedScene, NamedModel};
@@ -145,8 +145,7 @@ impl FitCommand {
         models: &[NamedModel],
         ranking: &Ranking,
     ) -> Result<()> {
-        print_notes(scene, ranking, &self.free);
-        print_findings(scene, data, models, ranking)?;
+        report(scene, ranking, &self.free);
         let picture = self.output.picture(|| fit_plot::svg(&scene.file, data, models, ranking))?;
         let output = &self.output.output;
         self.output.write_beside(picture, || match output.format() {

@@ -39,7 +39,7 @@ pub fn svg(
             bar.into_iter().for_each(|y| row(one, SPREAD, x, y));
         }
     }
-    for fitted in &ranking.models {
+    for fitted in ranking.distinct() {
         let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
         let values = file.fitted_values(model, fitted, &between)?;
         for (one, value) in between.iter().zip(values) {
@@ -52,7 +52,7 @@ pub fn svg(
         curves.push(bars);
     }
     let model = |(fitted, k): (&Fitted, usize)| Curve::new(k, &fitted.model, &fitted.model);
-    curves.extend(ranking.models.iter().zip(1..).map(model));
+    curves.extend(ranking.distinct().zip(1..).map(model));
     let mut panels: Vec<Panel> = vec![];
     for one in data.iter() {
         let known = |panel: &Panel| panel.only.as_ref().is_some_and(|only| only.1 == name(one));
@@ -99,7 +99,7 @@ pub fn svg(
         panel.curves.clone_from(&curves);
         panels.push(panel);
     }
-    let captions: Vec<String> = ranking.models.iter().map(caption).collect();
+    let captions: Vec<String> = ranking.distinct().map(caption).collect();
     let captions: Vec<&str> = captions.iter().map(String::as_str).collect();
     plot::drawn(&sheet, &Figure::new("", &captions, panels))
 }

@@ -210,6 +210,17 @@ fn histories_turn_at_separations_and_at_loads() {
     .spent
     .value();
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
+    // All laws open an elastic joint alike.
+    let laws = "--law hertz,brake,etsion --history-load 100,200,150";
+    let alike = bench.run(&format!("unload scene.toml --model gw {laws}")).messages;
+    let works = alike.lines().filter(|line| line.contains("first closing takes"));
+    let works: Vec<&str> = works.collect();
+    assert!(matches!(works[..], [one] if one.contains("gw by hertz, brake, etsion: ")), "{alike}");
+    let loads: Vec<String> = (0..1000).map(|k| (100 + k % 2).to_string()).collect();
+    let many = format!("unload scene.toml --model ke --history-load {}", loads.join(","));
+    let many = bench.run(&many).messages;
+    assert!(many.contains(", each of the 999 later paths from -"), "{many}");
+    assert!(many.len() < 1000, "{many}");
     let one = bench.run("unload scene.toml --model ke --history-load 100").messages;
     assert!(one.contains("closing to the turning point takes"), "{one}");
     let open = bench.run("unload scene.toml --model ke --history-load 100,0");

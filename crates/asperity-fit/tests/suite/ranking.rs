@@ -1,6 +1,6 @@
 //! Models on the same data, in their order.
 
-use asperity_core::{ContactModel, Quantity};
+use asperity_core::{ContactModel, Finding, Quantity};
 use asperity_fit::{Fit, rank};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -34,6 +34,7 @@ fn models_that_fit_alike_and_a_single_value_choose_no_model() {
     let fit = Fit::new(&data, free(1.2), &scene).unwrap();
     let mut twin = fit.run(&KogutEtsion).unwrap();
     twin.model = "twin".into();
+    twin.residuals[0].fitted *= 1.001;
     let ranking = rank(vec![fit.run(&KogutEtsion).unwrap(), twin]);
     let plain =
         "ke fits best by BIC, but these data do not distinguish it from twin (BIC within 6); a low";
@@ -61,4 +62,38 @@ fn criteria_are_not_compared_with_misfits() {
     let ranking = rank(vec![gw, fit.run(&KogutEtsion).unwrap()]);
     assert_eq!(ranking.models[0].model, "ke");
     assert!(ranking.summary.starts_with("as many parameters"), "{}", ranking.summary);
+}
+
+#[test]
+fn a_model_whose_law_does_not_hold_ranks_last() {
+    let data = data(&columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]));
+    let scene = varied(&[2]);
+    let fit = Fit::new(&data, parameters(&[2], 1.2), &scene).unwrap();
+    let [gw, mut ke] = [&GreenwoodWilliamson as &dyn ContactModel, &KogutEtsion]
+        .map(|model| fit.run(model).unwrap());
+    assert!(ke.bic < gw.bic);
+    ke.unusual.push(Finding::note("yields", "yielding_share", 0.03));
+    assert_eq!(rank(vec![gw.clone(), ke.clone()]).models[0].model, "ke", "a note is no limit");
+    ke.unusual.push(Finding::warning("fit-misses", "missed_share", 0.9));
+    let ranking = rank(vec![gw.clone(), ke.clone()]);
+    assert_eq!(ranking.models[0].model, "gw");
+    let reason = "gw is the only model of the list that holds here; ke ranks last, as its law does not hold here (fit-misses); ";
+    assert!(ranking.summary.starts_with(reason), "{}", ranking.summary);
+    let ranking = rank(vec![ke]);
+    assert!(ranking.summary.starts_with("ke alone was fitted"), "{}", ranking.summary);
+}
+
+#[test]
+fn models_of_the_same_values_are_one() {
+    // Hard enough that no asperity yields.
+    let hard = |numbers: &[f64]| Ok(crate::kit::scene([2e-4, 2e8, numbers[0], 3e10]));
+    let data = data(&columns(&GreenwoodWilliamson, &LOADS, &[Quantity::Area]));
+    let fit = Fit::new(&data, parameters(&[2], 1.2), &hard).unwrap();
+    let jg = JacksonGreen::default();
+    let models: [&dyn ContactModel; 3] = [&KogutEtsion, &GreenwoodWilliamson, &jg];
+    let ranking = rank(models.iter().map(|model| fit.run(*model).unwrap()).collect());
+    let distinct: Vec<&str> = ranking.distinct().map(|one| one.model.as_str()).collect();
+    assert_eq!((distinct, ranking.models.len()), (vec!["gw"], 3));
+    assert!(ranking.summary.starts_with("nothing yields: "), "{}", ranking.summary);
+    assert!(ranking.summary.ends_with(" are gw"), "{}", ranking.summary);
 }

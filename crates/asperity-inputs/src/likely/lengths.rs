@@ -12,15 +12,15 @@ const GAPS: std::ops::Range<f64> = 1e-2..30.0;
 const LONG: f64 = 0.1;
 
 /// A warning for a separation (or another length, by its `name`) that is unlikely in its unit and
-/// looks like the other one; σ_z is `height_std` \[m\].
+/// looks like the other one, with the `remedy`; σ_z is `height_std` \[m\].
 ///
 /// ```
 /// use asperity::SeparationUnit;
 ///
-/// let found = asperity_inputs::mistaken_unit("separation", 2e-6, SeparationUnit::Sigma, 1e-6);
-/// let text = "separation is 2e-6 asperity_height_std: 2e-6 looks like metres; 2e-6 m is 2 asperity_height_std";
-/// assert_eq!(found.unwrap().to_string(), text);
-/// assert_eq!(asperity_inputs::mistaken_unit("separation", 2.0, SeparationUnit::Sigma, 1e-6), None);
+/// let found = |x| asperity_inputs::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write 2um");
+/// let text = "gap is 2e-6 asperity_height_std: 2e-6 looks like metres; 2e-6 m is 2 asperity_height_std; write 2um";
+/// assert_eq!(found(2e-6).unwrap().to_string(), text);
+/// assert_eq!(found(2.0), None);
 /// ```
 #[must_use]
 pub fn mistaken_unit(
@@ -28,6 +28,7 @@ pub fn mistaken_unit(
     value: f64,
     unit: SeparationUnit,
     height_std: f64,
+    remedy: &str,
 ) -> Option<Finding> {
     let (size, over) = (value.abs(), value / height_std);
     let digits = format!("{value:?}");
@@ -49,6 +50,6 @@ pub fn mistaken_unit(
         }
         _ => return None,
     };
-    let found = Finding::warning("unit", name.to_string(), value);
-    Some(found.fact(format!("{name} is {digits} {given}")).advice(advice))
+    let found = Finding::warning("likely-unit", name.to_string(), value);
+    Some(found.fact(format!("{name} is {digits} {given}")).advice(format!("{advice}; {remedy}")))
 }

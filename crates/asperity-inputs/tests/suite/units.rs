@@ -114,6 +114,20 @@ fn a_finding_about_a_body_hides_no_other() {
 }
 
 #[test]
+fn two_bodies_of_one_material_have_one_finding() {
+    let bodies = |second: &str| {
+        let text =
+            asperity_inputs::template().replace("youngs_modulus = 210e9", "youngs_modulus = 210");
+        let (first, rest) = text.rsplit_once("youngs_modulus = 210").unwrap();
+        let text = format!("{first}youngs_modulus = {second}{rest}");
+        let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
+        let found = file.findings();
+        found.iter().filter(|one| one.field.ends_with(".youngs_modulus")).count()
+    };
+    assert_eq!([bodies("210"), bodies("209")], [1, 2]);
+}
+
+#[test]
 fn accepted_codes_are_silent() {
     let body = |modulus: &str| {
         format!(

@@ -67,6 +67,8 @@ class Fit:
     misfit: str | None
     #: Remarks on intervals, and other values that fit as well.
     notes: tuple[str, ...]
+    #: The fitted model with the same parameters and values, as gw of ke where nothing yields.
+    same_as: str | None
     #: Row and column of the data, and the measured value, the fitted one and the residual of each.
     residuals: tuple[dict[str, Any], ...]
     #: The scene with the fitted numbers.
@@ -81,7 +83,8 @@ class Fit:
 class Fits:
     """Models fitted to the same measurements.
 
-    Models are ordered by BIC, lowest first, or by rms where one of them has no BIC.
+    Models are ordered by BIC, lowest first, or by rms where one of them has no BIC; those whose law
+    does not hold where data were measured come last.
     """
 
     #: The fitted models.

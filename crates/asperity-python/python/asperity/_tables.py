@@ -81,7 +81,7 @@ def export(
     >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
     >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
     True
-    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=9, friction=0.2)
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=30, friction=0.2)
     >>> table.text.splitlines()[-2:]
     ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
     """

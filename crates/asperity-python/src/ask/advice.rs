@@ -14,7 +14,7 @@ use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::{Object, object, refused, tolerance, value_error};
 use crate::model::engine::Engine;
-use crate::scene::SceneFile;
+use crate::scene::{SceneFile, models_among};
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
 type CheckResult<'py> = (Vec<(String, f64, String, String)>, Object<'py>);
@@ -159,22 +159,7 @@ pub(crate) fn recommend<'py>(
 ) -> PyResult<Advice<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    let (among, left_out) = match models {
-        None => {
-            let mut models = file.options.models();
-            let ids: Vec<String> = models.iter().map(|model| model.id().into()).collect();
-            // The evidence covers these models, too.
-            let (mut others, mut left_out) = file.models_beside_bem();
-            others.retain(|model| !ids.iter().any(|id| id == model.id()));
-            left_out.retain(|model| !ids.contains(&model.id));
-            models.extend(others);
-            (models, left_out)
-        }
-        Some(ids) => {
-            let models = ids.iter().map(|id| file.model(id).map_err(value_error));
-            (models.collect::<PyResult<_>>()?, vec![])
-        }
-    };
+    let (among, left_out) = models_among(file, models)?;
     let advice =
         asked.engine().run(py, || file.recommend_among(among, &request, &asked.model, within))?;
     let compared = |found: &Comparison| -> PyResult<Compared<'py>> {

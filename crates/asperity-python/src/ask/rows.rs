@@ -161,8 +161,7 @@ impl Rows {
         let largest = largest_magnitude(&self.numbers).to_bits();
         let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
         let height_std = self.scene(row).ok()?.surface.asperity_height_std;
-        let text = self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)?;
-        Some(Finding::warning("likely-unit", "separation", self.numbers[row]).fact(text))
+        self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)
     }
 }
 

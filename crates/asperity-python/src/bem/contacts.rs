@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::{Bem, BemError, Solution};
-use asperity::{ContactModel, Described, Findings, Model, Request, linspace};
-use asperity_answer::{Truth, Watch, beside_table, compare_with_bem, summary};
+use asperity::bem::{BemError, Solution};
+use asperity::{ContactModel, Findings, Request, linspace};
+use asperity_answer::{Truths, Watch, beside_table, summary};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +13,7 @@ use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
 use crate::convert::{Object, Quantities, object, refused, value_error, warn, warn_text};
-use crate::scene::SceneFile;
+use crate::scene::{SceneFile, models_among};
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
 /// rows and columns.
@@ -161,7 +161,7 @@ pub(crate) fn bem_unloading<'py>(
 type Sentences = (Option<String>, Vec<String>);
 /// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
 /// and the boundary.
-type Truths<'py> =
+type TruthFields<'py> =
     (Object<'py>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
@@ -174,59 +174,30 @@ pub(crate) fn truth<'py>(
     boundary: Option<&str>,
     models: Option<Vec<String>>,
     refine_and_mask: (bool, bool),
-) -> PyResult<Truths<'py>> {
+) -> PyResult<TruthFields<'py>> {
     let (refine, mask) = refine_and_mask;
     let scene = &*scene.0;
     let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary, elastic)?;
-    let (models, left_out) = match models {
-        None => scene.models_beside_bem(),
-        Some(ids) => {
-            let all = ids.iter().map(|id| scene.model(id));
-            (all.collect::<Result<_, _>>().map_err(value_error)?, vec![])
-        }
-    };
-    let mut failures = BTreeMap::new();
-    let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = run_interruptible(py, None, |stop| {
-            compare_with_bem(&scene.scene, bem, &pressures, models, |_| stop.step(""))
-        })?;
-        let found = found.map_err(refused)?.into_iter().enumerate();
-        let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
-            Err(error) if !mask => Err(value_error(error)),
-            Err(error) => {
-                failures.entry(k).or_insert(error.to_string());
-                Ok(None)
-            }
-            Ok(one) => Ok(Some(one)),
-        };
-        found.map(kept).collect()
-    };
-    let half = refine.then(|| asperity_answer::half_grid(&bem)).transpose().map_err(value_error)?;
-    let found = solved(&bem, &models)?;
-    let half = match half {
-        Some(half) => solved(&half, &[])?,
-        None => vec![None; found.len()],
-    };
-    let (found, half): (Vec<Truth>, Vec<_>) =
-        found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
-    let of_truth = |truth: &Truth| {
-        let refused = truth.refused.iter().map(|(_, why)| why.clone());
-        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
-    };
-    let notes: Findings = found.iter().flat_map(of_truth).collect();
-    notes.by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
+    let (models, left_out) = models_among(scene, models)?;
+    let found = run_interruptible(py, None, |stop| {
+        Truths::solve(scene, &bem, &models, &pressures, refine, stop)
+    })?;
+    let found = found.map_err(value_error)?;
+    if let Some((_, error)) = found.failed.first().filter(|_| !mask) {
+        return Err(value_error(error));
+    }
+    found.findings().by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
     let mut refused: BTreeMap<String, String> =
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
-    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
-        if !refused.contains_key(model.id()) {
-            warn_text(py, "no-value", format!("{model}: {why}"), 1)?;
-            refused.insert(model.id().into(), why.to_string());
+    for (id, why) in found.missing() {
+        if !refused.contains_key(id) {
+            warn_text(py, "no-value", format!("{id}: {why}"), 1)?;
+            refused.insert(id.into(), why.to_string());
         }
     }
-    let area = scene.scene.nominal_area;
-    let rows = found.iter().zip(&half).flat_map(|(one, half)| one.rows(half.as_ref(), area));
-    let rows: Vec<_> = rows.collect();
-    let nearest = (!models.is_empty() && !found.is_empty()).then(|| summary(&found));
-    let sentences = (nearest, py.detach(|| beside_table(scene, &found)));
-    Ok((object(py, &rows)?, sentences, refused, failures, bem.continuation().name()))
+    let failures = found.failed.iter().map(|(place, error)| (*place, error.to_string())).collect();
+    let rows = object(py, &found.rows(scene.scene.nominal_area))?;
+    let nearest = (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found));
+    let sentences = (nearest, py.detach(|| beside_table(scene, &found.found)));
+    Ok((rows, sentences, refused, failures, bem.continuation().name()))
 }

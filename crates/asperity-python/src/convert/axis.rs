@@ -1,10 +1,10 @@
 //! The axis of a request: separations in their unit, from a scene's plane, loads or pressures.
 
-use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
+use asperity::{At, ContactError, Datum, Finding, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
 use crate::convert::numbers::largest_magnitude;
-use crate::convert::{value_error, warn_text};
+use crate::convert::{value_error, warn};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -82,17 +82,18 @@ impl Axis {
         name: &str,
         numbers: &[f64],
         height_std: f64,
-    ) -> Option<String> {
+    ) -> Option<Finding> {
         let Self::Separation(unit) = self else { return None };
-        let mistaken = |number| asperity_inputs::mistaken_unit(name, number, unit, height_std);
+        let remedy = match unit {
+            SeparationUnit::Metres => "separation_unit is \"m\"",
+            _ => "separation_unit=\"m\" takes metres",
+        };
+        let mistaken =
+            |number| asperity_inputs::mistaken_unit(name, number, unit, height_std, remedy);
         let largest = if let [one] = numbers { one.abs() } else { largest_magnitude(numbers) };
         // Most arrays need no search for the number.
         mistaken(largest)?;
-        let found = mistaken(*numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?)?;
-        Some(match unit {
-            SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
-            _ => format!("{found}; separation_unit=\"m\" takes metres"),
-        })
+        mistaken(*numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?)
     }
 
     /// Emits that warning, `above` frames of the package up.
@@ -105,6 +106,6 @@ impl Axis {
         above: usize,
     ) -> PyResult<()> {
         let mistaken = self.mistaken_unit(name, numbers, scene.surface.asperity_height_std);
-        mistaken.map_or(Ok(()), |text| warn_text(py, "likely-unit", text, above))
+        mistaken.map_or(Ok(()), |found| warn(py, &found, above))
     }
 }
