@@ -36,7 +36,7 @@ test("a refused load has its reason at the field, and the values before are dimm
   await choose(["gw", "ke"]);
   await page.change(["#load", "100 N"]);
   const before = await page.values();
-  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr/], ["5 kN/cm2", /"5 kN\/cm2" is not a known unit: write 50 MPa, which is the same/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
+  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr/], ["5 kg", /"5 kg" is neither a load nor a pressure: write 2 kN or 5 MPa, for example/], ["0", /0 is neither a load/], ["1e30", /largest force found/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /neither a load nor a pressure/]]) {
     await page.change(["#load", load]);
     assert.match(await page.text("load-error"), wanted);
     assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
