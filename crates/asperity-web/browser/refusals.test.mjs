@@ -146,27 +146,36 @@ test("a scan much smaller than the nominal area has a note", async () => {
   assert.deepEqual(await small(), []);
 });
 
-test("a masked scan names the share of missing points at its own field", async () => {
-  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
-  await page.scene(example("wheel-rail"));
-  await page.file("masked.txt", rows);
-  assert.match(await page.text("scene-error"), /max_missing/);
-  assert.match(await note("surface.max_missing"), /^Missing points, at most: .*share of missing points/);
-  await page.change([field("surface.max_missing"), "0.5"]);
-  assert.deepEqual([await page.phase(), await page.text("scene-error")], ["ready", ""]);
-});
+const masked = (columns) => matrix(nanometres()).replaceAll(new RegExp(`^(-?\\d+\t){${columns}}`, "gm"), "nan\t".repeat(columns));
 
-test("a scan with values is kept if many points of another are missing, and the message can be closed", async () => {
-  const name = () => page.value("field-surface-file");
+test("missing points are left out in one click, and a scan of which most are missing is refused", async () => {
   await page.scene(example("wheel-rail"));
   await page.file("whole.txt", matrix(nanometres()));
-  await page.change([field("surface.unit"), "nm"], [field("surface.pixel_size"), "1 um"]);
-  assert.equal(await page.phase(), "ready");
-  const kept = [await name(), await page.values()];
-  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
-  await page.file("masked.txt", `# Width: 60 um\n# Height: 60 um\n# Value units: nm\n${rows}`);
-  assert.match(await page.text("message"), /masked.txt: the share of missing points is .* is kept: raise "Missing points, at most"/);
-  assert.deepEqual([await name(), await page.values()], kept);
+  const kept = [await page.value("scene"), await page.values()];
+  await page.file("most.txt", masked(57));
+  assert.match(await page.text("message"), /^most\.txt: 89\.06 % of the points are missing, and the others do not describe the surface: measure again/);
+  assert.deepEqual([await page.value("scene"), await page.values(), await page.phase()], [...kept, "ready"]);
+  assert.equal(await page.run("return document.querySelectorAll('#message button').length"), 1);
+  await page.file("masked.txt", masked(20));
+  assert.match(await page.text("message"), /masked\.txt: 31\.25 % of the points are missing, and 10 % are usual/);
+  await page.run("document.querySelector('#message button').click()");
+  await page.browser.until(SETTLED);
+  assert.deepEqual([await page.phase(), await page.text("scene-error"), await page.text("message")], ["ready", "", ""]);
+  assert.match(await page.value("scene"), /max_missing = 0\.32/);
+  assert.ok(Object.keys(await page.values()).length > 5);
+  await page.file("whole.txt", matrix(nanometres()));
+  assert.deepEqual([await page.value("scene"), await page.values()], kept);
+});
+
+test("boundary elements have few missing points filled in one click, and a message can be closed", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("few.txt", masked(2));
+  assert.match(await page.text("elements-note"), /missing/);
+  await page.run("document.querySelector('#elements-note button').click()");
+  await page.browser.until(SETTLED);
+  assert.deepEqual([await page.phase(), await page.text("elements-note")], ["ready", "64 × 64 pixels, solved in this tab."]);
+  await page.file("torn.x3p", "PK\u0003\u0004 nothing \u0000");
+  assert.match(await page.text("message"), /^torn\.x3p/);
   await page.run("document.querySelector('#message button').click()");
   assert.equal(await page.run("return document.getElementById('message').hidden"), true);
 });
@@ -177,6 +186,7 @@ test("values of an implausible number are dimmed, and a link of a refused load i
   assert.equal(await dimmed(), "1");
   await page.change([field("body[1].youngs_modulus"), "210"]);
   assert.deepEqual([await dimmed(), await page.text("status")], ["0.4", "implausible number"]);
+  assert.deepEqual(await disabled("save-csv", "save-svg", "save-values"), [true, true, true]);
   await page.change([field("body[1].youngs_modulus"), "210 GPa"]);
   assert.deepEqual([await dimmed(), await page.text("status")], ["1", "ready"]);
   const link = () => page.run("return document.getElementById('copy-link').disabled");

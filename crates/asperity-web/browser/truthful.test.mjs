@@ -129,7 +129,7 @@ test("refusals have at most five digits, the unit of their box and no command of
   const digits = (number) => number.replaceAll(/e.*|\D/g, "").replaceAll(/^0+|0+$/g, "").length;
   assert.ok((refused.match(/\d[\d.e+-]*/g) ?? []).every((number) => digits(number) <= 5), refused);
   await page.change(["#load", "1 MPa"], ["#unit", "Pa"], ["#load", "1 kip"]);
-  assert.match(await page.text("load-error"), /not a number in Pa/);
+  assert.match(await page.text("load-error"), /neither a load nor a pressure/);
   await page.change(["#load", "1 MPa"]);
   await page.scene(example("wheel-rail").replace(/youngs_modulus = .*/, 'material = "unobtainium"'));
   const error = await page.text("scene-error");

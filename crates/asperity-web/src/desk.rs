@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use asperity::{Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
+use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::files::{admit, usable};
@@ -59,6 +60,20 @@ impl Desk {
         self.files.get(name).map(Vec::as_slice)
     }
 
+    /// The heights \[m\] of the scan of the scene, for the report of another desk.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        let scan = self.file.as_ref().and_then(|file| file.scan.as_deref());
+        scan.map_or(&[], Topography::heights)
+    }
+
+    /// The report of a scan from its heights \[m\] and their shape, as `scan` gives it.
+    #[must_use]
+    pub fn report(&self, heights: Vec<f64>, shape: &str) -> String {
+        let shape = serde_json::from_str(shape).map_err(Refusal::from);
+        reply(shape.and_then(|shape| scan_report::report(heights, shape)))
+    }
+
     fn scene(&self) -> Result<&SceneFile, Refusal> {
         self.file.as_ref().ok_or_else(no_scene)
     }
@@ -92,14 +107,11 @@ impl Desk {
                 form["materials"] = materials.collect();
                 form
             }
-            Message::Surface { text, way } => {
-                surface_keys::described(&text, &way, self.scene()?)?.into()
+            Message::Surface { text, way, typed } => {
+                surface_keys::described(&text, &way, &typed, self.scene()?)?.into()
             }
             Message::UseScan { text, name } => surface_keys::with_scan(&text, &name)?.into(),
-            Message::Usable { name, kept } => {
-                let bytes = self.file(&name).unwrap_or_default();
-                usable(&name, bytes, kept.as_deref())?.into()
-            }
+            Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
             Message::Answer { models, load } => self.values(&models, &load)?,
@@ -115,7 +127,7 @@ impl Desk {
                 let (file, load) = self.scene_at(&load)?;
                 picture::curves(file, &rows, &view, &load, &solved)?.into()
             }
-            Message::Scan => scan_report::report(self.scene()?)?,
+            Message::Scan => scan_report::numbers(self.scene()?)?,
             Message::Check { models, load } => {
                 let (file, models) = self.compile(&models)?;
                 let at = Load::of(&load, &file.scene)?.at;
@@ -263,8 +275,12 @@ mod tests {
         let scan = &shown["ok"]["scan"];
         assert_eq!((&scan["rows"], &scan["columns"]), (&json!(64), &json!(64)));
         assert!(scan["refused"].is_null() && scan["pressures"].as_array().unwrap().len() == 6);
+        // Another desk reports on the heights without the file.
         let scan = call(&mut desk, json!({ "call": "scan" }));
-        assert!(scan["ok"]["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg")), "{scan}");
+        let shape = scan["ok"]["shape"].to_string();
+        let report = Desk::default().report(desk.heights().to_vec(), &shape);
+        assert!(report.contains("\"svg\":\"<svg") && report.contains("64 x 64 points"), "{report}");
+        assert!(Desk::default().report(vec![], &shape).starts_with("{\"error\""));
         let mut solved = 0;
         let answer = desk.press(&[2e8], |event| solved += usize::from(event.contains("solved")));
         assert_eq!((answer.as_str(), solved), ("{\"ok\":null}", 1));

@@ -19,15 +19,15 @@ pub(crate) enum Message {
     Edit { text: String, changes: Vec<Change> },
     /// The fields of the form, and the materials of its list.
     Form,
-    /// The text with the surface described in another way.
-    Surface { text: String, way: String },
+    /// The text with the surface described in another way; fields of the scene that was described
+    /// so before.
+    Surface { text: String, way: String, typed: BTreeMap<String, String> },
     /// The text whose surface is a file that was handed over.
     UseScan { text: String, name: String },
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
     Admit { name: String, size: u64 },
-    /// Whether a file that was handed over can be the surface of a scene, in place of the scan of
-    /// the scene `kept`, if that has values.
-    Usable { name: String, kept: Option<String> },
+    /// Whether a file, with which a scene has an error, can be its surface with other keys.
+    Usable { name: String },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
     /// The values of models at one load.
@@ -36,7 +36,7 @@ pub(crate) enum Message {
     Curve { models: Vec<String> },
     /// The picture of rows.
     Draw { rows: Vec<String>, view: String, load: LoadKeys, solved: Vec<[f64; 2]> },
-    /// The map and the numbers of the scan.
+    /// The numbers of the scan, and the shape of its heights.
     Scan,
     /// Findings at a load.
     Check { models: Vec<String>, load: LoadKeys },

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use asperity::bem::{BoundaryElements, LoadCase, Progress, Solution};
 use asperity::{Quantity, Separation, SeparationUnit};
 use asperity_inputs::SceneFile;
+use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::answer::{SEPARATION, cell, quantities};
@@ -21,8 +22,8 @@ use crate::span::Span;
 const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces.";
 const PLASTIC: &str = "Share of the pixels that carry the hardness.";
 
-/// The size of a scan, why it cannot be solved here, and the mean pressures \[Pa\] over the range
-/// of the slider to solve it at, each with its load in words.
+/// The size of a scan, why it cannot be solved here, whether filling its missing points helps, and
+/// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     let scan = file.scan.as_deref()?;
     let [rows, columns] = [scan.rows(), scan.columns()];
@@ -32,10 +33,14 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
         )),
         false => file.bem(None, false).err().map(|error| error.to_string()),
     };
+    let missing = scan.missing_share();
+    let fill = missing > 0.0 && missing <= Topography::MOST_FILLED;
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
     let pressures: Vec<_> = Span::of(&file.scene).solved().into_iter().map(of).collect();
-    Some(json!({ "rows": rows, "columns": columns, "refused": refused, "pressures": pressures }))
+    Some(json!({
+        "rows": rows, "columns": columns, "refused": refused, "fill": fill, "pressures": pressures,
+    }))
 }
 
 /// Solves the contact of a scene's scan at mean pressures: the first before all others, and of

@@ -4,9 +4,16 @@ import { desks, page, work } from "./state.js";
 
 const NO_SCAN = "They need the heights of a surface: drop a scan or make a random surface.";
 
+// Scenes whose solved loads are kept.
+const MOST_KEPT = 8;
+
 class Elements {
   solved = [];
   shown = null;
+  // The scene of the solved loads, and the loads of scenes before it.
+  scene = "";
+  kept = new Map();
+  edit = () => {};
   // The run under way; events of an older one are not shown.
   run = null;
   // The loads of the run by their pressure, in words.
@@ -16,11 +23,23 @@ class Elements {
   // What the scene allows, after every change of it; null for a scene with an error.
   allow(scan, error = !page.shown || page.shown.error) {
     const refused = error ? "" : scan ? scan.refused : NO_SCAN;
-    $("elements-note").textContent = refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`;
-    $("solve").disabled = $("solve-load").disabled = refused !== null;
+    const fill = element("button", { type: "button", onclick: () => this.edit([{ path: "surface.fill_missing", value: "true" }]) }, "Fill the missing points");
+    $("elements-note").replaceChildren(refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`, ...(refused && scan?.fill ? [" ", fill] : []));
+    $("solve").disabled = $("solve-load").disabled = refused !== null || this.run !== null;
   }
 
-  // Nothing of an older scene stays.
+  // The loads that were solved for this text with these files, and none of another scene.
+  of(scene) {
+    if (scene === this.scene) return;
+    this.kept.delete(this.scene);
+    if (this.solved.length > 0) this.kept.set(this.scene, this.solved);
+    if (this.kept.size > MOST_KEPT) this.kept.delete(this.kept.keys().next().value);
+    this.drop();
+    this.scene = scene;
+    this.solved = this.kept.get(scene) ?? [];
+    if (this.solved.length > 0) this.table();
+  }
+
   drop() {
     if (this.run) this.stop("");
     [this.solved, this.shown] = [[], null];

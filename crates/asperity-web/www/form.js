@@ -92,7 +92,8 @@ export function mark(error, findings) {
   for (const { field: path, message, severity } of findings) if (!of.has(path)) of.set(path, [message, severity]);
   if (error?.field) of.set(error.field, [error.message, "error"]);
   for (const input of document.querySelectorAll("[data-path]")) {
-    let [text, severity] = of.get(input.dataset.path) ?? [];
+    const { path } = input.dataset;
+    let [text, severity] = of.get(path) ?? of.get(path.replace(/^surface\./, "")) ?? [];
     // The form has names and no lines.
     if (severity === "error" && error?.field_message) text = `${input.labels[0].textContent}: ${error.field_message}`;
     const note = $(`${input.id}-note`);

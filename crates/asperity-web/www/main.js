@@ -1,7 +1,7 @@
 // The explorer: one state, whose scene is a text; everything on the page follows from it.
 import { $, options, readings, tell } from "./page.js";
 import { desks, page, report, state, work } from "./state.js";
-import { answer, change, redraw, setScene, setView, typed, typingEnds } from "./scene.js";
+import { answer, change, describe, edit, redraw, setScene, setView, typed, typingEnds } from "./scene.js";
 import { note, openLink, rest, writeLink } from "./link.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
@@ -36,7 +36,7 @@ function loads() {
 function surfaces() {
   $("way").addEventListener("change", () => {
     const way = $("way").value;
-    change((text) => desks.quick.ask(text, "surface", { text, way }).catch((error) => {
+    change((text) => describe(text, way).catch((error) => {
       if (page.shown) $("way").value = page.shown.way;
       throw error;
     }));
@@ -45,7 +45,7 @@ function surfaces() {
 }
 
 function boundaryElements() {
-  elements.changed = redraw;
+  Object.assign(elements, { changed: redraw, edit });
   elements.readings();
   $("solve").addEventListener("click", () => elements.solve(true));
   $("solve-load").addEventListener("click", () => elements.solve(false));

@@ -1,12 +1,12 @@
 // From the text of the scene to everything that the page shows of it.
 import { $, noPicture, tell, typing } from "./page.js";
-import { answers, ask, chosen, desks, isSlow, missing, page, report, state, work } from "./state.js";
+import { answers, ask, chosen, desks, files, isSlow, missing, page, report, state, work } from "./state.js";
 import { note, writeLink } from "./link.js";
 import * as blocks from "./answers.js";
 import * as editor from "./editor.js";
 import * as form from "./form.js";
 import { elements } from "./elements.js";
-import { scanReport } from "./scan-report.js";
+import { reportScan, showReport } from "./scan-report.js";
 import { takeAway } from "./takeaway.js";
 
 // The place of the slider for a scene without a load.
@@ -49,11 +49,11 @@ export const edit = (changes) => change((text) => tools("edit", { text, changes 
 
 async function showScene() {
   const text = state.text;
-  elements.drop();
   try {
     Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "", refused: "" });
   } catch (error) {
     Object.assign(page, { shown: null, text, failure: error.message });
+    elements.of("");
     clear("The calculation failed.");
     throw error;
   } finally {
@@ -62,6 +62,7 @@ async function showScene() {
     Object.assign(page, { load: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
+  elements.of(JSON.stringify([text, shown.files.map((name) => files.get(name)?.checksum)]));
   form.fill(shown, edit, page.form);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
@@ -80,16 +81,24 @@ async function showScene() {
   blocks.numbers(shown.numbers);
   takeAway.models(shown, chosen());
   elements.allow(shown.scan);
-  scanReport(Boolean(shown.scan));
+  showReport(Boolean(shown.scan));
+  typedIn.set(shown.way, shown.fields);
   await values(state.load ? { text: state.load } : { position: USUAL });
+  reportScan();
 }
+
+// The fields of the last scene whose surface is described in each way.
+const typedIn = new Map();
+
+// The surface described in another way: as it was typed there, if it is still the same.
+export const describe = (text, way) => desks.quick.ask(text, "surface", { text, way, typed: typedIn.get(way) ?? {} });
 
 // Nothing of another scene stays on the page.
 function clear(why) {
   Object.assign(page, { load: null, drawn: "" });
   blocks.clear(why);
   elements.allow(null);
-  scanReport(false);
+  showReport(false);
   takeAway.models({ models: [] }, []);
   followers.forEach((follow) => follow());
 }

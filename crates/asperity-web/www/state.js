@@ -19,8 +19,8 @@ export const page = {
   load: null, drawn: "", refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
 };
 
-// The scan without which the scene of a link cannot be shown.
-export const missing = () => (page.shown?.error && page.shown.files.includes(page.wanted?.name) ? page.wanted.name : "");
+// The scan without which the scene cannot be shown.
+export const missing = () => (page.shown?.error && page.shown.files.find((name) => !files.has(name))) || "";
 
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
@@ -40,7 +40,7 @@ export function report() {
   // Values of numbers that cannot be meant.
   document.documentElement.toggleAttribute("data-implausible", implausible());
   $("copy-link").disabled = Boolean(page.refused);
-  const none = Boolean(page.refused) || !page.load;
+  const none = Boolean(page.refused) || !page.load || implausible();
   $("save-values").disabled = none;
   $("save-csv").disabled = none || chosen().length === 0;
   $("save-svg").disabled = $("save-png").disabled = none || !page.drawn;
