@@ -131,11 +131,11 @@ impl Topography {
         for y in 0..rows {
             let Some(next) = after(y, down, rows).map(row) else { break };
             let (here, far) = (row(y), after(y, 2 * down, rows).map(row));
-            for x in 0..columns {
+            for (x, z) in here.iter().enumerate() {
                 let Some(one) = after(x, right, columns) else { break };
-                add(0, (next[one] - here[x]) / distance);
+                add(0, (next[one] - z) / distance);
                 if let Some((far, two)) = far.zip(after(x, 2 * right, columns)) {
-                    add(1, (here[x] - 2.0 * next[one] + far[two]) / (distance * distance));
+                    add(1, (z - 2.0 * next[one] + far[two]) / (distance * distance));
                 }
             }
         }
