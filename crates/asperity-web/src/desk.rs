@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Findings, Severity};
+use asperity::{ContactError, Corrected, Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use serde_json::{Value, json};
 
+use crate::advice::Answer;
 use crate::files::{admit, usable};
-use crate::message::{LoadKeys, Message};
+use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
@@ -22,6 +23,8 @@ pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
     compiled: BTreeMap<String, Result<Asked, String>>,
+    /// Models corrected by the evidence.
+    corrected: BTreeMap<String, Result<Corrected, ContactError>>,
 }
 
 /// A scene with models on it, or the reasons why it refuses them.
@@ -102,7 +105,7 @@ impl Desk {
             }
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
-            Message::Answer { models, load } => self.values(&models, &load)?,
+            Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
             Message::Curve { models } => {
                 let (file, models) = self.compile(&models)?;
                 let pressures = Span::of(&file.scene).pressures();
@@ -121,10 +124,6 @@ impl Desk {
                 let at = Load::of(&load, &file.scene)?.at;
                 dialect::findings(&advice::check(file, &models, at), file)
             }
-            Message::Advise { load, solved } => {
-                let (file, load) = self.scene_at(&load)?;
-                advice::advise(file, load.at, solved.as_ref())?.into()
-            }
             Message::Export { model, form, units } => {
                 code::table(self.scene()?, &model, &form, &units)?
             }
@@ -141,6 +140,7 @@ impl Desk {
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
     fn show(&mut self, text: &str) -> Value {
         self.compiled.clear();
+        self.corrected.clear();
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
@@ -148,7 +148,12 @@ impl Desk {
         found
     }
 
-    fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Value, Refusal> {
+    fn values(
+        &mut self,
+        models: &[String],
+        load: &LoadKeys,
+        solved: &[Solved],
+    ) -> Result<Value, Refusal> {
         let (file, models) = self.compile(models)?;
         let load = Load::of(load, &file.scene)?;
         let (mut rows, mut findings) = (vec![], Findings::default());
@@ -163,11 +168,40 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings).at_least(Severity::Warning);
-        Ok(json!({
-            "load": load,
-            "rows": rows,
-            "findings": dialect::findings(&findings, file),
-        }))
+        let findings = dialect::findings(&findings, file);
+        let answer = self.best(&load, solved, &mut rows)?;
+        Ok(json!({ "load": load, "rows": rows, "answer": answer, "findings": findings }))
+    }
+
+    /// The answer at a load; the rows of the shown models get their deviation from it.
+    fn best(
+        &mut self,
+        load: &Load,
+        solved: &[Solved],
+        rows: &mut [Value],
+    ) -> Result<Value, Refusal> {
+        let id = advice::recommended(self.scene()?, load.at);
+        let both = [id.clone(), advice::ELASTIC.into()];
+        self.compile(&both)?;
+        let Self { file: Some(file), compiled, corrected, .. } = self else { return Err(no_scene()) };
+        let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
+        let row = match asked(&id) {
+            Some(asked) => answer::row(file, &id, asked, load.at)?.0,
+            None => Value::Null,
+        };
+        let corrected = corrected.entry(id.clone()).or_insert_with(|| {
+            let none = || ContactError::Refused { model: id.clone(), reason: "it has no values".into() };
+            asked(&id).ok_or_else(none).and_then(|asked| asked.corrected(file, &id))
+        });
+        let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
+        let best = Answer::new(file, &row, corrected, load, here);
+        for row in rows.iter_mut() {
+            if let Some((shown, off)) = best.against(row) {
+                row["against"] = json!({ "shown": shown, "off": off });
+            }
+        }
+        let yields = |id: &str| advice::yields(file, asked(id)?, load.at);
+        Ok(best.shown(file, load, rows, yields))
     }
 }
 

@@ -30,8 +30,8 @@ pub(crate) enum Message {
     Usable { name: String, kept: Option<String> },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
-    /// The values of models at one load.
-    Answer { models: Vec<String>, load: LoadKeys },
+    /// The values of models at one load and the answer there, which knows what was solved.
+    Answer { models: Vec<String>, load: LoadKeys, solved: Vec<Solved> },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
     /// The picture of rows.
@@ -40,8 +40,6 @@ pub(crate) enum Message {
     Scan,
     /// Findings at a load.
     Check { models: Vec<String>, load: LoadKeys },
-    /// Which model to trust, and how far the models are from a load that was solved.
-    Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
     /// The same calculation in a shell, in Python and in Rust.
@@ -74,13 +72,12 @@ pub(crate) struct LoadKeys {
     pub(crate) show: Option<String>,
 }
 
-/// What boundary elements and models give at the load of the page: values by quantity, with all
-/// digits.
+/// What boundary elements gave at a load: values by quantity, with all digits.
 #[derive(Debug, Default, Deserialize)]
-pub(crate) struct OnScreen {
-    pub(crate) bem: BTreeMap<String, String>,
+pub(crate) struct Solved {
+    /// Mean pressure \[Pa\].
+    pub(crate) pressure: f64,
+    pub(crate) values: BTreeMap<String, String>,
     /// Codes of the notes of the solution.
     pub(crate) notes: Vec<String>,
-    /// The chosen models by their ids.
-    pub(crate) models: Vec<(String, BTreeMap<String, String>)>,
 }

@@ -18,13 +18,15 @@ class Elements {
     const refused = error ? "" : scan ? scan.refused : NO_SCAN;
     $("elements-note").textContent = refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`;
     $("solve").disabled = $("solve-load").disabled = refused !== null;
+    $("contact-box").hidden = !scan;
+    if (scan && !this.shown) this.spot(refused ?? "The contact of this scan is not solved yet.", refused === null);
   }
 
   // Nothing of an older scene stays.
   drop() {
+    this.spot();
     if (this.run) this.stop("");
     [this.solved, this.shown] = [[], null];
-    noPicture($("contact"));
     $("solved").hidden = $("solved-notes").hidden = true;
     $("iterations").textContent = "";
   }
@@ -79,10 +81,20 @@ class Elements {
     if (busy) $("iterations").textContent = "starting";
   }
 
+  // The place of the map without one.
+  spot(why = "", offer = false) {
+    noPicture($("contact"), why);
+    const button = element("button", { type: "button", onclick: () => this.solve(false) }, "Solve this load");
+    if (offer) $("contact").firstElementChild.append(element("br"), button);
+  }
+
   happened(event) {
     if (event.event === "progress") {
       Object.assign($("progress"), { max: event.count, value: event.done });
       $("iterations").textContent = event.text;
+      // Spoken once a load.
+      const [loads] = event.text.split(";");
+      if ($("loads-done").textContent !== loads) $("loads-done").textContent = loads;
     } else if (event.event === "failed") {
       tell(event.message);
     } else {
@@ -91,9 +103,16 @@ class Elements {
       this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
-      this.changed();
+      this.changed(event.pressure);
     }
   }
+
+  // What the answer knows of solved loads.
+  known = () => this.solved.map(({ pressure, cells, notes }) => ({
+    pressure,
+    values: Object.fromEntries(cells.filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits])),
+    notes: notes.map(({ code }) => code),
+  }));
 
   // The map at the present load, or at the next heavier one that is solved.
   showNear() {

@@ -4,7 +4,9 @@ import { desks, page, work } from "./state.js";
 
 // Shows it, if the scene has a scan.
 export function scanReport(there) {
-  $("scan-report").hidden = $("save-scan").hidden = !there;
+  $("save-scan").hidden = !there;
+  $("no-scan").hidden = there;
+  if (!there) for (const id of ["scan-caption", "scan-numbers", "scales"]) $(id).replaceChildren();
   noPicture($("scan-picture"));
   if (there) work("slow", "scan", report);
 }

@@ -8,6 +8,7 @@ import * as form from "./form.js";
 import { elements } from "./elements.js";
 import { scanReport } from "./scan-report.js";
 import { takeAway } from "./takeaway.js";
+import { forget, showCompared } from "./compare.js";
 
 // The place of the slider for a scene without a load.
 const USUAL = 0.6;
@@ -59,7 +60,7 @@ async function showScene() {
   } finally {
     page.rows.clear();
     page.values.clear();
-    Object.assign(page, { load: null, answered: "", undescribed: "" });
+    Object.assign(page, { load: null, best: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
   form.fill(shown, edit, page.form);
@@ -86,7 +87,7 @@ async function showScene() {
 
 // Nothing of another scene stays on the page.
 function clear(why) {
-  Object.assign(page, { load: null, drawn: "" });
+  Object.assign(page, { load: null, best: null, drawn: "" });
   blocks.clear(why);
   elements.allow(null);
   scanReport(false);
@@ -103,7 +104,7 @@ async function values(keys) {
   const models = ids.filter((id) => !isSlow(id));
   let found;
   try {
-    found = await ask(desks.quick, "answer", { models, load: keys });
+    found = await ask(desks.quick, "answer", { models, load: keys, solved: elements.known() });
   } catch (error) {
     if (error.field !== "load") throw error;
     return refuse(error.message, keys);
@@ -113,11 +114,11 @@ async function values(keys) {
   // Slow models are still to answer.
   else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
   Object.assign(page, { load: found.load, refused: "" });
-  if (state.load !== found.load.text) takeAway.dropAdvice();
+  if (state.load !== found.load.text) forget();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
-  page.values = new Map(rows.map((row) => [row.model, row]));
+  Object.assign(page, { values: new Map(rows.map((row) => [row.model, row])), best: found.answer });
   page.undescribed = ids.length > models.length ? "" : blocks.undescribed(rows);
   table();
   await curves(desks.quick, models);
@@ -166,7 +167,7 @@ async function slowValues(shown, keys) {
   const models = chosen().filter(isSlow);
   if (!current() || models.length === 0) return;
   const load = state.load;
-  const found = await ask(desks.slow, "answer", { models, load: { text: load } });
+  const found = await ask(desks.slow, "answer", { models, load: { text: load }, solved: elements.known() });
   if (!current()) return;
   // A later load has a piece of its own.
   if (state.load === load) {
@@ -188,15 +189,20 @@ async function slowValues(shown, keys) {
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
   const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
-  if (page.load) blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), about);
+  if (page.load) {
+    blocks.answer(page.best, Boolean(state.example));
+    blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), page.best, about);
+  }
+  showCompared();
   followers.forEach((follow) => follow());
 }
 
-// Boundary elements were solved at another load, which advice without them does not know.
-export function redraw() {
-  takeAway.dropAdvice();
+// Boundary elements were solved at a load: at that of the page they are the answer.
+export function redraw(pascals) {
+  forget();
+  if (pascals === page.load?.pascals && !page.refused) return answer({ text: state.load });
   table();
-  work("page", "draw", draw);
+  return work("page", "draw", draw);
 }
 
 async function draw() {
