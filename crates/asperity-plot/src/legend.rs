@@ -9,7 +9,10 @@ use crate::text::{CAPITAL, width};
 use crate::trace::simplified;
 
 const SIZE: f64 = 13.3;
+/// Length of a key, and that in a narrow picture.
 const KEY: f64 = 53.0;
+const SHORT_KEY: f64 = 26.0;
+const NARROW: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;
 const PAD: f64 = 7.5;
 const COLUMN_GAP: f64 = 17.0;
@@ -45,6 +48,7 @@ impl<'a> Entry<'a> {
 pub(crate) struct Legend<'a> {
     entries: Vec<Entry<'a>>,
     rows: usize,
+    key: f64,
     column: f64,
     pub(crate) width: f64,
     pub(crate) height: f64,
@@ -61,12 +65,13 @@ impl<'a> Legend<'a> {
             }
         }
         let label = entries.iter().map(|entry| width(entry.label, SIZE)).fold(0.0, f64::max);
-        let column = KEY + KEY_GAP + label;
+        let key = if widest < NARROW { SHORT_KEY } else { KEY };
+        let column = key + KEY_GAP + label;
         let fit = ((widest - 2.0 * PAD + COLUMN_GAP) / (column + COLUMN_GAP)).floor().max(1.0);
         let rows = entries.len().div_ceil(fit as usize);
         let columns = entries.len().div_ceil(rows.max(1)) as f64;
         let width = columns * (column + COLUMN_GAP) - COLUMN_GAP + 2.0 * PAD;
-        Self { rows, column, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
+        Self { rows, key, column, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -83,16 +88,16 @@ impl<'a> Legend<'a> {
             let y = top + PAD + (row + 0.5) * ROW;
             if entry.filled {
                 let (top, height) = if entry.curve.is_some() { (y, 6.5) } else { (y - 5.0, 10.0) };
-                let swatch = Rect::sized(x, top, KEY, height);
+                let swatch = Rect::sized(x, top, self.key, height);
                 canvas.polygon(&swatch.corners(), entry.colour, AREA);
             }
             if let Some(curve) = entry.curve {
-                draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
+                draw_line(canvas, &[(x, y), (x + self.key, y)], curve);
                 if !curve.faint {
-                    canvas.marker((x + 0.5 * KEY, y), curve.marker(), entry.colour);
+                    canvas.marker((x + 0.5 * self.key, y), curve.marker(), entry.colour);
                 }
             }
-            let baseline = (x + KEY + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
+            let baseline = (x + self.key + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
             canvas.text(entry.label, baseline, Type::new(SIZE, BLACK, "start"));
         }
     }

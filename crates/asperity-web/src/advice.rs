@@ -4,15 +4,16 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, ContactError, Corrected, Described, Finding, Findings, Scene, Separation, SeparationUnit,
+    At, ContactError, Corrected, Finding, Findings, Scene, Separation, SeparationUnit,
     Severity, shortest_digits, usual_reference,
 };
 use asperity_answer::{Asked, unranked};
 use asperity_inputs::SceneFile;
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, SEPARATION, quantities};
-use crate::dialect::said;
+use crate::dialect::{PAGE, said};
 use crate::message::Solved;
 use crate::shown::{interval, percent, shown};
 use crate::span::Load;
@@ -25,6 +26,10 @@ const FIRST: [(&str, &str, &str); 3] = [
     ("tangent", "N/m", "first-loading stiffness"),
     ("unloading-stiffness", "N/m", "unloading stiffness"),
 ];
+/// A model farther than this from boundary elements is out of its range.
+const FAR: f64 = 0.3;
+/// Codes of findings that a load is out of the range of a model.
+const OUTSIDE: [&str; 4] = ["beyond-fit", "fit-misses", "tabor", "above-hardness"];
 /// The model that shows whether contacts yield, as it ignores that.
 pub(crate) const ELASTIC: &str = "gw";
 
@@ -37,6 +42,18 @@ enum Source {
     Evidence,
     /// Boundary elements on this scan at this load.
     Solved,
+}
+
+/// How far a model is from the answer.
+#[derive(Debug, Serialize)]
+pub(crate) struct Against {
+    /// `area +11 %, stiffness −8 %`, and without the names.
+    words: String,
+    short: String,
+    /// The larger of the two.
+    off: f64,
+    #[serde(skip)]
+    pub(crate) outside: Option<String>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -60,13 +77,14 @@ pub(crate) struct Answer {
 /// asperities.
 pub(crate) fn recommended(file: &SceneFile, at: At) -> String {
     let usual = usual_reference(&file.scene).to_string();
-    let adheres = file.scene.adhesion_parameter().is_some_and(|t| t < Scene::HIDES_ADHESION);
+    if file.scene.adhesion_parameter().is_none_or(|theta| theta >= Scene::HIDES_ADHESION) {
+        return usual;
+    }
     let fits = |id: &&str| {
         let model = file.model(id).ok();
         model.is_some_and(|model| file.findings_at(&model, &[at]).iter().all(|f| f.code != "tabor"))
     };
-    let adhesive = ["dmt", "jkr"].into_iter().find(fits).unwrap_or("jkr").to_string();
-    if adheres { adhesive } else { usual }
+    ["dmt", "jkr"].into_iter().find(fits).unwrap_or("jkr").into()
 }
 
 impl Answer {
@@ -92,15 +110,14 @@ impl Answer {
                     true => "; the load is below the lightest solved one, whose ratios are used",
                     false => "",
                 };
-                format!(
-                    "From {} like this one; 9 of 10 such surfaces lie in the intervals{lighter}",
-                    row.basis().split("; ").last().unwrap_or_default()
-                )
+                let basis = row.basis();
+                let surfaces = basis.split("; ").last().unwrap_or_default();
+                format!("From {surfaces} like this one; 9 of 10 lie in the intervals{lighter}.")
             }
             Err(reason) => {
                 let reason = reason.marked();
                 let reason = reason.split_once("-corrected`: ").map_or(&*reason, |(_, why)| why);
-                format!("No evidence here, values of {model}: {}", said(reason))
+                format!("No evidence here, values by {model}: {}.", said(reason))
             }
         };
         if let Ok(row) = &evidence {
@@ -127,20 +144,22 @@ impl Answer {
             let doubt = unranked(&[codes]);
             if doubt.is_none() || source == Source::Model {
                 source = Source::Solved;
-                basis = "By boundary elements on this scan at this load".into();
+                basis = match doubt {
+                    Some(why) => format!("Boundary elements on this scan at this load; {why}."),
+                    None => "Boundary elements on this scan at this load.".into(),
+                };
                 values.extend(solved.values.iter().filter_map(|(quantity, digits)| {
                     let value = digits.parse().ok()?;
                     Some((quantity.clone(), Known { value, ends: None, source }))
                 }));
             }
-            basis.extend(doubt.map(|why| format!("; boundary elements on this scan: {why}")));
         }
         Self { values, source, model, basis }
     }
 
-    /// How far a row is from the answer, in words and as the larger of the deviations; none where
-    /// the answer is from elsewhere.
-    pub(crate) fn against(&self, row: &Value) -> Option<(String, f64)> {
+    /// How far a row is from the answer, and whether it is outside of the range of its model; none
+    /// where the answer is of that model.
+    pub(crate) fn against(&self, row: &Value) -> Option<Against> {
         if self.source == Source::Model && row["model"].as_str() == Some(&self.model) {
             return None;
         }
@@ -151,8 +170,19 @@ impl Answer {
         };
         let off: Vec<(&str, f64)> = COMPARED.into_iter().filter_map(off).collect();
         let largest = off.iter().map(|(_, off)| off.abs()).reduce(f64::max)?;
-        let words = off.iter().map(|(name, off)| format!("{name} {}", percent(*off)));
-        Some((words.collect::<Vec<_>>().join(", "), largest))
+        let words: Vec<_> =
+            off.iter().map(|(name, off)| format!("{name} {}", percent(*off))).collect();
+        let short = COMPARED.map(|(_, name)| {
+            let known = off.iter().find(|(known, _)| *known == name);
+            known.map_or("–".into(), |(_, off)| percent(*off))
+        });
+        let is_far = self.source != Source::Model && largest > FAR;
+        Some(Against {
+            words: words.join(", "),
+            short: short.join(", "),
+            off: largest,
+            outside: is_far.then(|| format!("more than {} from the answer", percent(FAR))),
+        })
     }
 
     /// Which of the shown models to use, by id, and how far it is from the answer: the nearest. One
@@ -162,7 +192,7 @@ impl Answer {
             return json!({ "model": self.model, "says": "recommended; not compared here" });
         }
         let of = |row: &Value| {
-            let (words, off) = self.against(row).filter(|_| row["mark"].is_null())?;
+            let Against { words, off, .. } = self.against(row).filter(|_| row["mark"].is_null())?;
             let lacks = !words.contains(COMPARED[1].1);
             Some((lacks, off, row["model"].as_str()?.to_string(), words))
         };
@@ -186,18 +216,18 @@ impl Answer {
         file: &SceneFile,
         load: &Load,
         rows: &[Value],
-        yields: impl Fn(&str) -> Option<Severity>,
+        judged: &BTreeMap<String, Judged>,
     ) -> Value {
         let first: Vec<Value> = FIRST.iter().filter_map(|part| self.first(*part)).collect();
         let cells: Vec<Value> = answer::columns(file).map(|(id, unit)| self.cell(&id, unit)).collect();
         let index = file.scene.plasticity_index().ok();
-        let plasticity = match yields(ELASTIC) {
+        let plasticity = match judged.get(ELASTIC).and_then(|of| of.yields) {
             _ if index.is_none() => "no hardness: elastic",
             None => "nothing yields",
             Some(Severity::Note) => "a few contacts yield",
             Some(_) => "contacts yield",
         };
-        let ignores = |id: &str| yields(id).is_some_and(|severity| severity > Severity::Note);
+        let ignores = |id: &str| judged.get(id).is_some_and(|of| of.yields > Some(Severity::Note));
         let to_use = self.model_to_use(rows, ignores);
         let said = |part: &Value| format!("{} {}", part["name"], part["shown"]).replace('"', "");
         let spoken = first.iter().map(said).collect::<Vec<_>>().join(", ");
@@ -270,10 +300,25 @@ fn numbers(row: &Value) -> impl Iterator<Item = (&str, f64)> {
     cells.filter_map(|cell| Some((cell["quantity"].as_str()?, cell["digits"].as_str()?.parse().ok()?)))
 }
 
-/// How a model ignores yielding at a load, if it does.
-pub(crate) fn yields(file: &SceneFile, asked: &Asked, at: At) -> Option<Severity> {
-    let [found, _] = asked.findings(file, &[at]);
-    found.iter().find(|found| found.code == "yields").map(|found| found.severity)
+/// What is known of a model at a load.
+pub(crate) struct Judged {
+    /// How it ignores yielding, if it does.
+    yields: Option<Severity>,
+    /// Why the load is out of its range.
+    pub(crate) outside: Option<String>,
+}
+
+impl Judged {
+    /// A model of a scene at a load.
+    pub(crate) fn of(file: &SceneFile, asked: &Asked, at: At) -> Self {
+        let [found, _] = asked.findings(file, &[at]);
+        let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
+        let is_outside = |found: &&Finding| {
+            OUTSIDE.contains(&found.code) && found.severity > Severity::Note
+        };
+        let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
+        Self { yields, outside }
+    }
 }
 
 /// Findings about the scene and about these models at a load.

@@ -7,7 +7,7 @@ use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use serde_json::{Value, json};
 
-use crate::advice::Answer;
+use crate::advice::{Answer, Judged};
 use crate::files::{admit, usable};
 use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
@@ -114,9 +114,9 @@ impl Desk {
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
-            Message::Draw { rows, view, load, solved } => {
+            Message::Draw { rows, view, load, solved, outside, size } => {
                 let (file, load) = self.scene_at(&load)?;
-                picture::curves(file, &rows, &view, &load, &solved)?.into()
+                picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
             Message::Scan => scan_report::report(self.scene()?)?,
             Message::Check { models, load } => {
@@ -195,13 +195,17 @@ impl Desk {
         });
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
         let best = Answer::new(file, &row, corrected, load, here);
+        let ids = rows.iter().filter_map(|row| row["model"].as_str()).chain([advice::ELASTIC]);
+        let judge = |id: &str| Some((id.to_string(), Judged::of(file, asked(id)?, load.at)));
+        let judged: BTreeMap<_, _> = ids.filter_map(judge).collect();
         for row in rows.iter_mut() {
-            if let Some((shown, off)) = best.against(row) {
-                row["against"] = json!({ "shown": shown, "off": off });
-            }
+            let against = best.against(row);
+            let judged = row["model"].as_str().and_then(|id| judged.get(id));
+            let outside = judged.and_then(|of| of.outside.clone());
+            row["outside"] = outside.or(against.as_ref().and_then(|of| of.outside.clone())).into();
+            row["against"] = json!(against);
         }
-        let yields = |id: &str| advice::yields(file, asked(id)?, load.at);
-        Ok(best.shown(file, load, rows, yields))
+        Ok(best.shown(file, load, rows, &judged))
     }
 }
 

@@ -34,8 +34,18 @@ pub(crate) enum Message {
     Answer { models: Vec<String>, load: LoadKeys, solved: Vec<Solved> },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
-    /// The picture of rows.
-    Draw { rows: Vec<String>, view: String, load: LoadKeys, solved: Vec<[f64; 2]> },
+    /// The picture of rows, of this size in pixels; models outside of their range have no part in
+    /// the band.
+    Draw {
+        rows: Vec<String>,
+        view: String,
+        load: LoadKeys,
+        solved: Vec<[f64; 2]>,
+        #[serde(default)]
+        outside: Vec<String>,
+        #[serde(default)]
+        size: Option<[f64; 2]>,
+    },
     /// The map and the numbers of the scan.
     Scan,
     /// Findings at a load.

@@ -56,7 +56,8 @@ pub(crate) fn press(
     let tell = |event: Value| (happened.borrow_mut())(event);
     let event = |solution: Solution| -> Result<Value, Refusal> {
         let mut event = solved(file, &elements, &solution);
-        event["svg"] = picture::contact(&bem, &solution, hardness)?.into();
+        let (svg, caption) = picture::contact(&bem, &solution, hardness)?;
+        (event["svg"], event["caption"]) = (svg.into(), caption.into());
         event["readings"] = map_readings(&bem, &solution);
         Ok(event)
     };

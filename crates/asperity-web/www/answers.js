@@ -16,16 +16,17 @@ export function answer(found, isExample) {
   const [basis, example] = $("basis").children;
   basis.textContent = found?.basis ?? "";
   basis.title = found?.basis ?? "";
-  example.textContent = found && isExample ? `An example surface (${found.surface}): drop yours or write its numbers.` : "";
+  example.textContent = found && isExample ? `An example surface (${found.surface}).` : "";
 }
 
 // Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
 export function table(views, ids, values, solved, best, about = () => "") {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
-  head.replaceChildren(element("tr", {}, heading("model"), heading("against the answer"), ...views.map(({ label, definition }) => heading(label, definition))));
+  head.replaceChildren(element("tr", {}, heading("model"), heading("area, stiffness against the answer", "How far real area and first-loading stiffness of a model are from the answer; ⚠ where the model is out of its range."), ...views.map(({ label, definition }) => heading(label, definition))));
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
-  const against = (row) => element("td", { className: "against" }, row?.against?.shown ?? "");
+  const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
+    row?.outside ? "⚠ " : "", row?.against?.short ?? "");
   const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
   body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);

@@ -28,8 +28,8 @@ export function showCompared() {
   const list = [...rows.values()].sort((a, b) => ((a.against?.off ?? Infinity) < (b.against?.off ?? Infinity) ? -1 : 1));
   const name = (id) => (chosen().includes(id) ? element("strong", {}, id)
     : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
-  $("compared").replaceChildren(...list.map(({ model, against, reason }) =>
-    element("li", {}, name(model), ` ${against?.shown ?? reason ?? "not compared"}`)));
+  $("compared").replaceChildren(...list.map(({ model, against, outside, reason }) =>
+    element("li", {}, name(model), `${outside ? " ⚠" : ""} ${against?.words ?? reason ?? "not compared"}`)));
   $("compare").disabled = !page.load || allowed().every((id) => rows.has(id));
 }
 

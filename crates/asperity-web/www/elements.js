@@ -84,6 +84,7 @@ class Elements {
   // The place of the map without one.
   spot(why = "", offer = false) {
     noPicture($("contact"), why);
+    $("contact-reading").textContent = "";
     const button = element("button", { type: "button", onclick: () => this.solve(false) }, "Solve this load");
     if (offer) $("contact").firstElementChild.append(element("br"), button);
   }
@@ -123,7 +124,8 @@ class Elements {
 
   show(one) {
     this.shown = one;
-    picture($("contact"), one.svg, `contact pressures at ${one.load}`);
+    picture($("contact"), one.svg, `contact pressures at ${one.load}: ${one.caption}`);
+    $("contact-reading").textContent = one.caption;
   }
 
   // The pressures of the map under the pointer.
@@ -138,7 +140,7 @@ class Elements {
       const row = part((clientY - box.top) / box.height, rows);
       output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
     });
-    figure.addEventListener("pointerleave", () => { output.textContent = ""; });
+    figure.addEventListener("pointerleave", () => { output.textContent = this.shown?.caption ?? ""; });
   }
 
   table() {

@@ -42,7 +42,7 @@ function body(k, edit, form) {
   box.append(element("p", { className: "source", id: `source-${k}`, hidden: true }));
   const fields = form.body.map(([key, label, hint]) => field(`body[${k}].${key}`, label, hint, edit, name));
   const [main, rare] = [fields.slice(0, MAIN), fields.slice(MAIN)];
-  box.append(...main, element("details", { className: "rare" }, element("summary", {}, "Yield strength, conductivity, resistivity"), ...rare));
+  box.append(...main, element("details", { className: "rare" }, element("summary", {}, "More about this body"), ...rare));
   return box;
 }
 

@@ -214,7 +214,10 @@ async function draw() {
     if (rows.length + solved.length === 0 && chosen().length > 0) {
       withoutCurves("Being calculated.");
     } else {
-      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
+      const outside = ids.filter((id) => page.values.get(id)?.outside);
+      // As large as its place, so that letters keep their size.
+      const { clientWidth, clientHeight } = $("curve");
+      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved, outside, size: [clientWidth, clientHeight] });
       blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
       page.drawn = view;
     }
@@ -226,6 +229,9 @@ async function draw() {
   }
   followers.forEach((follow) => follow());
 }
+
+// Another width of the page has another picture.
+addEventListener("resize", () => work("page", "draw", draw));
 
 // The place of the curves says why there are none.
 function withoutCurves(why) {
