@@ -148,9 +148,8 @@ impl Answer {
                     Some(why) => format!("Boundary elements on this scan at this load; {why}."),
                     None => "Boundary elements on this scan at this load.".into(),
                 };
-                values.extend(solved.values.iter().filter_map(|(quantity, digits)| {
-                    let value = digits.parse().ok()?;
-                    Some((quantity.clone(), Known { value, ends: None, source }))
+                values.extend(numbers(&solved.row()).map(|(quantity, value)| {
+                    (quantity.to_string(), Known { value, ends: None, source })
                 }));
             }
         }

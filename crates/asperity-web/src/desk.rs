@@ -205,7 +205,9 @@ impl Desk {
             row["outside"] = outside.or(against.as_ref().and_then(|of| of.outside.clone())).into();
             row["against"] = json!(against);
         }
-        Ok(best.shown(file, load, rows, &judged))
+        let mut shown = best.shown(file, load, rows, &judged);
+        shown["solved_against"] = json!(here.and_then(|solved| best.against(&solved.row())));
+        Ok(shown)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::random::RandomKeys;
 
@@ -90,4 +90,12 @@ pub(crate) struct Solved {
     pub(crate) values: BTreeMap<String, String>,
     /// Codes of the notes of the solution.
     pub(crate) notes: Vec<String>,
+}
+
+impl Solved {
+    /// As the row of a model.
+    pub(crate) fn row(&self) -> Value {
+        let cell = |(quantity, digits)| json!({ "quantity": quantity, "digits": digits });
+        json!({ "model": "bem", "cells": self.values.iter().map(cell).collect::<Value>() })
+    }
 }

@@ -36,7 +36,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   }).flat());
   if (solved) {
     const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
-    body.append(element("tr", {}, name, against(), ...columns(views, solved).map((value) => cell(value, "bem"))));
+    body.append(element("tr", {}, name, against({ against: best?.solved_against }), ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
 }
 
