@@ -19,6 +19,10 @@ pub(crate) const TITLE_GAP: f64 = 5.0;
 /// Around everything.
 pub(crate) const EDGE: f64 = 12.0;
 
+/// Room above and below the frame of a small picture, and its least height.
+const AROUND: f64 = 175.0;
+const LOWEST: f64 = 110.0;
+
 impl Figure {
     pub(crate) fn width(&self) -> f64 {
         self.size.map_or(WIDTH, |[width, _]| width)
@@ -46,7 +50,7 @@ pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
 /// The least height of the frames of a figure.
 pub(crate) fn least_height(figure: &Figure) -> f64 {
     match (figure.panels.len(), figure.columns > 1) {
-        (0 | 1, _) if figure.size.is_some() => 120.0,
+        (0 | 1, _) if figure.size.is_some() => (figure.height() - AROUND).max(LOWEST),
         (0 | 1, _) => 350.0,
         (2, false) => 273.0,
         (_, false) => 213.0,

@@ -116,8 +116,9 @@ impl Answer {
             }
             Err(reason) => {
                 let reason = reason.marked();
-                let reason = reason.split_once("-corrected`: ").map_or(&*reason, |(_, why)| why);
-                format!("No evidence here, values by {model}: {}.", said(reason))
+                let why = reason.split_once(": ").map_or(&*reason, |(_, why)| why);
+                let why = why.split_once("is close: ").map_or(why, |(_, why)| why);
+                format!("No evidence here ({}): values by {model}.", said(why).replace('_', " "))
             }
         };
         if let Ok(row) = &evidence {
@@ -145,7 +146,10 @@ impl Answer {
             if doubt.is_none() || source == Source::Model {
                 source = Source::Solved;
                 basis = match doubt {
-                    Some(why) => format!("Boundary elements on this scan at this load; {why}."),
+                    Some(why) => {
+                        let (why, _) = why.split_once("; ").unwrap_or((why, ""));
+                        format!("Boundary elements on this scan at this load, uncertain: {why}.")
+                    }
                     None => "Boundary elements on this scan at this load.".into(),
                 };
                 values.extend(numbers(&solved.row()).map(|(quantity, value)| {
@@ -217,7 +221,7 @@ impl Answer {
         rows: &[Value],
         judged: &BTreeMap<String, Judged>,
     ) -> Value {
-        let first: Vec<Value> = FIRST.iter().filter_map(|part| self.first(*part)).collect();
+        let first: Vec<Value> = FIRST.iter().map(|part| self.first(*part)).collect();
         let cells: Vec<Value> = answer::columns(file).map(|(id, unit)| self.cell(&id, unit)).collect();
         let index = file.scene.plasticity_index().ok();
         let plasticity = match judged.get(ELASTIC).and_then(|of| of.yields) {
@@ -250,8 +254,11 @@ impl Answer {
         })
     }
 
-    fn first(&self, (quantity, unit, name): (&str, &str, &str)) -> Option<Value> {
-        let known = self.values.get(quantity)?;
+    fn first(&self, (quantity, unit, name): (&str, &str, &str)) -> Value {
+        let Some(known) = self.values.get(quantity) else {
+            let by = format!("{} has none", self.model);
+            return json!({ "name": name, "quantity": quantity, "shown": "–", "by": by });
+        };
         let (shown, range) = interval(known.value, known.ends, unit);
         let by = match known.source {
             Source::Model if self.source != Source::Model => format!("by {}; no evidence", self.model),
@@ -264,7 +271,7 @@ impl Answer {
             "digits": shortest_digits(known.value),
         });
         known.add_ends(&mut part);
-        Some(part)
+        part
     }
 
     /// The cell of a column; a value of the model has its place in the row of the model.

@@ -13,7 +13,7 @@ export function answer(found, isExample) {
     part("plasticity index", {}, found.plasticity.shown, found.plasticity.says),
     part("model to use", {}, found.use?.model ?? "–", found.use?.says ?? ""),
   ] : PARTS.map((name) => part(name, {}, "–", ""))));
-  const [basis, example] = $("basis").children;
+  const [example, basis] = $("basis").children;
   basis.textContent = found?.basis ?? "";
   basis.title = found?.basis ?? "";
   example.textContent = found && isExample ? `An example surface (${found.surface}).` : "";
@@ -117,6 +117,7 @@ let listed = [];
 
 export function findings(list) {
   listed = list;
+  $("no-findings").hidden = list.length > 0;
   $("tab-findings").textContent = list.length > 0 ? `Findings (${list.length})` : "Findings";
   const [first] = list.filter(({ severity }) => severity !== "note");
   $("first-warning").replaceChildren(...(first ? ["⚠ ", ...lowered(first.message)] : []));

@@ -29,7 +29,7 @@ export function showCompared() {
   const name = (id) => (chosen().includes(id) ? element("strong", {}, id)
     : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
   $("compared").replaceChildren(...list.map(({ model, against, outside, reason }) =>
-    element("li", {}, name(model), `${outside ? " ⚠" : ""} ${against?.words ?? reason ?? "not compared"}`)));
+    element("li", {}, name(model), `${outside ? " ⚠" : ""} ${against?.words ?? reason ?? (page.best?.use?.model === model ? "the recommended model" : "not compared")}`)));
   $("compare").disabled = !page.load || allowed().every((id) => rows.has(id));
 }
 

@@ -111,8 +111,8 @@ function tick() {
 shownAgain(tick);
 
 export async function exampleText(name) {
-  const response = await fetch(name === FIRST ? `${name}.toml` : `examples/${name}.toml`);
-  if (!response.ok) throw new Error(`the example ${name} could not be loaded: reload the page`);
+  const response = await fetch(name === FIRST ? `${name}.toml` : `examples/${name}.toml`).catch(() => ({}));
+  if (!response.ok) throw new Error(`the example ${name} could not be loaded: check the connection and open it again`);
   return response.text();
 }
 
