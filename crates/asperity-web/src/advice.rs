@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, ContactError, Corrected, Finding, Findings, Scene, Separation, SeparationUnit,
-    Severity, shortest_digits, usual_reference,
+    At, ContactError, Corrected, Finding, Findings, Scene, Separation, SeparationUnit, Severity,
+    shortest_digits, usual_reference,
 };
 use asperity_answer::{Asked, unranked};
 use asperity_inputs::SceneFile;
@@ -222,7 +222,8 @@ impl Answer {
         judged: &BTreeMap<String, Judged>,
     ) -> Value {
         let first: Vec<Value> = FIRST.iter().map(|part| self.first(*part)).collect();
-        let cells: Vec<Value> = answer::columns(file).map(|(id, unit)| self.cell(&id, unit)).collect();
+        let cells: Vec<Value> =
+            answer::columns(file).map(|(id, unit)| self.cell(&id, unit)).collect();
         let index = file.scene.plasticity_index().ok();
         let plasticity = match judged.get(ELASTIC).and_then(|of| of.yields) {
             _ if index.is_none() => "no hardness: elastic",
@@ -261,7 +262,9 @@ impl Answer {
         };
         let (shown, range) = interval(known.value, known.ends, unit);
         let by = match known.source {
-            Source::Model if self.source != Source::Model => format!("by {}; no evidence", self.model),
+            Source::Model if self.source != Source::Model => {
+                format!("by {}; no evidence", self.model)
+            }
             Source::Model => format!("by {}", self.model),
             Source::Evidence => range,
             Source::Solved => "on this scan".into(),
@@ -303,7 +306,9 @@ fn short_index(index: f64) -> String {
 /// The numbers of a row by quantity.
 fn numbers(row: &Value) -> impl Iterator<Item = (&str, f64)> {
     let cells = row["cells"].as_array().into_iter().flatten();
-    cells.filter_map(|cell| Some((cell["quantity"].as_str()?, cell["digits"].as_str()?.parse().ok()?)))
+    cells.filter_map(|cell| {
+        Some((cell["quantity"].as_str()?, cell["digits"].as_str()?.parse().ok()?))
+    })
 }
 
 /// What is known of a model at a load.
@@ -319,9 +324,8 @@ impl Judged {
     pub(crate) fn of(file: &SceneFile, asked: &Asked, at: At) -> Self {
         let [found, _] = asked.findings(file, &[at]);
         let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
-        let is_outside = |found: &&Finding| {
-            OUTSIDE.contains(&found.code) && found.severity > Severity::Note
-        };
+        let is_outside =
+            |found: &&Finding| OUTSIDE.contains(&found.code) && found.severity > Severity::Note;
         let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
         Self { yields, outside }
     }
@@ -342,4 +346,89 @@ pub(crate) fn check(
     // The table of values marks it at each model.
     let unmarked = |found: &Finding| found.code != "beyond-full-contact";
     file.accepted(of_scene.chain(of_answers).filter(unmarked).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Desk;
+
+    const SEAL: &str = include_str!("../../asperity-inputs/examples/lapped-seal.toml");
+    const JOINT: &str = include_str!("../../asperity-inputs/examples/bolted-joint.toml");
+
+    /// What the page is told about a scene at a load, with these solved values there.
+    fn told(text: &str, load: &str, solved: Value) -> Value {
+        let mut desk = Desk::default();
+        let mut ask = |message: Value| -> Value {
+            serde_json::from_str(&desk.call(&message.to_string())).unwrap()
+        };
+        ask(json!({ "call": "show", "text": text }));
+        let models = ["gw", "ke", "jg", "persson-fudge"];
+        let asked = json!({ "call": "answer", "models": models, "load": { "text": load }, "solved": solved });
+        ask(asked)["ok"].clone()
+    }
+
+    fn row<'v>(told: &'v Value, id: &str) -> &'v Value {
+        told["rows"].as_array().unwrap().iter().find(|row| row["model"] == id).unwrap()
+    }
+
+    #[test]
+    fn an_answer_is_the_corrected_value_and_models_are_held_against_it() {
+        let found = told(SEAL, "1 MPa", json!([]));
+        let (answer, ke) = (&found["answer"], row(&found, "ke"));
+        assert_eq!(answer["source"], "evidence");
+        let file = asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap();
+        let corrected = answer::compile(&file, "ke").unwrap().corrected(&file, "ke").unwrap();
+        let wanted = corrected.at(At::Pressure(1e6)).unwrap();
+        let wanted = wanted.value(asperity::Quantity::AreaFraction).unwrap();
+        let area = &answer["first"][0];
+        for (end, wanted) in
+            [("digits", wanted.value), ("lower", wanted.lower), ("upper", wanted.upper)]
+        {
+            let found: f64 = area[end].as_str().unwrap().parse().unwrap();
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{end}: {found} {wanted}");
+        }
+        let own: f64 = ke["cells"][1]["digits"].as_str().unwrap().parse().unwrap();
+        let words = ke["against"]["words"].as_str().unwrap();
+        assert!(
+            words.starts_with(&format!("area {}, stiffness ", percent(own / wanted.value - 1.0))),
+            "{words}"
+        );
+        // The model to use is one of those shown, and the nearest.
+        let least = found["rows"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter_map(|row| row["against"]["off"].as_f64());
+        let to_use = row(&found, answer["use"]["model"].as_str().unwrap());
+        assert!(to_use["against"]["off"].as_f64() <= least.reduce(f64::max), "{answer}");
+    }
+
+    #[test]
+    fn without_evidence_the_recommended_model_answers() {
+        let found = told(JOINT, "1 MPa", json!([]));
+        let answer = &found["answer"];
+        assert_eq!((&answer["source"], &answer["use"]["model"]), (&json!("model"), &json!("ke")));
+        let basis = answer["basis"].as_str().unwrap();
+        assert!(basis.starts_with("No evidence here (plasticity index = "), "{basis}");
+        assert_eq!(answer["first"][1]["digits"], row(&found, "ke")["cells"][2]["digits"]);
+        assert!(answer["first"][1]["lower"].is_null() && row(&found, "ke")["against"].is_null());
+    }
+
+    #[test]
+    fn what_was_solved_at_the_load_answers_unless_it_is_doubtful() {
+        let solved = |pressure: f64, notes: Value| {
+            let values = json!({ "area-fraction": "0.01", "tangent": "1e10" });
+            json!([{ "pressure": pressure, "values": values, "notes": notes }])
+        };
+        let source = |text, solved| told(text, "1 MPa", solved)["answer"]["source"].clone();
+        assert_eq!(source(SEAL, solved(1e6, json!([]))), "solved");
+        assert_eq!(source(SEAL, solved(2e6, json!([]))), "evidence");
+        assert_eq!(source(SEAL, solved(1e6, json!(["few-patches"]))), "evidence");
+        let doubtful = told(JOINT, "1 MPa", solved(1e6, json!(["few-patches"])));
+        assert_eq!(doubtful["answer"]["first"][0]["shown"], "1 %");
+        assert!(
+            doubtful["answer"]["basis"].as_str().unwrap().contains("uncertain: too few pixels")
+        );
+    }
 }

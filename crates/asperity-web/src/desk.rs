@@ -183,14 +183,17 @@ impl Desk {
         let id = advice::recommended(self.scene()?, load.at);
         let both = [id.clone(), advice::ELASTIC.into()];
         self.compile(&both)?;
-        let Self { file: Some(file), compiled, corrected, .. } = self else { return Err(no_scene()) };
+        let Self { file: Some(file), compiled, corrected, .. } = self else {
+            return Err(no_scene());
+        };
         let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
         let row = match asked(&id) {
             Some(asked) => answer::row(file, &id, asked, load.at)?.0,
             None => Value::Null,
         };
         let corrected = corrected.entry(id.clone()).or_insert_with(|| {
-            let none = || ContactError::Refused { model: id.clone(), reason: "it has no values".into() };
+            let none =
+                || ContactError::Refused { model: id.clone(), reason: "it has no values".into() };
             asked(&id).ok_or_else(none).and_then(|asked| asked.corrected(file, &id))
         });
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());

@@ -31,7 +31,12 @@ pub(crate) enum Message {
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
     /// The values of models at one load and the answer there, which knows what was solved.
-    Answer { models: Vec<String>, load: LoadKeys, solved: Vec<Solved> },
+    Answer {
+        models: Vec<String>,
+        load: LoadKeys,
+        #[serde(default)]
+        solved: Vec<Solved>,
+    },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
     /// The picture of rows, of this size in pixels; models outside of their range have no part in

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::{Bem, Solution};
 use asperity::Quantity;
+use asperity::bem::{Bem, Solution};
 use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
 
@@ -127,7 +127,8 @@ pub(crate) fn curves(
         }
     }
     let mut figure = Figure::new("", &[], vec![panel]);
-    figure.size = size.map(|[width, height]| [width.clamp(280.0, 2000.0), height.clamp(220.0, 1500.0)]);
+    figure.size =
+        size.map(|[width, height]| [width.clamp(280.0, 2000.0), height.clamp(220.0, 1500.0)]);
     Ok(draw(&figure, &csv)?)
 }
 
@@ -215,9 +216,18 @@ mod tests {
         let load = load_of(&file, "1 MPa");
         let alone = curves(&file, &rows[..1], "separation", &load, &[], ALL).unwrap();
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
-        let small = curves(&file, &rows, "area-fraction", &load, &[], (&["gw".into()], Some([340.0, 300.0])));
+        let small = curves(
+            &file,
+            &rows,
+            "area-fraction",
+            &load,
+            &[],
+            (&["gw".into()], Some([340.0, 300.0])),
+        );
         let small = small.unwrap();
-        assert!(small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of the models"));
+        assert!(
+            small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of the models")
+        );
         assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[], ALL).is_err());
         assert!(curves(&file, &rows, "speed", &load, &[], ALL).is_err());
     }
@@ -228,7 +238,8 @@ mod tests {
         let load = load_of(&file, "100 N");
         let rows = ["persson-fudge", "gw"]
             .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
-        let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[], ALL).unwrap_err();
+        let refused =
+            curves(&file, &rows[..1], "unloading-stiffness", &load, &[], ALL).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
         assert_eq!(refused.field.as_deref(), Some("view"));
         let svg = curves(&file, &rows, "unloading-stiffness", &load, &[], ALL).unwrap();

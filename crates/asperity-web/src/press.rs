@@ -177,7 +177,7 @@ mod tests {
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");
                     assert_eq!(x[0], "500 nm");
-                    assert!(event["svg"].as_str().unwrap().contains("blank: no contact"));
+                    assert!(event["caption"].as_str().unwrap().contains("patches"));
                     let [head, cells] = ["head", "cells"].map(|key| event[key].as_array().unwrap());
                     assert_eq!(head.len(), cells.len());
                     let pressure = event["pressure"].as_f64().unwrap();

@@ -37,7 +37,8 @@ pub(crate) fn interval(value: f64, ends: Option<[f64; 2]>, unit: &str) -> (Strin
         let rounded: f64 = format!("{x:.2e}").parse().unwrap_or(x);
         short(rounded)
     };
-    let range = ends.map_or(String::new(), |[low, high]| format!("{} to {}", digits(low), digits(high)));
+    let range =
+        ends.map_or(String::new(), |[low, high]| format!("{} to {}", digits(low), digits(high)));
     (format!("{} {name}", digits(value)), range)
 }
 
