@@ -10,7 +10,7 @@ use crate::trace::simplified;
 
 /// Sizes of letters, keys and the gap between columns, and those of a narrow picture.
 const USUAL: [f64; 3] = [13.3, 53.0, 17.0];
-const NARROW: [f64; 3] = [12.5, 20.0, 8.0];
+const NARROW: [f64; 3] = [12.5, 18.0, 4.0];
 /// The width of a narrow picture.
 const NARROW_WIDTH: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;

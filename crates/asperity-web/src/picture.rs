@@ -122,7 +122,7 @@ pub(crate) fn curves(
             add(LOWEST, of_models.iter().copied().reduce(f64::min));
             add(HIGHEST, of_models.iter().copied().reduce(f64::max));
             let (lower, upper) = (LOWEST.into(), HIGHEST.into());
-            let label = "range of the models".into();
+            let label = "range of models".into();
             panel.between = vec![Between { lower, upper, look: 9, label }];
         }
     }
@@ -204,7 +204,7 @@ mod tests {
         let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
         let load = load_of(&file, "100 N");
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]], ALL).unwrap();
-        for text in ["range of the models", "100 N", "boundary elements", ">ke<", "load (N)"] {
+        for text in ["range of models", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("style="));
@@ -226,7 +226,7 @@ mod tests {
         );
         let small = small.unwrap();
         assert!(
-            small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of the models")
+            small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models")
         );
         assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[], ALL).is_err());
         assert!(curves(&file, &rows, "speed", &load, &[], ALL).is_err());
