@@ -151,21 +151,6 @@ test("wrong numbers of a random surface have a message", async () => {
   await page.browser.until(SETTLED);
 });
 
-test("advice goes when the load changes, also while it is computed", async () => {
-  await page.scene(example("wheel-rail"));
-  await page.change(["#load", "1 MPa"]);
-  const advice = () => page.run("return [...document.querySelectorAll('#advice li')].map((line) => line.textContent)");
-  await page.run("document.getElementById('advise').click()");
-  await page.browser.until(SETTLED, "advice");
-  assert.ok((await advice()).length > 0 && !/takes some seconds/.test(await advice()), String(await advice()));
-  await page.change(["#load", "2 MPa"]);
-  assert.deepEqual(await advice(), []);
-  await page.run("document.getElementById('advise').click()");
-  assert.match(String(await advice()), /takes some seconds/);
-  await page.change(["#load", "3 MPa"]);
-  assert.deepEqual(await advice(), []);
-});
-
 test("rarely needed options of a scan are folded until one is set", async () => {
   await page.scene(example("wheel-rail"));
   await page.file("folded.txt", heights(1e-7));

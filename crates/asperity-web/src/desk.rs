@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Findings, Severity};
+use asperity::{ContactError, Corrected, Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
+use crate::advice::{Answer, Judged};
 use crate::files::{admit, usable};
-use crate::message::{LoadKeys, Message};
+use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
@@ -23,6 +24,8 @@ pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
     compiled: BTreeMap<String, Result<Asked, String>>,
+    /// Models corrected by the evidence.
+    corrected: BTreeMap<String, Result<Corrected, ContactError>>,
 }
 
 /// A scene with models on it, or the reasons why it refuses them.
@@ -114,7 +117,7 @@ impl Desk {
             Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
-            Message::Answer { models, load } => self.values(&models, &load)?,
+            Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
             Message::Curve { models } => {
                 let (file, models) = self.compile(&models)?;
                 let pressures = Span::of(&file.scene).pressures();
@@ -123,19 +126,15 @@ impl Desk {
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
-            Message::Draw { rows, view, load, solved } => {
+            Message::Draw { rows, view, load, solved, outside, size } => {
                 let (file, load) = self.scene_at(&load)?;
-                picture::curves(file, &rows, &view, &load, &solved)?.into()
+                picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
             Message::Scan => scan_report::numbers(self.scene()?)?,
             Message::Check { models, load } => {
                 let (file, models) = self.compile(&models)?;
                 let at = Load::of(&load, &file.scene)?.at;
                 dialect::findings(&advice::check(file, &models, at), file)
-            }
-            Message::Advise { load, solved } => {
-                let (file, load) = self.scene_at(&load)?;
-                advice::advise(file, load.at, solved.as_ref())?.into()
             }
             Message::Export { model, form, units } => {
                 code::table(self.scene()?, &model, &form, &units)?
@@ -153,6 +152,7 @@ impl Desk {
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
     fn show(&mut self, text: &str) -> Value {
         self.compiled.clear();
+        self.corrected.clear();
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
@@ -160,7 +160,12 @@ impl Desk {
         found
     }
 
-    fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Value, Refusal> {
+    fn values(
+        &mut self,
+        models: &[String],
+        load: &LoadKeys,
+        solved: &[Solved],
+    ) -> Result<Value, Refusal> {
         let (file, models) = self.compile(models)?;
         let load = Load::of(load, &file.scene)?;
         let (mut rows, mut findings) = (vec![], Findings::default());
@@ -175,11 +180,49 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings).at_least(Severity::Warning);
-        Ok(json!({
-            "load": load,
-            "rows": rows,
-            "findings": dialect::findings(&findings, file),
-        }))
+        let findings = dialect::findings(&findings, file);
+        let answer = self.best(&load, solved, &mut rows)?;
+        Ok(json!({ "load": load, "rows": rows, "answer": answer, "findings": findings }))
+    }
+
+    /// The answer at a load; the rows of the shown models get their deviation from it.
+    fn best(
+        &mut self,
+        load: &Load,
+        solved: &[Solved],
+        rows: &mut [Value],
+    ) -> Result<Value, Refusal> {
+        let id = advice::recommended(self.scene()?, load.at);
+        let both = [id.clone(), advice::ELASTIC.into()];
+        self.compile(&both)?;
+        let Self { file: Some(file), compiled, corrected, .. } = self else {
+            return Err(no_scene());
+        };
+        let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
+        let row = match asked(&id) {
+            Some(asked) => answer::row(file, &id, asked, load.at)?.0,
+            None => Value::Null,
+        };
+        let corrected = corrected.entry(id.clone()).or_insert_with(|| {
+            let none =
+                || ContactError::Refused { model: id.clone(), reason: "it has no values".into() };
+            asked(&id).ok_or_else(none).and_then(|asked| asked.corrected(file, &id))
+        });
+        let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
+        let best = Answer::new(file, &row, corrected, load, here);
+        let ids = rows.iter().filter_map(|row| row["model"].as_str()).chain([advice::ELASTIC]);
+        let judge = |id: &str| Some((id.to_string(), Judged::of(file, asked(id)?, load.at)));
+        let judged: BTreeMap<_, _> = ids.filter_map(judge).collect();
+        for row in rows.iter_mut() {
+            let against = best.against(row);
+            let judged = row["model"].as_str().and_then(|id| judged.get(id));
+            let outside = judged.and_then(|of| of.outside.clone());
+            row["outside"] = outside.or(against.as_ref().and_then(|of| of.outside.clone())).into();
+            row["against"] = json!(against);
+        }
+        let mut shown = best.shown(file, load, rows, &judged);
+        shown["solved_against"] = json!(here.and_then(|solved| best.against(&solved.row())));
+        Ok(shown)
     }
 }
 

@@ -61,7 +61,8 @@ pub(crate) fn press(
     let tell = |event: Value| (happened.borrow_mut())(event);
     let event = |solution: Solution| -> Result<Value, Refusal> {
         let mut event = solved(file, &elements, &solution);
-        event["svg"] = picture::contact(&bem, &solution, hardness)?.into();
+        let (svg, caption) = picture::contact(&bem, &solution, hardness)?;
+        (event["svg"], event["caption"]) = (svg.into(), caption.into());
         event["readings"] = map_readings(&bem, &solution);
         Ok(event)
     };
@@ -181,7 +182,7 @@ mod tests {
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");
                     assert_eq!(x[0], "500 nm");
-                    assert!(event["svg"].as_str().unwrap().contains("blank: no contact"));
+                    assert!(event["caption"].as_str().unwrap().contains("patches"));
                     let [head, cells] = ["head", "cells"].map(|key| event[key].as_array().unwrap());
                     assert_eq!(head.len(), cells.len());
                     let pressure = event["pressure"].as_f64().unwrap();

@@ -26,6 +26,8 @@ class Elements {
     const fill = element("button", { type: "button", onclick: () => this.edit([{ path: "surface.fill_missing", value: "true" }]) }, "Fill the missing points");
     $("elements-note").replaceChildren(refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`, ...(refused && scan?.fill ? [" ", fill] : []));
     $("solve").disabled = $("solve-load").disabled = refused !== null || this.run !== null;
+    $("contact-box").hidden = !scan;
+    if (scan && !this.shown) this.spot(refused ?? "The contact of this scan is not solved yet.", refused === null);
   }
 
   // The loads that were solved for this text with these files, and none of another scene.
@@ -41,9 +43,9 @@ class Elements {
   }
 
   drop() {
+    this.spot();
     if (this.run) this.stop("");
     [this.solved, this.shown] = [[], null];
-    noPicture($("contact"));
     $("solved").hidden = $("solved-notes").hidden = true;
     $("iterations").textContent = "";
   }
@@ -98,10 +100,21 @@ class Elements {
     if (busy) $("iterations").textContent = "starting";
   }
 
+  // The place of the map without one.
+  spot(why = "", offer = false) {
+    noPicture($("contact"), why);
+    $("contact-reading").textContent = "";
+    const button = element("button", { type: "button", onclick: () => this.solve(false) }, "Solve this load");
+    if (offer) $("contact").firstElementChild.append(element("br"), button);
+  }
+
   happened(event) {
     if (event.event === "progress") {
       Object.assign($("progress"), { max: event.count, value: event.done });
       $("iterations").textContent = event.text;
+      // Spoken once a load.
+      const [loads] = event.text.split(";");
+      if ($("loads-done").textContent !== loads) $("loads-done").textContent = loads;
     } else if (event.event === "failed") {
       tell(event.message);
     } else {
@@ -110,9 +123,16 @@ class Elements {
       this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
-      this.changed();
+      this.changed(event.pressure);
     }
   }
+
+  // What the answer knows of solved loads.
+  known = () => this.solved.map(({ pressure, cells, notes }) => ({
+    pressure,
+    values: Object.fromEntries(cells.filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits])),
+    notes: notes.map(({ code }) => code),
+  }));
 
   // The map at the present load, or at the next heavier one that is solved.
   showNear() {
@@ -123,7 +143,8 @@ class Elements {
 
   show(one) {
     this.shown = one;
-    picture($("contact"), one.svg, `contact pressures at ${one.load}`);
+    picture($("contact"), one.svg, `contact pressures at ${one.load}: ${one.caption}`);
+    $("contact-reading").textContent = one.caption;
   }
 
   // The pressures of the map under the pointer.
@@ -138,7 +159,7 @@ class Elements {
       const row = part((clientY - box.top) / box.height, rows);
       output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
     });
-    figure.addEventListener("pointerleave", () => { output.textContent = ""; });
+    figure.addEventListener("pointerleave", () => { output.textContent = this.shown?.caption ?? ""; });
   }
 
   table() {

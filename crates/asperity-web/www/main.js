@@ -1,13 +1,16 @@
 // The explorer: one state, whose scene is a text; everything on the page follows from it.
 import { $, options, readings, tell } from "./page.js";
 import { desks, page, report, state, work } from "./state.js";
-import { answer, change, describe, edit, redraw, setScene, setView, typed, typingEnds } from "./scene.js";
+import { answer, change, describe, edit, redraw, setModels, setScene, setView, typed, typingEnds } from "./scene.js";
 import { note, openLink, rest, writeLink } from "./link.js";
+import { clear } from "./answers.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
 import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
+import { startCompare } from "./compare.js";
+import { openTab, tabs } from "./tabs.js";
 
 // A scene with another surface or a typed text is no longer the example that it started from.
 const ownScene = () => tries(null);
@@ -72,9 +75,15 @@ async function start() {
   // The address holds the state of the page: it does not become that of a place.
   $("to-answers").addEventListener("click", (event) => {
     event.preventDefault();
-    $("results").scrollIntoView();
-    $("results").focus({ preventScroll: true });
+    $("answer").scrollIntoView();
+    $("answer").focus({ preventScroll: true });
   });
+  tabs();
+  clear("");
+  $("first-warning").addEventListener("click", () => openTab("findings"));
+  startCompare((id) => setModels([...state.models, id]));
+  // A surface of the user is no example any more.
+  $("surface-fields").addEventListener("change", () => work("page", null, ownScene));
   editor((text) => {
     ownScene();
     typed(text);

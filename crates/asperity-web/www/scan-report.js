@@ -8,9 +8,11 @@ const about = ({ fields, files: names }) => JSON.stringify([names.map((name) => 
 
 // Leaves the report of this scan where it is; of another scan, or of none, nothing stays.
 export function showReport(there) {
-  $("scan-report").hidden = $("save-scan").hidden = !there;
+  $("save-scan").hidden = !there;
+  $("no-scan").hidden = there;
   if (there && reported === about(page.shown)) return;
   reported = "";
+  for (const id of ["scan-caption", "scan-numbers", "scales"]) $(id).replaceChildren();
   noPicture($("scan-picture"));
 }
 

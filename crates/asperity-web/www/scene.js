@@ -8,6 +8,7 @@ import * as form from "./form.js";
 import { elements } from "./elements.js";
 import { reportScan, showReport } from "./scan-report.js";
 import { takeAway } from "./takeaway.js";
+import { forget, showCompared } from "./compare.js";
 
 // The place of the slider for a scene without a load.
 const USUAL = 0.6;
@@ -59,7 +60,7 @@ async function showScene() {
   } finally {
     page.rows.clear();
     page.values.clear();
-    Object.assign(page, { load: null, answered: "", undescribed: "" });
+    Object.assign(page, { load: null, best: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
   elements.of(JSON.stringify([text, shown.files.map((name) => files.get(name)?.checksum)]));
@@ -95,7 +96,7 @@ export const describe = (text, way) => desks.quick.ask(text, "surface", { text, 
 
 // Nothing of another scene stays on the page.
 function clear(why) {
-  Object.assign(page, { load: null, drawn: "" });
+  Object.assign(page, { load: null, best: null, drawn: "" });
   blocks.clear(why);
   elements.allow(null);
   showReport(false);
@@ -112,7 +113,7 @@ async function values(keys) {
   const models = ids.filter((id) => !isSlow(id));
   let found;
   try {
-    found = await ask(desks.quick, "answer", { models, load: keys });
+    found = await ask(desks.quick, "answer", { models, load: keys, solved: elements.known() });
   } catch (error) {
     if (error.field !== "load") throw error;
     return refuse(error.message, keys);
@@ -122,11 +123,11 @@ async function values(keys) {
   // Slow models are still to answer.
   else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
   Object.assign(page, { load: found.load, refused: "" });
-  if (state.load !== found.load.text) takeAway.dropAdvice();
+  if (state.load !== found.load.text) forget();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
-  page.values = new Map(rows.map((row) => [row.model, row]));
+  Object.assign(page, { values: new Map(rows.map((row) => [row.model, row])), best: found.answer });
   page.undescribed = ids.length > models.length ? "" : blocks.undescribed(rows);
   table();
   await curves(desks.quick, models);
@@ -175,7 +176,7 @@ async function slowValues(shown, keys) {
   const models = chosen().filter(isSlow);
   if (!current() || models.length === 0) return;
   const load = state.load;
-  const found = await ask(desks.slow, "answer", { models, load: { text: load } });
+  const found = await ask(desks.slow, "answer", { models, load: { text: load }, solved: elements.known() });
   if (!current()) return;
   // A later load has a piece of its own.
   if (state.load === load) {
@@ -197,15 +198,20 @@ async function slowValues(shown, keys) {
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
   const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
-  if (page.load) blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), about);
+  if (page.load) {
+    blocks.answer(page.best, Boolean(state.example));
+    blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), page.best, about);
+  }
+  showCompared();
   followers.forEach((follow) => follow());
 }
 
-// Boundary elements were solved at another load, which advice without them does not know.
-export function redraw() {
-  takeAway.dropAdvice();
+// Boundary elements were solved at a load: at that of the page they are the answer.
+export function redraw(pascals) {
+  forget();
+  if (pascals === page.load?.pascals && !page.refused) return answer({ text: state.load });
   table();
-  work("page", "draw", draw);
+  return work("page", "draw", draw);
 }
 
 async function draw() {
@@ -217,7 +223,10 @@ async function draw() {
     if (rows.length + solved.length === 0 && chosen().length > 0) {
       withoutCurves("Being calculated.");
     } else {
-      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
+      const outside = ids.filter((id) => page.values.get(id)?.outside);
+      // As large as its place, so that letters keep their size.
+      const { clientWidth, clientHeight } = $("curve");
+      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved, outside, size: [clientWidth, clientHeight] });
       blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
       page.drawn = view;
     }
@@ -229,6 +238,9 @@ async function draw() {
   }
   followers.forEach((follow) => follow());
 }
+
+// Another width of the page has another picture.
+addEventListener("resize", () => work("page", "draw", draw));
 
 // The place of the curves says why there are none.
 function withoutCurves(why) {

@@ -16,7 +16,7 @@ export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], lo
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", form: null, text: "", shown: null,
-  load: null, drawn: "", refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
+  load: null, best: null, drawn: "", refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
 };
 
 // The scan without which the scene cannot be shown.
@@ -26,7 +26,7 @@ export const missing = () => (page.shown?.error && page.shown.files.find((name) 
 export const turns = new Turns(report);
 
 // The scene has values, of which a finding says that they follow from an error.
-const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
+export const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
 
 // The state follows from the work that is under way and from what it found.
 export function report() {
@@ -35,6 +35,8 @@ export function report() {
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
   $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "implausible number" : "ready" }[phase];
+  // Spoken when the values are there, not at every step of the slider.
+  if (phase === "ready" && $("spoken").textContent !== page.best?.spoken) $("spoken").textContent = page.best?.spoken ?? "";
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
   // Values of numbers that cannot be meant.
