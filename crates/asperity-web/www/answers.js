@@ -85,14 +85,17 @@ export function refuseLoad(message, typed = $("load").value) {
 // The list of models with what each lacks.
 export function models(list, chosen, changed) {
   const box = $("models");
+  const words = element("p", { className: "source" });
   const focused = box.contains(document.activeElement) && document.activeElement.value;
   box.replaceChildren(...list.map(({ id, about, reason }) => {
     const check = element("input", { type: "checkbox", value: id, checked: chosen.includes(id) && !reason, disabled: Boolean(reason) });
     check.addEventListener("change", () => changed([...box.querySelectorAll("input:checked")].map((one) => one.value)));
     const label = element("label", { title: reason ?? about }, check, ` ${id}`);
+    // What the model is, also by tap and key.
+    for (const event of ["pointerover", "focusin"]) label.addEventListener(event, () => { words.textContent = reason ? `${id}: ${reason}` : about; });
     if (reason) label.setAttribute("aria-disabled", "true");
     return label;
-  }));
+  }), words);
   if (focused) box.querySelector(`[value="${focused}"]`)?.focus();
   names(chosen);
 }
