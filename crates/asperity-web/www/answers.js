@@ -26,7 +26,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
   const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
-    row?.outside ? "⚠ " : "", row?.against?.short ?? "");
+    row?.outside ? "⚠ " : "", row?.against?.words.replace(/(area|stiffness) /g, "") ?? "");
   const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
   body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);
@@ -36,7 +36,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   }).flat());
   if (solved) {
     const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
-    body.append(element("tr", {}, name, against({ against: best?.solved_against }), ...columns(views, solved).map((value) => cell(value, "bem"))));
+    body.append(element("tr", {}, name, against(best?.solved), ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
 }
 
