@@ -10,7 +10,7 @@ use crate::trace::simplified;
 
 /// Sizes of letters, keys and the gap between columns, and those of a narrow picture.
 const USUAL: [f64; 3] = [13.3, 53.0, 17.0];
-const NARROW: [f64; 3] = [12.5, 18.0, 4.0];
+const NARROW: [f64; 3] = [12.5, 26.0, 10.0];
 /// The width of a narrow picture.
 const NARROW_WIDTH: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;
@@ -49,8 +49,8 @@ pub(crate) struct Legend<'a> {
     rows: usize,
     size: f64,
     key: f64,
-    /// Distance of columns.
-    column: f64,
+    /// Where columns start.
+    columns: Vec<f64>,
     pub(crate) width: f64,
     pub(crate) height: f64,
 }
@@ -66,13 +66,23 @@ impl<'a> Legend<'a> {
             }
         }
         let [size, key, gap] = if widest < NARROW_WIDTH { NARROW } else { USUAL };
-        let label = entries.iter().map(|entry| width(entry.label, size)).fold(0.0, f64::max);
-        let column = key + KEY_GAP + label + gap;
-        let fit = ((widest - 2.0 * PAD + gap) / column).floor().max(1.0);
-        let rows = entries.len().div_ceil(fit as usize);
-        let columns = entries.len().div_ceil(rows.max(1)) as f64;
-        let width = columns * column - gap + 2.0 * PAD;
-        Self { rows, size, key, column, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
+        let longest =
+            |part: &[Entry]| part.iter().map(|entry| width(entry.label, size)).fold(0.0, f64::max);
+        let is_narrow = widest < NARROW_WIDTH;
+        // Rows, where columns start, and the end; columns of a narrow picture differ in width.
+        let placed = |count: usize| {
+            let rows = entries.len().div_ceil(count).max(1);
+            let (mut starts, mut end) = (vec![], PAD);
+            for part in entries.chunks(rows) {
+                starts.push(end);
+                end += key + KEY_GAP + longest(if is_narrow { part } else { &entries }) + gap;
+            }
+            (rows, starts, end - gap + PAD)
+        };
+        let counts = (2..=entries.len()).rev().map(placed);
+        let fitting = counts.into_iter().find(|(.., width)| *width <= widest);
+        let (rows, columns, width) = fitting.unwrap_or_else(|| placed(1));
+        Self { rows, size, key, columns, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -84,8 +94,8 @@ impl<'a> Legend<'a> {
         let edge = Rect::sized(left, top, self.width, self.height);
         canvas.outline(&edge, "#AAAAAA", 0.7);
         for (index, entry) in self.entries.iter().enumerate() {
-            let (column, row) = ((index / self.rows) as f64, (index % self.rows) as f64);
-            let x = left + PAD + column * self.column;
+            let row = (index % self.rows) as f64;
+            let x = left + self.columns.get(index / self.rows).copied().unwrap_or(PAD);
             let y = top + PAD + (row + 0.5) * ROW;
             if entry.filled {
                 let (top, height) = if entry.curve.is_some() { (y, 6.5) } else { (y - 5.0, 10.0) };

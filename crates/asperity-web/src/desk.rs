@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactError, Corrected, Findings, Severity};
+use asperity::{ContactError, Corrected, Evidence, Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::advice::{Answer, Judged};
+use crate::advice::Judged;
+use crate::best::{Best, recommended};
 use crate::files::{admit, usable};
 use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
@@ -25,7 +26,7 @@ pub struct Desk {
     file: Option<SceneFile>,
     compiled: BTreeMap<String, Result<Asked, String>>,
     /// Models corrected by the evidence.
-    corrected: BTreeMap<String, Result<Corrected, ContactError>>,
+    corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
 }
 
 /// A scene with models on it, or the reasons why it refuses them.
@@ -192,36 +193,34 @@ impl Desk {
         solved: &[Solved],
         rows: &mut [Value],
     ) -> Result<Value, Refusal> {
-        let id = advice::recommended(self.scene()?, load.at);
-        let both = [id.clone(), advice::ELASTIC.into()];
-        self.compile(&both)?;
+        let id = recommended(self.scene()?, load.at);
+        self.compile(&[id.into(), advice::ELASTIC.into()])?;
         let Self { file: Some(file), compiled, corrected, .. } = self else {
             return Err(no_scene());
         };
         let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
-        let row = match asked(&id) {
-            Some(asked) => answer::row(file, &id, asked, load.at)?.0,
+        let row = match asked(id) {
+            Some(asked) => answer::row(file, id, asked, load.at)?.0,
             None => Value::Null,
         };
-        let corrected = corrected.entry(id.clone()).or_insert_with(|| {
-            let none =
-                || ContactError::Refused { model: id.clone(), reason: "it has no values".into() };
-            asked(&id).ok_or_else(none).and_then(|asked| asked.corrected(file, &id))
+        let corrected = corrected.entry(id).or_insert_with(|| match asked(id) {
+            Some(asked) => asked.corrected(file, id),
+            None => Err(Evidence::none(format!("{id} has no values"))),
         });
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
-        let best = Answer::new(file, &row, corrected, load, here);
+        let best = Best::new(file, &row, corrected, load, here);
         let ids = rows.iter().filter_map(|row| row["model"].as_str()).chain([advice::ELASTIC]);
         let judge = |id: &str| Some((id.to_string(), Judged::of(file, asked(id)?, load.at)));
         let judged: BTreeMap<_, _> = ids.filter_map(judge).collect();
         for row in rows.iter_mut() {
-            let against = best.against(row);
-            let judged = row["model"].as_str().and_then(|id| judged.get(id));
-            let outside = judged.and_then(|of| of.outside.clone());
-            row["outside"] = outside.or(against.as_ref().and_then(|of| of.outside.clone())).into();
-            row["against"] = json!(against);
+            let of = row["model"].as_str().and_then(|id| judged.get(id));
+            advice::hold_against(&best, row, of);
         }
-        let mut shown = best.shown(file, load, rows, &judged);
-        shown["solved_against"] = json!(here.and_then(|solved| best.against(&solved.row())));
+        let mut shown = advice::answer(&best, file, load, rows, &judged);
+        if let Some(mut row) = here.map(Solved::row) {
+            advice::hold_against(&best, &mut row, None);
+            shown["solved"] = row;
+        }
         Ok(shown)
     }
 }

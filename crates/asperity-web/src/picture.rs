@@ -225,9 +225,7 @@ mod tests {
             (&["gw".into()], Some([340.0, 300.0])),
         );
         let small = small.unwrap();
-        assert!(
-            small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models")
-        );
+        assert!(small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models"));
         assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[], ALL).is_err());
         assert!(curves(&file, &rows, "speed", &load, &[], ALL).is_err());
     }

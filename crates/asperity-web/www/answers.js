@@ -26,7 +26,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
   const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
-    row?.outside ? "⚠ " : "", row?.against?.short ?? "");
+    row?.outside ? "⚠ " : "", row?.against?.words.replace(/(area|stiffness) /g, "") ?? "");
   const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
   body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);
@@ -36,7 +36,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   }).flat());
   if (solved) {
     const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
-    body.append(element("tr", {}, name, against({ against: best?.solved_against }), ...columns(views, solved).map((value) => cell(value, "bem"))));
+    body.append(element("tr", {}, name, against(best?.solved), ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
 }
 
@@ -85,14 +85,17 @@ export function refuseLoad(message, typed = $("load").value) {
 // The list of models with what each lacks.
 export function models(list, chosen, changed) {
   const box = $("models");
+  const words = element("p", { className: "source" });
   const focused = box.contains(document.activeElement) && document.activeElement.value;
   box.replaceChildren(...list.map(({ id, about, reason }) => {
     const check = element("input", { type: "checkbox", value: id, checked: chosen.includes(id) && !reason, disabled: Boolean(reason) });
     check.addEventListener("change", () => changed([...box.querySelectorAll("input:checked")].map((one) => one.value)));
     const label = element("label", { title: reason ?? about }, check, ` ${id}`);
+    // What the model is, also by tap and key.
+    for (const event of ["pointerover", "focusin"]) label.addEventListener(event, () => { words.textContent = reason ? `${id}: ${reason}` : about; });
     if (reason) label.setAttribute("aria-disabled", "true");
     return label;
-  }));
+  }), words);
   if (focused) box.querySelector(`[value="${focused}"]`)?.focus();
   names(chosen);
 }

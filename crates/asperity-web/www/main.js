@@ -78,6 +78,12 @@ async function start() {
     $("answer").scrollIntoView();
     $("answer").focus({ preventScroll: true });
   });
+  addEventListener("pointerdown", ({ target }) => { if (!$("model-box").contains(target)) $("model-box").open = false; });
+  $("model-box").addEventListener("keydown", ({ key }) => {
+    if (key !== "Escape") return;
+    $("model-box").open = false;
+    $("model-box").firstElementChild.focus();
+  });
   tabs();
   clear("");
   $("first-warning").addEventListener("click", () => openTab("findings"));
