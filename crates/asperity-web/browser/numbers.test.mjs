@@ -72,7 +72,8 @@ test("numbers of ten scenes are those of the program", { skip: !program }, async
       const shown = await page.values();
       const of = (k) => [...new Set(Object.keys(shown).map((key) => key.split(" ")[k]))];
       const quantities = of(1).filter((quantity) => quantity !== "separation");
-      const args = ["--model", of(0).join(), "--load", String(load), "--quantity", quantities.join()];
+      // The answer is compared with the corrected rows elsewhere.
+      const args = ["--model", of(0).filter((id) => id !== "answer").join(), "--load", String(load), "--quantity", quantities.join()];
       compared += agreed(shown, rows("curve", saved(text), ...args), name);
     }
     assert.ok(compared >= 8, `${name}: ${compared} numbers`);
