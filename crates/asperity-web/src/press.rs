@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use asperity::bem::{BoundaryElements, LoadCase, Progress, Solution};
-use asperity::{Quantity, Separation, SeparationUnit};
+use asperity::{Quantity, Separation, SeparationUnit, short};
 use asperity_inputs::SceneFile;
 use asperity_topography::Topography;
 use serde_json::{Value, json};
@@ -27,14 +27,18 @@ const PLASTIC: &str = "Share of the pixels that carry the hardness.";
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     let scan = file.scan.as_deref()?;
     let [rows, columns] = [scan.rows(), scan.columns()];
-    let refused = match rows.max(columns) > MOST_PIXELS {
+    let (large, missing) = (rows.max(columns) > MOST_PIXELS, scan.missing_share());
+    let fill = !large && missing > 0.0 && missing <= Topography::MOST_FILLED;
+    let refused = match large {
         true => Some(format!(
             "the scan has {rows} x {columns} pixels, and the page solves at most {MOST_PIXELS} x {MOST_PIXELS}: use the program, asperity bem scene.toml"
         )),
+        false if fill => Some(format!(
+            "{} % of the points are missing, and boundary elements need all",
+            short(100.0 * missing)
+        )),
         false => file.bem(None, false).err().map(|error| error.to_string()),
     };
-    let missing = scan.missing_share();
-    let fill = missing > 0.0 && missing <= Topography::MOST_FILLED;
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
     let pressures: Vec<_> = Span::of(&file.scene).solved().into_iter().map(of).collect();

@@ -23,11 +23,14 @@ class Elements {
   // What the scene allows, after every change of it; null for a scene with an error.
   allow(scan, error = !page.shown || page.shown.error) {
     const refused = error ? "" : scan ? scan.refused : NO_SCAN;
-    const fill = element("button", { type: "button", onclick: () => this.edit([{ path: "surface.fill_missing", value: "true" }]) }, "Fill the missing points");
-    $("elements-note").replaceChildren(refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`, ...(refused && scan?.fill ? [" ", fill] : []));
+    $("elements-note").textContent = refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`;
     $("solve").disabled = $("solve-load").disabled = refused !== null || this.run !== null;
     $("contact-box").hidden = !scan;
     if (scan && !this.shown) this.spot(refused ?? "The contact of this scan is not solved yet.", refused === null);
+    const fill = () => this.edit([{ path: "surface.fill_missing", value: "true" }]);
+    for (const place of refused && scan?.fill ? [$("elements-note"), $("contact").firstElementChild] : []) {
+      place.append(" ", element("button", { type: "button", onclick: fill }, "Fill the missing points"));
+    }
   }
 
   // The loads that were solved for this text with these files, and none of another scene.

@@ -53,7 +53,7 @@ shownAgain(() => {
     if (!offer || text !== page.text) return;
     tell(offer.message);
     const use = () => edit([{ path: "surface.max_missing", value: offer.value }]);
-    $("message").prepend(element("button", { type: "button", onclick: use }, "Use the measured points"), " ");
+    $("message").lastElementChild.before(" ", element("button", { type: "button", onclick: use }, "Use the measured points"));
   });
 });
 
