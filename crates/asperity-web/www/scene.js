@@ -224,9 +224,11 @@ async function draw() {
       withoutCurves("Being calculated.");
     } else {
       const outside = ids.filter((id) => page.values.get(id)?.outside);
+      const keys = { rows, view, load: { text: state.load }, solved, outside };
+      page.picture = (size) => ask(desks.quick, "draw", { ...keys, size });
       // As large as its place, so that letters keep their size.
       const { clientWidth, clientHeight } = $("curve");
-      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved, outside, size: [clientWidth, clientHeight] });
+      const svg = await page.picture([clientWidth, clientHeight]);
       blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
       page.drawn = view;
     }

@@ -11,12 +11,12 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 // started from.
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
-// Answers of the desks: the scene as read from a text, the load on it, the values of models, the
-// rows of their curves and the quantity that is drawn; why the load was refused or no
+// Answers of the desks: the scene as read from a text, the load on it, the answer there, the values
+// of models, the rows of their curves, the quantity that is drawn and how; why the load was refused or no
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", form: null, text: "", shown: null,
-  load: null, best: null, drawn: "", refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
+  load: null, best: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
 };
 
 // The scan without which the scene cannot be shown.

@@ -26,10 +26,11 @@ function saves() {
     const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.map((_, k) => cells[k]?.digits ?? "")].join());
     download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });
-  on("save-svg", () => download("asperity.svg", $("curve").dataset.svg, "image/svg+xml"));
+  // Of the usual size, not that of the screen.
+  on("save-svg", async () => download("asperity.svg", await page.picture(null), "image/svg+xml"));
   on("save-png", async () => {
     const image = new Image();
-    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent($("curve").dataset.svg)}`;
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(await page.picture(null))}`;
     await image.decode();
     const canvas = element("canvas", { width: image.naturalWidth, height: image.naturalHeight });
     canvas.getContext("2d").drawImage(image, 0, 0);
