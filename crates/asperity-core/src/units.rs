@@ -84,7 +84,8 @@ const LBF: f64 = 4.448_221_615_260_5;
 /// A thousand pounds-force on a square inch \[MPa\].
 const KSI: f64 = 1e-3 * LBF / (0.0254 * 0.0254);
 
-/// Units that are not decimal, or rare: their SI unit, their name, and their size in one of [`UNITS`].
+/// Units that are not decimal, or rare: their SI unit, their name, and their size in one of
+/// [`UNITS`].
 pub const OTHER_UNITS: [(&str, &str, f64, &str); 22] = [
     ("Pa", "kN/mm2", 1.0, "GPa"),
     ("Pa", "kN/cm2", 10.0, "MPa"),

@@ -31,8 +31,8 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
 }
 
 /// Refuses a file that no keys of a scene make usable: unit, pixel size and channel can be given;
-/// a rough surface cannot. Where many points are missing, the answer has the `max_missing` that uses
-/// the others.
+/// a rough surface cannot. Where many points are missing, the answer has the `max_missing` that
+/// uses the others.
 pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<Value, Refusal> {
     let refused = |reason: String| Err(Refusal::at("surface.file", format!("{name}: {reason}")));
     let read = asperity_topography::read_bytes(name, bytes, &ReadOptions::default());

@@ -23,7 +23,8 @@ const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces
 const PLASTIC: &str = "Share of the pixels that carry the hardness.";
 
 /// The size of a scan, why it cannot be solved here, whether filling its missing points helps, and
-/// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in words.
+/// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in
+/// words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     let scan = file.scan.as_deref()?;
     let [rows, columns] = [scan.rows(), scan.columns()];
