@@ -8,7 +8,7 @@ pub type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 pub const UNITS: [Units; 15] = [
     (
         "Pa",
-        "210 GPa",
+        "5 MPa",
         &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
     ),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
@@ -84,7 +84,8 @@ const LBF: f64 = 4.448_221_615_260_5;
 /// A thousand pounds-force on a square inch \[MPa\].
 const KSI: f64 = 1e-3 * LBF / (0.0254 * 0.0254);
 
-/// Units that scenes do not read: their SI unit, their name, and their size in a unit that is read.
+/// Units that are not decimal, or rare: their SI unit, their name, and their size in one of
+/// [`UNITS`].
 pub const OTHER_UNITS: [(&str, &str, f64, &str); 22] = [
     ("Pa", "kN/mm2", 1.0, "GPa"),
     ("Pa", "kN/cm2", 10.0, "MPa"),

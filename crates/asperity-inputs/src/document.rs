@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, nearest_name};
+use asperity::{ContactError, Finding, nearest_name};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Spanned, Table, Value};
 
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
 use crate::likely::{notation_hint, number_hint};
-use crate::quantity::in_si;
+use crate::quantity::{converted, in_si};
 use crate::text_file::shorten;
 use crate::{Place, SceneError};
 
@@ -40,6 +40,8 @@ pub(crate) struct Document<'a> {
     pub(crate) table: Table,
     /// The keys of numbers with a unit.
     pub(crate) stated: Vec<String>,
+    /// Notes about numbers in a unit that is not decimal, such as psi or HV.
+    pub(crate) converted: Vec<Finding>,
     /// Every key with the range of it and its value, and that of the value.
     places: BTreeMap<String, [Range<usize>; 2]>,
 }
@@ -52,7 +54,8 @@ impl<'a> Document<'a> {
         text: &'a str,
     ) -> Result<Self, SceneError> {
         let (table, stated, places) = (Table::new(), vec![], BTreeMap::new());
-        let mut document = Self { file, files, text, table, stated, places };
+        let converted = vec![];
+        let mut document = Self { file, files, text, table, stated, converted, places };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         document.places.insert(String::new(), [root.span(), root.span()]);
         document.table = document.read_table(root.get_ref(), "")?;
@@ -84,6 +87,13 @@ impl<'a> Document<'a> {
                         SceneError::Notation { at, found, hint }
                     })?;
                     self.stated.push(path.into());
+                    let same = converted(text, key, units.0);
+                    let note = |same| {
+                        let found = Finding::note("other-unit", path.to_string(), number);
+                        let fact = format!("`{path}`: {} is {same}", shorten(text));
+                        found.unit(units.0).fact(fact)
+                    };
+                    self.converted.extend(same.map(note));
                     Value::Float(number)
                 }
                 None => Value::String(text.clone().into_owned()),

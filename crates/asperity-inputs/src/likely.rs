@@ -108,26 +108,21 @@ pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     Some(notation_hint(text)? + end)
 }
 
-/// How a hardness such as `120 HV` is given instead for a key of scene files, behind the text in a
-/// message; `None` for other texts and keys.
-pub(crate) fn hardness(text: &str, key: &str) -> Option<String> {
-    let contact = hardness_of_vickers(of_scale(&text.to_uppercase(), "HV")?);
+/// The reason against a hardness such as `120 HV` as a yield strength, behind the text in a
+/// message; `None` for other texts.
+pub(crate) fn not_a_hardness(text: &str) -> Option<String> {
+    let contact = hardness_of_vickers(vickers(text)?);
     let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
         .map(|pascal| format!("{}GPa", short(1e-9 * pascal)));
-    Some(match key {
-        "hardness" => format!(
-            "is not in Pa: write {contact}, the contact hardness (mean pressure on the projected area, 9.807 HV/0.9272 MPa)"
-        ),
-        "yield_strength" => format!(
-            "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
-        ),
-        _ => return None,
-    })
+    Some(format!(
+        "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
+    ))
 }
 
-/// The number of a hardness: 120 of `120 HV`, `120 HV10` or `HV 120`.
-fn of_scale(text: &str, name: &str) -> Option<f64> {
-    let (before, after) = text.trim().split_once(name)?;
+/// The Vickers number of a text: 120 of `120 HV`, `120 HV10` or `HV 120`.
+pub(crate) fn vickers(text: &str) -> Option<f64> {
+    let text = text.to_uppercase();
+    let (before, after) = text.trim().split_once("HV")?;
     let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
     number.filter(|value| value.is_finite())
 }
@@ -311,12 +306,9 @@ mod tests {
     }
 
     #[test]
-    fn a_hardness_is_refused_by_what_is_needed() {
-        let vickers = |key| hardness("120 HV", key).unwrap();
-        let wanted = "is not in Pa: write 1.269GPa, the contact hardness (mean";
-        assert!(vickers("hardness").starts_with(wanted));
-        let strength = vickers("yield_strength");
+    fn a_vickers_number_is_no_yield_strength() {
+        let strength = not_a_hardness("120 HV").unwrap();
         assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
-        assert_eq!(hardness("120 MPa", "hardness"), None);
+        assert_eq!(not_a_hardness("120 MPa"), None);
     }
 }

@@ -1,9 +1,11 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
-use asperity::{OTHER_UNITS, UNITS, Units, nearest_hint, plain_unit as plain};
+use asperity::{
+    OTHER_UNITS, UNITS, Units, hardness_of_vickers, nearest_hint, plain_unit as plain, short,
+};
 
 use crate::keys::Key;
-use crate::likely::{hardness, notation_hint};
+use crate::likely::{not_a_hardness, notation_hint, vickers};
 use crate::scaled::{leading, scale};
 use crate::sides;
 
@@ -22,8 +24,8 @@ pub fn unit_of(key: &str) -> Option<&'static str> {
 pub const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)";
 
 /// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, N/m, m/N, 1/m, 1/m^2, W/(m K), W/K, W/m2/K,
-/// S, S/m2 or ohm m), plain or with another unit of the same dimension: `"5 MPa"`, `"0.2mm"`.
-/// Rounded once.
+/// S, S/m2 or ohm m), plain or with another unit of the same dimension: `"5 MPa"`, `"0.2mm"`,
+/// `"36 ksi"`. Rounded once with a decimal unit.
 ///
 /// ```
 /// assert_eq!(asperity_inputs::quantity("2.5 kN", "N").unwrap(), 2500.0);
@@ -41,7 +43,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
 /// keys without a unit.
 ///
 /// # Errors
-/// Those of [`quantity`], with the yield strength or the contact hardness for `120 HV`.
+/// Those of [`quantity`]; of the keys, only `hardness` takes `120 HV`.
 pub fn quantity_of(key: &str, text: &str) -> Result<f64, String> {
     match unit_of(key) {
         Some(si) => number_in(text, si, key).map_err(|hint| format!("{text:?} {hint}")),
@@ -66,35 +68,47 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
 /// A number with one of the units of a key, or what follows its text in a message.
 pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> {
     let (si, example, names) = units;
-    if let Some(value) = read(text, units) {
+    let other = || {
+        let (value, unit) = in_known_unit(text, key, si)?;
+        read(&format!("{value:e}{unit}"), units)
+    };
+    if let Some(value) = read(text, units).or_else(other) {
         return Ok(value);
     }
-    let is_not = format!("is not a number in {si}");
-    if let Some(same) = converted(text, si) {
-        return Err(format!("{is_not}: write {}, which is the same", same.replace(' ', "")));
-    }
-    let vickers = if si == "Pa" { hardness(text, key) } else { None };
-    Err(vickers.or_else(|| notation_hint(text)).unwrap_or_else(|| {
-        let (near, example) = (nearest_hint(in_other_case(text, units)), example.replace(' ', ""));
+    let strength = if key == "yield_strength" { not_a_hardness(text) } else { None };
+    Err(strength.or_else(|| notation_hint(text)).unwrap_or_else(|| {
+        let near = nearest_hint(in_other_case(text, units));
+        let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
+        let example = typed.unwrap_or(example).replace(' ', "");
         let names = names.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
-        format!("{is_not}{near}: write {example}, for example (units: {names})")
+        format!("is not a number in {si}{near}: write {example}, for example (units: {names})")
     }))
 }
 
-/// A number in a unit that [`quantity`](crate::quantity) does not read, in one that it does.
-///
-/// ```
-/// assert_eq!(asperity_inputs::converted("5 kN/cm2", "Pa").as_deref(), Some("50 MPa"));
-/// assert_eq!(asperity_inputs::converted("5 kN/cm2", "N"), None);
-/// ```
-#[must_use]
-pub fn converted(given: &str, si: &str) -> Option<String> {
-    let (number, rest) = leading(given)?;
+/// A number of a key in one of [`OTHER_UNITS`], or a hardness such as `120 HV`, as a value in a
+/// decimal unit.
+fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)> {
+    if let Some(number) = vickers(text).filter(|_| key == "hardness") {
+        return Some((1e-9 * hardness_of_vickers(number), "GPa"));
+    }
+    let (number, rest) = leading(text)?;
     let unit = plain(&rest);
     let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;
     let (.., factor, decimal) = OTHER_UNITS.iter().find(other)?;
-    let value = scale(&number, 0)?;
-    Some(format!("{} {decimal}", asperity::short(factor * value)))
+    Some((factor * scale(&number, 0)?, decimal))
+}
+
+/// A number of a key, or of any with an empty one, that has a unit outside of the decimal ones, in
+/// one of these.
+///
+/// ```
+/// assert_eq!(asperity_inputs::converted("5 kN/cm2", "", "Pa").as_deref(), Some("50 MPa"));
+/// assert_eq!(asperity_inputs::converted("5 kN/cm2", "", "N"), None);
+/// assert_eq!(asperity_inputs::converted("120 HV", "hardness", "Pa").as_deref(), Some("1.269 GPa"));
+/// ```
+#[must_use]
+pub fn converted(text: &str, key: &str, si: &str) -> Option<String> {
+    in_known_unit(text, key, si).map(|(value, unit)| format!("{} {unit}", short(value)))
 }
 
 /// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
@@ -135,24 +149,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn other_units_are_converted() {
-        for (text, si, same) in [
-            ("36 ksi", "Pa", "write 248.2MPa,"),
-            ("30 Msi", "Pa", "write 206.8GPa,"),
-            ("0.5 in2", "m^2", "write 322.6mm2,"),
-            ("8000 \u{c5}", "m", "write 800nm,"),
-            ("0.8 micron", "m", "write 0.8um,"),
-            ("100 lbf", "N", "write 444.8N,"),
-            ("16 \u{b5}in", "m", "write 406.4nm,"),
-            ("10 Mpsi", "Pa", "write 68.95GPa,"),
-            ("200 kg/mm2", "Pa", "write 1961MPa,"),
-            ("1 atm", "Pa", "write 101.3kPa,"),
-            ("1 kgf/cm2", "Pa", "write 98.07kPa,"),
+    fn other_units_are_taken() {
+        for (text, si, wanted, same) in [
+            ("36 ksi", "Pa", 248.211e6, "248.2 MPa"),
+            ("30 Msi", "Pa", 206.843e9, "206.8 GPa"),
+            ("145 psi", "Pa", 999_740.0, "999.7 kPa"),
+            ("210 kN/mm2", "Pa", 210e9, "210 GPa"),
+            ("0.5 in2", "m^2", 322.58e-6, "322.6 mm2"),
+            ("8000 \u{c5}", "m", 800e-9, "800 nm"),
+            ("0.8 micron", "m", 0.8e-6, "0.8 um"),
+            ("100 lbf", "N", 444.822, "444.8 N"),
+            ("16 \u{b5}in", "m", 406.4e-9, "406.4 nm"),
+            ("10 Mpsi", "Pa", 68.9476e9, "68.95 GPa"),
+            ("200 kgf/mm^2", "Pa", 1961.33e6, "1961 MPa"),
+            ("1 atm", "Pa", 101_325.0, "101.3 kPa"),
         ] {
-            let error = quantity(text, si).unwrap_err();
-            assert!(error.contains(same), "{error}");
+            let found = quantity(text, si).unwrap();
+            assert!((found / wanted - 1.0).abs() < 3e-6, "{text}: {found}");
+            assert_eq!(converted(text, "", si).as_deref(), Some(same));
         }
         assert!(quantity("36 ksi", "N").unwrap_err().contains("write 2kN, for example"));
+        assert_eq!(converted("210 GPa", "youngs_modulus", "Pa"), None);
     }
 
     #[test]
@@ -205,14 +222,28 @@ mod tests {
     }
 
     #[test]
-    fn a_hardness_is_converted_for_the_key_that_takes_it() {
+    fn a_vickers_number_is_taken_by_the_hardness_alone() {
         for text in ["120 HV", "120HV10", "HV 120", "120 hv"] {
-            let error = quantity_of("hardness", text).unwrap_err();
-            let wanted =
-                format!("{text:?} is not in Pa: write 1.269GPa, the contact hardness (mean");
-            assert!(error.starts_with(&wanted), "{error}");
+            let found = quantity_of("hardness", text).unwrap();
+            assert!((found / 1.269217e9 - 1.0).abs() < 1e-5, "{text}: {found}");
         }
+        let error = quantity_of("yield_strength", "120 HV").unwrap_err();
+        assert!(error.contains("is a hardness, not a yield strength"), "{error}");
         assert!(quantity("120 HV", "N").unwrap_err().contains("units: N, kN"));
+        assert!(quantity_of("youngs_modulus", "120 HV").is_err());
+    }
+
+    #[test]
+    fn the_example_of_a_message_is_that_of_the_key() {
+        for (key, text, wanted) in [
+            ("hardness", "5 kg", "write 2GPa, for example"),
+            ("youngs_modulus", "210 mm", "write 210GPa, for example"),
+            ("sq", "Ra 0.8", "write 1.1um, for example"),
+        ] {
+            let error = quantity_of(key, text).unwrap_err();
+            assert!(error.contains(wanted), "{error}");
+        }
+        assert!(quantity("5 kg", "Pa").unwrap_err().contains("write 5MPa, for example"));
     }
 
     fn value(text: &str, key: &str) -> Option<f64> {

@@ -159,6 +159,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         notes.extend(compare_std(document, table, file.scene.surface.asperity_height_std)?);
     }
     file.table = given.or(file.table);
+    notes.extend(document.converted.iter().cloned());
     let table = file.table.as_ref();
     let scene = &mut file.scene;
     scene.heights = match (&heights, table) {

@@ -19,6 +19,9 @@ pub struct Figure {
     pub columns: usize,
     /// Place of the names of curves.
     pub legend: Legend,
+    /// Width and height in pixels of a small picture of one panel, which has less room around it;
+    /// letters keep their size.
+    pub size: Option<[f64; 2]>,
 }
 
 impl Figure {

@@ -4,7 +4,7 @@ use crate::canvas::{Canvas, Rect, Type};
 use crate::figure::{self, Figure};
 use crate::legend::Legend;
 use crate::panel::Plot;
-use crate::size::{EDGE, HEIGHT, SMALL, TITLE, WIDTH, least_height};
+use crate::size::{EDGE, SMALL, TITLE, WIDTH, least_height};
 use crate::style::{BLACK, DARK_GREY};
 use crate::text::{LINE, wrap};
 
@@ -15,25 +15,27 @@ pub(crate) struct Layout<'a> {
     legend: Option<(Legend<'a>, f64)>,
     caption: Vec<String>,
     caption_top: f64,
+    pub(crate) width: f64,
     pub(crate) height: f64,
 }
 
 impl<'a> Layout<'a> {
     /// Places the parts of a figure.
     pub(crate) fn new(figure: &'a Figure, plots: &[Plot]) -> Self {
-        let title = wrap(&figure.title, TITLE, WIDTH - 2.0 * EDGE);
+        let (width, edge) = (figure.width(), figure.edge());
+        let title = wrap(&figure.title, TITLE, width - 2.0 * edge);
         let caption = caption_lines(&figure.caption);
-        let legend = Legend::new(&figure.panels, WIDTH - 2.0 * EDGE);
+        let legend = Legend::new(&figure.panels, width - 2.0 * edge);
         let legend =
             (figure.legend == figure::Legend::Below && !legend.is_empty()).then_some(legend);
         let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);
         let caption_height = if caption.is_empty() { 0.0 } else { lines_height(&caption) + 9.0 };
-        let tail = legend_height + caption_height + EDGE;
-        let head = EDGE + title.len() as f64 * TITLE * LINE;
+        let tail = legend_height + caption_height + edge;
+        let head = edge + title.len() as f64 * TITLE * LINE;
         let (frames, foot) = frames(figure, plots, head, tail);
         let caption_top = foot + legend_height + 9.0;
         let legend = legend.map(|legend| (legend, foot));
-        Self { title, frames, legend, caption, caption_top, height: foot + tail }
+        Self { title, frames, legend, caption, caption_top, width, height: foot + tail }
     }
 
     /// Draws title, legend and caption.
@@ -41,7 +43,7 @@ impl<'a> Layout<'a> {
         draw_title(canvas, &self.title);
         draw_caption(canvas, &self.caption, self.caption_top);
         if let Some((legend, top)) = &self.legend {
-            legend.draw(canvas, ((WIDTH - legend.width) / 2.0, *top));
+            legend.draw(canvas, ((self.width - legend.width) / 2.0, *top));
         }
     }
 }
@@ -53,27 +55,27 @@ fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, 
     let (above, below) = (largest(|plot| plot.above()), largest(|plot| plot.below()));
     let mut frames = vec![];
     let columns = figure.columns.clamp(1, plots.len().max(1));
-    let each = (WIDTH - EDGE) / columns as f64;
+    let each = (figure.width() - figure.edge()) / columns as f64;
     let width = each - left - right;
     // Frames become too narrow with many panels beside each other.
     if columns > 1 && width > 100.0 {
         let height = (1.1 * width).min(293.0);
         let row = above + height + below;
         for index in 0..plots.len() {
-            let from = 0.5 * EDGE + (index % columns) as f64 * each + left;
+            let from = 0.5 * figure.edge() + (index % columns) as f64 * each + left;
             let top = head + (index / columns) as f64 * row + above;
             frames.push(Rect::sized(from, top, width, height));
         }
         return (frames, head + plots.len().div_ceil(columns) as f64 * row);
     }
     let height = match plots {
-        [_] => (HEIGHT - head - tail - above - below).max(least_height(figure)),
+        [_] => (figure.height() - head - tail - above - below).max(least_height(figure)),
         _ => least_height(figure),
     };
     let mut foot = head;
     for plot in plots {
-        let width = WIDTH - EDGE - left - right;
-        frames.push(Rect::sized(0.5 * EDGE + left, foot + plot.above(), width, height));
+        let width = figure.width() - figure.edge() - left - right;
+        frames.push(Rect::sized(0.5 * figure.edge() + left, foot + plot.above(), width, height));
         foot += plot.above() + height + plot.below();
     }
     (frames, foot)

@@ -8,11 +8,13 @@ use crate::style::{BLACK, Colour, Curve};
 use crate::text::{CAPITAL, width};
 use crate::trace::simplified;
 
-const SIZE: f64 = 13.3;
-const KEY: f64 = 53.0;
+/// Sizes of letters, keys and the gap between columns, and those of a narrow picture.
+const USUAL: [f64; 3] = [13.3, 53.0, 17.0];
+const NARROW: [f64; 3] = [12.5, 26.0, 10.0];
+/// The width of a narrow picture.
+const NARROW_WIDTH: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;
 const PAD: f64 = 7.5;
-const COLUMN_GAP: f64 = 17.0;
 const ROW: f64 = 18.5;
 /// Opacity of an area.
 pub(crate) const AREA: f64 = 0.4;
@@ -45,7 +47,10 @@ impl<'a> Entry<'a> {
 pub(crate) struct Legend<'a> {
     entries: Vec<Entry<'a>>,
     rows: usize,
-    column: f64,
+    size: f64,
+    key: f64,
+    /// Where columns start.
+    columns: Vec<f64>,
     pub(crate) width: f64,
     pub(crate) height: f64,
 }
@@ -60,13 +65,24 @@ impl<'a> Legend<'a> {
                 None => entries.push(entry),
             }
         }
-        let label = entries.iter().map(|entry| width(entry.label, SIZE)).fold(0.0, f64::max);
-        let column = KEY + KEY_GAP + label;
-        let fit = ((widest - 2.0 * PAD + COLUMN_GAP) / (column + COLUMN_GAP)).floor().max(1.0);
-        let rows = entries.len().div_ceil(fit as usize);
-        let columns = entries.len().div_ceil(rows.max(1)) as f64;
-        let width = columns * (column + COLUMN_GAP) - COLUMN_GAP + 2.0 * PAD;
-        Self { rows, column, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
+        let [size, key, gap] = if widest < NARROW_WIDTH { NARROW } else { USUAL };
+        let longest =
+            |part: &[Entry]| part.iter().map(|entry| width(entry.label, size)).fold(0.0, f64::max);
+        let is_narrow = widest < NARROW_WIDTH;
+        // Rows, where columns start, and the end; columns of a narrow picture differ in width.
+        let placed = |count: usize| {
+            let rows = entries.len().div_ceil(count).max(1);
+            let (mut starts, mut end) = (vec![], PAD);
+            for part in entries.chunks(rows) {
+                starts.push(end);
+                end += key + KEY_GAP + longest(if is_narrow { part } else { &entries }) + gap;
+            }
+            (rows, starts, end - gap + PAD)
+        };
+        let counts = (2..=entries.len()).rev().map(placed);
+        let fitting = counts.into_iter().find(|(.., width)| *width <= widest);
+        let (rows, columns, width) = fitting.unwrap_or_else(|| placed(1));
+        Self { rows, size, key, columns, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -78,22 +94,22 @@ impl<'a> Legend<'a> {
         let edge = Rect::sized(left, top, self.width, self.height);
         canvas.outline(&edge, "#AAAAAA", 0.7);
         for (index, entry) in self.entries.iter().enumerate() {
-            let (column, row) = ((index / self.rows) as f64, (index % self.rows) as f64);
-            let x = left + PAD + column * (self.column + COLUMN_GAP);
+            let row = (index % self.rows) as f64;
+            let x = left + self.columns.get(index / self.rows).copied().unwrap_or(PAD);
             let y = top + PAD + (row + 0.5) * ROW;
             if entry.filled {
                 let (top, height) = if entry.curve.is_some() { (y, 6.5) } else { (y - 5.0, 10.0) };
-                let swatch = Rect::sized(x, top, KEY, height);
+                let swatch = Rect::sized(x, top, self.key, height);
                 canvas.polygon(&swatch.corners(), entry.colour, AREA);
             }
             if let Some(curve) = entry.curve {
-                draw_line(canvas, &[(x, y), (x + KEY, y)], curve);
+                draw_line(canvas, &[(x, y), (x + self.key, y)], curve);
                 if !curve.faint {
-                    canvas.marker((x + 0.5 * KEY, y), curve.marker(), entry.colour);
+                    canvas.marker((x + 0.5 * self.key, y), curve.marker(), entry.colour);
                 }
             }
-            let baseline = (x + KEY + KEY_GAP, y + 0.5 * CAPITAL * SIZE);
-            canvas.text(entry.label, baseline, Type::new(SIZE, BLACK, "start"));
+            let baseline = (x + self.key + KEY_GAP, y + 0.5 * CAPITAL * self.size);
+            canvas.text(entry.label, baseline, Type::new(self.size, BLACK, "start"));
         }
     }
 }

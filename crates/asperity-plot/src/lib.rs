@@ -60,7 +60,7 @@ use layout::Layout;
 pub fn draw(figure: &Figure, csv: &str) -> Result<String, PlotError> {
     let plots = panel::plots(figure, csv)?;
     let layout = Layout::new(figure, &plots);
-    canvas::picture(&figure.title, (size::WIDTH, layout.height), |canvas| {
+    canvas::picture(&figure.title, (layout.width, layout.height), |canvas| {
         layout.draw(canvas);
         plots.iter().zip(&layout.frames).try_for_each(|(plot, frame)| plot.draw(canvas, frame))
     })

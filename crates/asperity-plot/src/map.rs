@@ -35,6 +35,11 @@ pub struct Map {
     pub bottom: Option<f64>,
     /// What white means, below the bar of colours; empty for nothing.
     pub white: String,
+    /// What values of the `top` and above mean, which then have a colour of their own; empty for
+    /// none.
+    pub full: String,
+    /// Width in pixels of a small picture, whose letters keep their size.
+    pub width: Option<f64>,
 }
 
 impl Map {
@@ -51,10 +56,18 @@ impl Map {
 const LARGEST: [f64; 2] = [620.0, 600.0];
 /// The bar of colours.
 const BAR: f64 = 18.0;
+const BAR_GAP: f64 = 24.0;
+/// Room of the numbers beside it.
+const TICKS: f64 = 50.0;
 /// From light to dark, distinct in grey and for colour-blind readers: the colours of `inferno`
 /// (matplotlib, public domain) without the light end, which is too close to white.
 const COLOURS: [[u8; 3]; 6] =
     [[252, 195, 65], [249, 140, 10], [221, 81, 58], [147, 38, 103], [66, 10, 104], [0, 0, 4]];
+
+/// Unlike all of them: values that are full.
+const FULL: [u8; 3] = [0, 158, 180];
+/// Rounding of a value that is full.
+const FULLY: f64 = 1e-9;
 
 /// Draws a map; returns the text of an svg.
 ///
@@ -63,12 +76,15 @@ const COLOURS: [[u8; 3]; 6] =
 /// positive.
 pub fn draw_map(map: &Map) -> Result<String, PlotError> {
     check(map)?;
-    let title = wrap(&map.title, TITLE, WIDTH - 2.0 * EDGE);
-    let top = EDGE + title.len() as f64 * TITLE * LINE + 6.0;
-    let placed = Placed::new(map, (2.0 * EDGE, top), LARGEST);
+    let (width, edge) = (map.width.unwrap_or(WIDTH), map.width.map_or(EDGE, |_| 0.0));
+    let title = wrap(&map.title, TITLE, width - 2.0 * EDGE);
+    let top = edge + title.len() as f64 * TITLE * LINE + 6.0;
+    let beside = if map.label.is_empty() { TICKS } else { TICKS + LABEL * LINE };
+    let room = width - 2.0 * edge - BAR_GAP - BAR - beside;
+    let placed = Placed::new(map, (2.0 * edge, top), LARGEST.map(|side| side.min(room)));
     let caption = caption_lines(&map.caption);
     let caption_top = placed.below + 14.0 + LABEL * LINE + 12.0;
-    picture(&map.title, (WIDTH, caption_top + lines_height(&caption) + EDGE), |canvas| {
+    picture(&map.title, (width, caption_top + lines_height(&caption) + EDGE), |canvas| {
         draw_title(canvas, &title);
         placed.draw(canvas)?;
         draw_caption(canvas, &caption, caption_top);
@@ -99,8 +115,15 @@ impl<'a> Placed<'a> {
         canvas.image(frame, &image);
         canvas.outline(frame, BLACK, 1.0);
         draw_scale_bar(canvas, map, *scale, (frame.left, below + 14.0));
-        let bar = Rect::sized(frame.right + 24.0, frame.top, BAR, below - frame.top);
+        let bar = Rect::sized(frame.right + BAR_GAP, frame.top, BAR, below - frame.top);
         draw_colours(canvas, map, &bar);
+        if !map.full.is_empty() {
+            let swatch = Rect::sized(frame.left + 0.5 * frame.width(), below + 12.0, 12.0, 12.0);
+            let [red, green, blue] = FULL;
+            canvas.shape(&swatch.corners(), &format!("#{red:02X}{green:02X}{blue:02X}"), "");
+            let baseline = (swatch.right + 6.0, swatch.bottom);
+            canvas.text(&map.full, baseline, Type::new(TICK, BLACK, "start"));
+        }
         Ok(())
     }
 }
@@ -196,13 +219,18 @@ fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     // With a bottom the lowest heights have a colour too, and only missing ones have none.
     let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
     // Colour 0 is that of values of 0 and below, and of missing ones.
+    let most = if map.full.is_empty() { 254.0 } else { 253.0 };
     let shade = |value: &f64| match map.share(*value).max(least) {
-        share if share > 0.0 && !value.is_nan() => 1 + (share.min(1.0) * 254.0).round() as u8,
+        share if !map.full.is_empty() && share > 1.0 - FULLY => 255,
+        share if share > 0.0 && !value.is_nan() => 1 + (share.min(1.0) * most).round() as u8,
         _ => 0,
     };
     let indices: Vec<u8> = map.values.iter().map(shade).collect();
     let shades = (0..255).flat_map(|k| colour(f64::from(k) / 254.0));
-    let palette: Vec<u8> = [255; 3].into_iter().chain(shades).collect();
+    let mut palette: Vec<u8> = [255; 3].into_iter().chain(shades).collect();
+    if !map.full.is_empty() {
+        palette.splice(765.., FULL);
+    }
     let rows = map.values.len() / map.columns;
     let mut bytes = vec![];
     let failed = |error: png::EncodingError| PlotError::Drawing(error.to_string());

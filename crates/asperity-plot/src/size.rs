@@ -19,11 +19,30 @@ pub(crate) const TITLE_GAP: f64 = 5.0;
 /// Around everything.
 pub(crate) const EDGE: f64 = 12.0;
 
+/// Room above and below the frame of a small picture, and its least height.
+const AROUND: f64 = 175.0;
+const LOWEST: f64 = 110.0;
+
+impl Figure {
+    pub(crate) fn width(&self) -> f64 {
+        self.size.map_or(WIDTH, |[width, _]| width)
+    }
+
+    pub(crate) fn height(&self) -> f64 {
+        self.size.map_or(HEIGHT, |[_, height]| height)
+    }
+
+    /// Room around everything.
+    pub(crate) fn edge(&self) -> f64 {
+        if self.size.is_some() { 0.5 * EDGE } else { EDGE }
+    }
+}
+
 /// The number of labels along the two axes of a panel.
 pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
     let across = match figure.columns.min(figure.panels.len()) {
-        0 | 1 => WIDTH,
-        columns => WIDTH / columns as f64 - 75.0,
+        0 | 1 => figure.width(),
+        columns => figure.width() / columns as f64 - 75.0,
     };
     ((across / 60.0) as usize + 1, (least_height(figure) / 40.0) as usize + 1)
 }
@@ -31,6 +50,7 @@ pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
 /// The least height of the frames of a figure.
 pub(crate) fn least_height(figure: &Figure) -> f64 {
     match (figure.panels.len(), figure.columns > 1) {
+        (0 | 1, _) if figure.size.is_some() => (figure.height() - AROUND).max(LOWEST),
         (0 | 1, _) => 350.0,
         (2, false) => 273.0,
         (_, false) => 213.0,

@@ -105,46 +105,42 @@ impl Topography {
     #[must_use]
     pub fn at_distance(&self, step: usize) -> AtDistance {
         let [dx, dy] = self.pixel_size();
-        let (rows, columns) = (self.rows(), self.columns());
-        let (z, wrap) = (self.heights(), self.is_periodic());
-        // The heights at a point, and once and twice the distance after it in a line of n points.
-        let ahead = |k: usize, stride: usize, n: usize| {
-            let x = k / stride % n;
-            let at = |steps: usize| {
-                let to = if wrap { (x + steps) % n } else { x + steps };
-                (to < n).then(|| z[k - x * stride + to * stride])
-            };
-            (z[k], at(step), at(2 * step))
-        };
-        let [slope_rows, curvature_rows] =
-            means(z.len(), step as f64 * dx, |k| ahead(k, 1, columns));
+        let [slope_rows, curvature_rows] = self.differences([0, step], step as f64 * dx);
         let [slope_columns, curvature_columns] = match self.is_profile() {
             true => [None; 2],
-            false => means(z.len(), step as f64 * dy, |k| ahead(k, columns, rows)),
+            false => self.differences([step, 0], step as f64 * dy),
         };
         AtDistance { step, slope_rows, slope_columns, curvature_rows, curvature_columns }
     }
-}
 
-fn means(
-    points: usize,
-    distance: f64,
-    at: impl Fn(usize) -> (f64, Option<f64>, Option<f64>),
-) -> [Option<f64>; 2] {
-    let (mut sums, mut counts) = ([0.0; 2], [0_usize; 2]);
-    for k in 0..points {
-        let (here, next, far) = at(k);
-        let slope = next.map(|next| (next - here) / distance);
-        let bend = next.zip(far);
-        let bend = bend.map(|(next, far)| (here - 2.0 * next + far) / (distance * distance));
-        for (term, value) in [slope, bend].into_iter().enumerate() {
-            if let Some(value) = value.filter(|value| !value.is_nan()) {
+    /// The rms slope and curvature from heights so many rows and columns apart, at a distance.
+    fn differences(&self, [down, right]: [usize; 2], distance: f64) -> [Option<f64>; 2] {
+        let (rows, columns, wrap) = (self.rows(), self.columns(), self.is_periodic());
+        let after = |at: usize, steps: usize, n: usize| match at + steps {
+            to if to < n => Some(to),
+            to => wrap.then(|| to % n),
+        };
+        let row = |y: usize| &self.heights()[y * columns..][..columns];
+        let (mut sums, mut counts) = ([0.0; 2], [0_usize; 2]);
+        let mut add = |term: usize, value: f64| {
+            if !value.is_nan() {
                 sums[term] += value * value;
                 counts[term] += 1;
             }
+        };
+        for y in 0..rows {
+            let Some(next) = after(y, down, rows).map(row) else { break };
+            let (here, far) = (row(y), after(y, 2 * down, rows).map(row));
+            for (x, z) in here.iter().enumerate() {
+                let Some(one) = after(x, right, columns) else { break };
+                add(0, (next[one] - z) / distance);
+                if let Some((far, two)) = far.zip(after(x, 2 * right, columns)) {
+                    add(1, (z - 2.0 * next[one] + far[two]) / (distance * distance));
+                }
+            }
         }
+        std::array::from_fn(|k| (counts[k] > 0).then(|| (sums[k] / counts[k] as f64).sqrt()))
     }
-    std::array::from_fn(|k| (counts[k] > 0).then(|| (sums[k] / counts[k] as f64).sqrt()))
 }
 
 #[cfg(test)]

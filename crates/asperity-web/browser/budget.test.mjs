@@ -2,7 +2,7 @@
 // machine (ASPERITY_DESK names it), on one thread, measured in turns.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -89,5 +89,45 @@ test("a redraw takes at most 3 times as long as natively, 512 x 512 boundary ele
     await within(2.5, "boundary elements, 512 x 512", 3, () => ["press 2e8"]);
   } finally {
     for (const desk of desks) await desk.close();
+  }
+});
+
+// Seconds of processor time of a process and of all that it started.
+function processorSeconds(root) {
+  const all = readdirSync("/proc").filter((name) => /^\d+$/.test(name)).flatMap((pid) => {
+    try {
+      // Behind the name of the program, which may have blanks.
+      const fields = readFileSync(`/proc/${pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ");
+      return [{ pid, parent: fields[1], ticks: Number(fields[11]) + Number(fields[12]) }];
+    } catch {
+      return [];
+    }
+  });
+  const under = (pid) => all.filter(({ parent }) => parent === pid).reduce((sum, one) => sum + one.ticks + under(one.pid), 0);
+  return under(String(root)) / 100;
+}
+
+// Waves in rows and columns, as text with its size and unit.
+function largeScan(side) {
+  const wave = (k, stretch) => Math.sin(0.31 * stretch * k) + 0.6 * Math.cos(0.83 * stretch * k) + 0.2 * Math.sin(1.9 * k);
+  const [along, down] = [1, 1.17].map((stretch) => Float64Array.from({ length: side }, (_, k) => 60 * wave(k, stretch)));
+  const rows = Array.from(down, (y) => Array.from(along, (x) => (x + y + 0.01 * x * y).toFixed(3)).join("\t"));
+  return `# Width: ${side / 2} um\n# Height: ${side / 2} um\n# Value units: nm\n${rows.join("\n")}\n`;
+}
+
+test("a scan of 2048 x 2048 points is ready in 8 s of processor time", { skip: process.platform !== "linux" }, async (t) => {
+  const { browser, file, phase, text, close } = await explorer();
+  try {
+    await browser.until("return document.documentElement.dataset.state === 'ready'");
+    const scan = largeScan(2048);
+    const start = [processorSeconds(browser.pid), performance.now()];
+    await file("large.txt", scan);
+    const [processor, wall] = [processorSeconds(browser.pid) - start[0], (performance.now() - start[1]) / 1000];
+    t.diagnostic(`${processor.toFixed(1)} s of processor time, ${wall.toFixed(1)} s by the clock`);
+    assert.deepEqual([await phase(), await text("message")], ["ready", ""]);
+    assert.match(await text("scan-caption"), /2048 x 2048 points/);
+    assert.ok(processor <= 8, `${processor} s`);
+  } finally {
+    await close();
   }
 });

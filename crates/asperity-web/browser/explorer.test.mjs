@@ -91,15 +91,17 @@ test("after an error no picture, no values and no files of the scene before", as
   assert.ok(await page.run("return !document.getElementById('save-csv').disabled"));
 });
 
-test("a scan in place of another keeps its keys, and one of the same name is read anew", async () => {
+test("a scan in place of another is treated alike, and one of the same name is read anew", async () => {
   await page.scene(example("wheel-rail"));
   await page.file("one.txt", heights(1e-7));
-  await page.scene((await page.value("scene")).replace('file = "one.txt"', 'file = "one.txt"\nunit = "m"\npixel_size = 1e-6'));
+  await page.scene((await page.value("scene")).replace('file = "one.txt"', 'file = "one.txt"\nunit = "m"\npixel_size = 1e-6\nlevel = "mean"'));
   assert.equal(await page.phase(), "ready");
   const sq = () => page.run("return document.querySelector('#scan-numbers td').title");
   const first = Number(await sq());
   await page.file("two.txt", heights(3e-7));
-  assert.match(await page.value("scene"), /file = "two.txt"\nunit = "m"\npixel_size = 1e-6/);
+  assert.match(await page.value("scene"), /file = "two.txt"\nlevel = "mean"/);
+  assert.doesNotMatch(await page.value("scene"), /unit|pixel_size/);
+  await page.change([field("surface.unit"), "m"], [field("surface.pixel_size"), "1 um"]);
   assert.ok(Math.abs(Number(await sq()) / first - 3) < 1e-6, await sq());
   await page.file("two.txt", heights(5e-7));
   assert.ok(Math.abs(Number(await sq()) / first - 5) < 1e-6, await sq());
@@ -147,21 +149,6 @@ test("wrong numbers of a random surface have a message", async () => {
   await page.run("document.getElementById('make-random').click()");
   await page.browser.until("return /random.pixels is \"abc\"/.test(document.getElementById('message').textContent)");
   await page.browser.until(SETTLED);
-});
-
-test("advice goes when the load changes, also while it is computed", async () => {
-  await page.scene(example("wheel-rail"));
-  await page.change(["#load", "1 MPa"]);
-  const advice = () => page.run("return [...document.querySelectorAll('#advice li')].map((line) => line.textContent)");
-  await page.run("document.getElementById('advise').click()");
-  await page.browser.until(SETTLED, "advice");
-  assert.ok((await advice()).length > 0 && !/takes some seconds/.test(await advice()), String(await advice()));
-  await page.change(["#load", "2 MPa"]);
-  assert.deepEqual(await advice(), []);
-  await page.run("document.getElementById('advise').click()");
-  assert.match(String(await advice()), /takes some seconds/);
-  await page.change(["#load", "3 MPa"]);
-  assert.deepEqual(await advice(), []);
 });
 
 test("rarely needed options of a scan are folded until one is set", async () => {

@@ -48,7 +48,7 @@ export async function explorer({ script, address = (url) => url, ...options } = 
     value: (id) => run("return document.getElementById(arguments[0]).value", id),
     phase: () => run("return document.documentElement.dataset.state"),
     // [value, bound] of each model and quantity below an element.
-    values: (below = "#answers") => run(`return Object.fromEntries([...document.querySelectorAll(arguments[0] + ' [data-value]')]
+    values: (below = "#answers") => run(`return Object.fromEntries([...document.querySelectorAll(arguments[0] + ' [data-value]:not([data-model=answer])')]
       .map(({ dataset: { model, quantity, value, bound } }) => [model + ' ' + quantity, [value, bound]]))`, below),
     // The loads that boundary elements solved, each with its numbers.
     solved: () => run(`const rows = [...document.querySelectorAll("#solved tr")];

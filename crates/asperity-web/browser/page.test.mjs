@@ -121,6 +121,9 @@ test("from the load to the csv by keys alone", async () => {
   };
   await tabTo("load");
   await page.browser.keys([..."\uE010"].concat(Array(12).fill("\uE003"), [..."77 N"]));
+  await tabTo("tab-findings");
+  // The last of the sections below.
+  await page.browser.keys(["\uE012"]);
   await tabTo("save-csv");
   await page.browser.until(READY);
   assert.equal(await page.run("return document.getElementById('load').dataset.newtons"), "77");

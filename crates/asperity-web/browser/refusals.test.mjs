@@ -36,7 +36,7 @@ test("a refused load has its reason at the field, and the values before are dimm
   await choose(["gw", "ke"]);
   await page.change(["#load", "100 N"]);
   const before = await page.values();
-  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr/], ["5 kN/cm2", /"5 kN\/cm2" is not a known unit: write 50 MPa, which is the same/], ["0", /0 is neither a load/], ["1e30", /largest force of the model/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /not a number in N/]]) {
+  for (const [load, wanted] of [["-5", /^load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr/], ["5 kg", /"5 kg" is neither a load nor a pressure: write 2 kN or 5 MPa, for example/], ["0", /0 is neither a load/], ["1e30", /largest force of the model/], ["0,3 N", /decimal comma; write 0\.3/], ["3 mm", /neither a load nor a pressure/]]) {
     await page.change(["#load", load]);
     assert.match(await page.text("load-error"), wanted);
     assert.deepEqual([await page.phase(), await page.text("status")], ["failed", "the load is refused"], load);
@@ -146,27 +146,38 @@ test("a scan much smaller than the nominal area has a note", async () => {
   assert.deepEqual(await small(), []);
 });
 
-test("a masked scan names the share of missing points at its own field", async () => {
-  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
-  await page.scene(example("wheel-rail"));
-  await page.file("masked.txt", rows);
-  assert.match(await page.text("scene-error"), /max_missing/);
-  assert.match(await note("surface.max_missing"), /^Missing points, at most: .*share of missing points/);
-  await page.change([field("surface.max_missing"), "0.5"]);
-  assert.deepEqual([await page.phase(), await page.text("scene-error")], ["ready", ""]);
-});
+const masked = (columns) => matrix(nanometres()).replaceAll(new RegExp(`^(-?\\d+\t){${columns}}`, "gm"), "nan\t".repeat(columns));
 
-test("a scan with values is kept if many points of another are missing, and the message can be closed", async () => {
-  const name = () => page.value("field-surface-file");
+test("missing points are left out in one click, and a scan of which most are missing is refused", async () => {
   await page.scene(example("wheel-rail"));
   await page.file("whole.txt", matrix(nanometres()));
-  await page.change([field("surface.unit"), "nm"], [field("surface.pixel_size"), "1 um"]);
-  assert.equal(await page.phase(), "ready");
-  const kept = [await name(), await page.values()];
-  const rows = matrix(nanometres()).replaceAll(/^(-?\d+\t){20}/gm, "nan\t".repeat(20));
-  await page.file("masked.txt", `# Width: 60 um\n# Height: 60 um\n# Value units: nm\n${rows}`);
-  assert.match(await page.text("message"), /masked.txt: the share of missing points is .* is kept: raise "Missing points, at most"/);
-  assert.deepEqual([await name(), await page.values()], kept);
+  const kept = [await page.value("scene"), await page.values()];
+  await page.file("most.txt", masked(57));
+  assert.match(await page.text("message"), /^most\.txt: 89\.06 % of the points are missing, and the others do not describe the surface: measure again/);
+  assert.deepEqual([await page.value("scene"), await page.values(), await page.phase()], [...kept, "ready"]);
+  assert.equal(await page.run("return document.querySelectorAll('#message button').length"), 1);
+  await page.file("masked.txt", masked(20));
+  assert.match(await page.text("message"), /masked\.txt: 31\.25 % of the points are missing, and 10 % are usual/);
+  await page.run("document.querySelector('#message button').click()");
+  await page.browser.until(SETTLED);
+  assert.deepEqual([await page.phase(), await page.text("scene-error"), await page.text("message")], ["ready", "", ""]);
+  assert.match(await page.value("scene"), /max_missing = 0\.32/);
+  assert.ok(Object.keys(await page.values()).length > 5);
+  await page.file("whole.txt", matrix(nanometres()));
+  assert.deepEqual([await page.value("scene"), await page.values()], kept);
+});
+
+test("boundary elements have few missing points filled in one click, and a message can be closed", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.file("few.txt", masked(2));
+  for (const place of ["elements-note", "contact"]) {
+    assert.equal(await page.text(place), "3.125 % of the points are missing, and boundary elements need all Fill the missing points");
+  }
+  await page.run("document.querySelector('#contact button').click()");
+  await page.browser.until(SETTLED);
+  assert.deepEqual([await page.phase(), await page.text("elements-note")], ["ready", "64 × 64 pixels, solved in this tab."]);
+  await page.file("torn.x3p", "PK\u0003\u0004 nothing \u0000");
+  assert.match(await page.text("message"), /^torn\.x3p/);
   await page.run("document.querySelector('#message button').click()");
   assert.equal(await page.run("return document.getElementById('message').hidden"), true);
 });
@@ -177,6 +188,7 @@ test("values of an implausible number are dimmed, and a link of a refused load i
   assert.equal(await dimmed(), "1");
   await page.change([field("body[1].youngs_modulus"), "210"]);
   assert.deepEqual([await dimmed(), await page.text("status")], ["0.4", "implausible number"]);
+  assert.deepEqual(await disabled("save-csv", "save-svg", "save-values"), [true, true, true]);
   await page.change([field("body[1].youngs_modulus"), "210 GPa"]);
   assert.deepEqual([await dimmed(), await page.text("status")], ["1", "ready"]);
   const link = () => page.run("return document.getElementById('copy-link').disabled");

@@ -21,41 +21,10 @@ const pressTry = async (k) => {
 const ticks = () => page.run("return [...document.querySelectorAll('#tries button')].map((button) => button.disabled)");
 const KEYS = /\w+_fraction|\b[a-z]{2,}_[a-z_]{2,}/;
 
-test("advice begins with how far the models are from the contact that is solved, a sentence a quantity", async () => {
-  await page.change(["#example", "made-here"]);
-  await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the present load");
-  await page.browser.until(SETTLED);
-  const values = await page.values();
-  await click("advise");
-  const advice = await lines("#advice li");
-  const start = "on this scan at this load, nearest to boundary elements in ";
-  for (const [k, [quantity, name]] of [["area-fraction", "real over nominal area"], ["tangent", "tangent stiffness (first loading)"], ["unloading-stiffness", "unloading stiffness"]].entries()) {
-    assert.ok(advice[k].startsWith(`${start}${name} are `), advice[k]);
-    // Every chosen model that has the quantity, at its own distance.
-    for (const id of ["gw", "ke", "jg"]) {
-      const off = Math.round(100 * Math.abs(values[`${id} ${quantity}`][0] / values[`bem ${quantity}`][0] - 1));
-      assert.match(advice[k], new RegExp(off < 1 ? `${id} \\(less than 1 % off\\)` : `${id} \\(${off} % (low|high)\\)`));
-    }
-  }
-  // The load that the example opens with is light.
-  assert.match(advice[3], /^on this scan at this load, these deviations are uncertain: too few pixels or patches are in contact; increase the load$/);
-  assert.ok(advice.length > 4 && advice.every((line) => !KEYS.test(line)), advice.join("\n"));
-  await page.change(["#load", "57 N"]);
-  await click("advise");
-  assert.doesNotMatch((await lines("#advice li")).join(), /on this scan/);
-  // Advice does not outlive a solution that it does not know.
-  await click("solve-load");
-  await page.browser.until("return document.querySelector('#answers [data-model=bem]')", "the solved load", 60);
-  await page.browser.until(SETTLED);
-  assert.deepEqual(await lines("#advice li"), []);
-  await click("advise");
-  assert.match((await lines("#advice li"))[0], /^(of the chosen models, use|on this scan at this load, nearest) /);
-});
-
 test("a scene of asperities with different radii opens with the models for them", async () => {
   await page.change(["#example", "ground-steel"]);
   await page.browser.until(SETTLED);
-  assert.deepEqual(await lines("#answers tbody th"), ["gw-random", "ke-random", "jg-random", "persson-fudge"]);
+  assert.deepEqual(await lines("#answers tbody th"), ["answer", "gw-random", "ke-random", "jg-random", "persson-fudge"]);
   await page.change(["#load", "20 kN"]);
   assert.match(String(await lines("#findings li")), /use ke-random or jg-random/);
   await choose(["persson-fudge"]);
@@ -129,7 +98,7 @@ test("refusals have at most five digits, the unit of their box and no command of
   const digits = (number) => number.replaceAll(/e.*|\D/g, "").replaceAll(/^0+|0+$/g, "").length;
   assert.ok((refused.match(/\d[\d.e+-]*/g) ?? []).every((number) => digits(number) <= 5), refused);
   await page.change(["#load", "1 MPa"], ["#unit", "Pa"], ["#load", "1 kip"]);
-  assert.match(await page.text("load-error"), /not a number in Pa/);
+  assert.match(await page.text("load-error"), /neither a load nor a pressure/);
   await page.change(["#load", "1 MPa"]);
   await page.scene(example("wheel-rail").replace(/youngs_modulus = .*/, 'material = "unobtainium"'));
   const error = await page.text("scene-error");

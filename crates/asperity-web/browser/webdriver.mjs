@@ -48,6 +48,7 @@ export async function open({ width = 1280, height = 900, dark = false, downloads
   const run = (script, ...values) => call("POST", "/execute/sync", { script, args: values });
   const cdp = (cmd, params) => call("POST", "/goog/cdp/execute", { cmd, params });
   return {
+    pid: driver.pid,
     call,
     run,
     cdp,

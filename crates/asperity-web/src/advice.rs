@@ -1,68 +1,188 @@
-//! Findings about a scene at a load, and which model to trust there.
+//! The answer at a load as the page shows it, how far models are from it, and findings.
 
 use std::collections::BTreeMap;
 
-use asperity::{
-    At, Compared, Described, Finding, Findings, Quantity, Request, Severity, nearest_to_bem,
-};
-use asperity_answer::{Asked, unranked};
+use asperity::{At, Finding, Findings, Severity};
+use asperity_answer::Asked;
 use asperity_inputs::SceneFile;
+use serde_json::{Value, json};
 
-use crate::dialect::{quantity_name, said};
-use crate::message::OnScreen;
-use crate::press;
-use crate::refusal::Refusal;
+use crate::answer::{cell, columns};
+use crate::best::{Best, Known, Source, numbers};
+use crate::dialect::PAGE;
+use crate::shown::{interval, percent, shown};
+use crate::span::Load;
 
-/// Largest deviation of a simpler model from the reference, as that of the program.
-const WITHIN: f64 = 0.05;
-/// What models are compared in with a solved contact.
-const COMPARED: [Quantity; 3] =
-    [Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
+/// The first line: quantities with their units and names. Models are held against the answer in the
+/// first two, area and stiffness.
+const FIRST: [(&str, &str, &str); 3] = [
+    ("area-fraction", "%", "real area"),
+    ("tangent", "N/m", "first-loading stiffness"),
+    ("unloading-stiffness", "N/m", "unloading stiffness"),
+];
+/// A model farther than this from boundary elements is out of its range.
+const FAR: f64 = 0.3;
+/// Codes of findings that a load is out of the range of a model.
+const OUTSIDE: [&str; 4] = ["beyond-fit", "fit-misses", "tabor", "above-hardness"];
+/// The model that shows whether contacts yield, as it ignores that.
+pub(crate) const ELASTIC: &str = "gw";
 
-impl OnScreen {
-    /// Deviations of the models from boundary elements in a quantity, by id.
-    fn deviations(&self, quantity: Quantity) -> Vec<(&str, Option<f64>)> {
-        let name = quantity.to_string();
-        let number = |values: &BTreeMap<String, String>| values.get(&name)?.parse::<f64>().ok();
-        let Some(solved) = number(&self.bem).filter(|solved| *solved > 0.0) else {
-            return vec![];
+/// How far a row is from the answer in area and stiffness, in percent.
+struct Against([Option<f64>; 2]);
+
+impl Against {
+    /// None for the model whose values are the answer.
+    fn of(best: &Best, row: &Value) -> Option<Self> {
+        let found: BTreeMap<&str, f64> = numbers(row).collect();
+        let off = |k: usize| {
+            let (quantity, ..) = FIRST[k];
+            Some(found.get(quantity)? / best.value(quantity)?.value - 1.0)
         };
-        let off = |values| number(values).map(|value| value / solved - 1.0);
-        self.models.iter().map(|(id, values)| (id.as_str(), off(values))).collect()
+        let is_own = best.source == Source::Model && row["model"] == best.model;
+        let off = [off(0), off(1)];
+        (!is_own && off != [None; 2]).then_some(Self(off))
     }
 
-    /// Which of these models to use, how far all are from boundary elements, a sentence a quantity,
-    /// and why that is uncertain; `ignoring` are the models that ignore yielding here.
-    fn sentences(&self, ignoring: &[&str]) -> Vec<String> {
-        let here = "on this scan at this load";
-        let (mut found, mut uses) = (vec![], vec![]);
-        for quantity in COMPARED {
-            let (off, name) = (self.deviations(quantity), quantity_name(quantity));
-            let models = off.iter().map(|(id, off)| (*id, vec![*off]));
-            let nearest = nearest_to_bem(&name, models, off.len());
-            found.extend(nearest.map(|nearest| format!("{here}, {nearest}")));
-            // The nearest of those that describe yielding where it matters.
-            let off = off.into_iter().filter(|(id, _)| !ignoring.contains(id));
-            let off = off.filter_map(|(id, off)| Some((id, off?.abs())));
-            let best = off.min_by(|a, b| a.1.total_cmp(&b.1));
-            uses.extend(best.map(|(id, _)| format!("{id} for {name}")));
+    /// The larger of the two.
+    fn off(&self) -> f64 {
+        self.0.iter().flatten().fold(0.0, |most: f64, off| most.max(off.abs()))
+    }
+
+    fn words(&self) -> String {
+        let [area, stiffness] = self.0.map(|off| off.map_or("–".into(), percent));
+        format!("area {area}, stiffness {stiffness}")
+    }
+}
+
+/// Adds to a row how far it is from the answer, and why it is out of the range of its model, if it
+/// is.
+pub(crate) fn hold_against(best: &Best, row: &mut Value, judged: Option<&Judged>) {
+    let against = Against::of(best, row);
+    let is_far = against.as_ref().is_some_and(|against| against.off() > FAR);
+    let far = || format!("more than {} from the answer", percent(FAR));
+    let far = (best.source != Source::Model && is_far).then(far);
+    row["outside"] = judged.and_then(|of| of.outside.clone()).or(far).into();
+    if let Some(against) = against {
+        row["against"] = json!({ "words": against.words(), "off": against.off() });
+    }
+}
+
+/// Which of the shown models to use, by id, and how far it is from the answer: the nearest. One
+/// that ignores yielding is near by chance, and has the next beside it.
+fn model_to_use(best: &Best, rows: &[Value], ignores: impl Fn(&str) -> bool) -> Value {
+    if best.source == Source::Model {
+        return json!({ "model": best.model, "says": "recommended; not compared here" });
+    }
+    let of = |row: &Value| {
+        let against = Against::of(best, row).filter(|_| row["mark"].is_null())?;
+        // Models without a stiffness come last.
+        Some((against.0[1].is_none(), against, row["model"].as_str()?.to_string()))
+    };
+    let mut near: Vec<_> = rows.iter().filter_map(of).collect();
+    near.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.off().total_cmp(&b.1.off())));
+    let Some((_, against, id)) = near.first() else { return Value::Null };
+    let mut says = against.words();
+    if ignores(id) {
+        says += "; ignores yielding, near by chance";
+        if let Some((_, other, next)) = near.iter().find(|(.., id)| !ignores(id)) {
+            says += &format!(". {next}: {}", other.words());
         }
-        if found.is_empty() {
-            return found;
-        }
-        let codes = self.notes.iter().map(String::as_str).collect();
-        match unranked(&[codes]) {
-            Some(why) => found.push(format!("{here}, these deviations are uncertain: {why}")),
-            None if uses.is_empty() => {}
-            None => found.insert(0, format!("of the chosen models, use {}", uses.join(", "))),
-        }
-        if !ignoring.is_empty() {
-            let ids = ignoring.join(", ");
-            found.push(format!(
-                "{ids}: yielding is ignored, and an agreement at this load is by chance"
-            ));
-        }
-        found
+    }
+    json!({ "model": id, "says": says })
+}
+
+/// The answer beside the rows of the shown models.
+pub(crate) fn answer(
+    best: &Best,
+    file: &SceneFile,
+    load: &Load,
+    rows: &[Value],
+    judged: &BTreeMap<String, Judged>,
+) -> Value {
+    let cells: Vec<Value> = columns(file)
+        .map(|(quantity, unit)| match best.value(&quantity) {
+            Some(known) => with_ends(cell(&quantity, unit, Ok(known.value)), known),
+            // A value of the model has its place in the row of the model.
+            None => json!({ "quantity": quantity, "shown": "no evidence" }),
+        })
+        .collect();
+    let index = file.scene.plasticity_index().ok();
+    let yields = |id: &str| judged.get(id).and_then(|of| of.yields);
+    let plasticity = match yields(ELASTIC) {
+        _ if index.is_none() => "no hardness: elastic",
+        None => "nothing yields",
+        Some(Severity::Note) => "a few contacts yield",
+        Some(_) => "contacts yield",
+    };
+    let to_use = model_to_use(best, rows, |id| yields(id) > Some(Severity::Note));
+    let first = FIRST.map(|part| first(best, part));
+    let said: Vec<String> =
+        first.iter().map(|part| text(&part["name"]) + " " + &text(&part["shown"])).collect();
+    let spoken = format!("At {}: {}; use {}", load.text, said.join(", "), text(&to_use["model"]));
+    let decimals = index.map_or(0, |index| usize::from(index < 10.0));
+    json!({
+        "source": best.source,
+        "first": first,
+        "row": { "model": "answer", "cells": cells },
+        "plasticity": {
+            "shown": index.map_or("–".into(), |index| format!("{index:.decimals$}")),
+            "says": plasticity,
+        },
+        "use": to_use,
+        "basis": best.basis,
+        "surface": format!("Sq {}", shown(file.scene.surface.moments().m0.sqrt(), "m")),
+        "spoken": spoken,
+    })
+}
+
+/// A part of the first line.
+fn first(best: &Best, (quantity, unit, name): (&str, &str, &str)) -> Value {
+    let Some(known) = best.values.get(quantity) else {
+        let by = format!("{} has none", best.model);
+        return json!({ "name": name, "shown": "–", "by": by });
+    };
+    let (shown, range) = interval(known.value, known.ends, unit);
+    let by = match known.source {
+        Source::Model if best.source == Source::Model => format!("by {}", best.model),
+        Source::Model => format!("by {}; no evidence", best.model),
+        Source::Evidence => range,
+        Source::Solved => "on this scan".into(),
+    };
+    let mut part = with_ends(cell(quantity, unit, Ok(known.value)), known);
+    (part["name"], part["shown"], part["by"]) = (name.into(), shown.into(), by.into());
+    part
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_default().into()
+}
+
+/// A cell with the ends of its interval.
+fn with_ends(mut cell: Value, known: &Known) -> Value {
+    if let Some(ends) = known.ends {
+        let [lower, upper] = ends.map(asperity::shortest_digits);
+        (cell["lower"], cell["upper"]) = (lower.into(), upper.into());
+    }
+    cell
+}
+
+/// What is known of a model at a load.
+pub(crate) struct Judged {
+    /// How it ignores yielding, if it does.
+    yields: Option<Severity>,
+    /// Why the load is out of its range.
+    pub(crate) outside: Option<String>,
+}
+
+impl Judged {
+    /// A model of a scene at a load.
+    pub(crate) fn of(file: &SceneFile, asked: &Asked, at: At) -> Self {
+        let [found, _] = asked.findings(file, &[at]);
+        let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
+        let is_outside =
+            |found: &&Finding| OUTSIDE.contains(&found.code) && found.severity > Severity::Note;
+        let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
+        Self { yields, outside }
     }
 }
 
@@ -83,131 +203,86 @@ pub(crate) fn check(
     file.accepted(of_scene.chain(of_answers).filter(unmarked).collect())
 }
 
-/// Compares the models that the scene allows with boundary elements on its scan, if the load was
-/// solved, and on surfaces like it; without either, with each other: sentences, the best evidence
-/// first.
-pub(crate) fn advise(
-    file: &SceneFile,
-    at: At,
-    on_screen: Option<&OnScreen>,
-) -> Result<Vec<String>, Refusal> {
-    let (models, _) = file.models_beside_bem();
-    let reference = file.model(asperity::usual_reference(&file.scene))?;
-    let request = Request::new([Quantity::Area, Quantity::Tangent]).at([at]);
-    let advice = file.recommend_among(models, &request, &reference, WITHIN)?;
-    let mut summary = match on_screen {
-        Some(solved) => solved.sentences(&ignoring_yielding(file, at, solved)),
-        None => vec![],
-    };
-    let solved = !summary.is_empty();
-    let names = [Quantity::AreaFraction, Quantity::Tangent].map(quantity_name);
-    let names = [(Compared::Area, &*names[0]), (Compared::Stiffness, &*names[1])];
-    let close = advice.evidence.iter().any(|place| place.expected.is_ok());
-    let mut lines = advice.summary_named(&names);
-    if let (false, Some(last)) = (close || solved, lines.last_mut()) {
-        let scan = press::scan(file).is_some_and(|scan| scan["refused"].is_null());
-        *last += match scan {
-            true => "; solve this load by boundary elements",
-            false => "; choose a scan or make a random surface, and solve this load",
-        };
-    }
-    if close {
-        lines.iter_mut().for_each(|line| line.insert_str(0, "on solved surfaces like this one, "));
-    }
-    if !close && !solved {
-        let verdict = advice.verdict();
-        let fitted = match reference.id() {
-            "ke" => " (ke, fitted to finite elements of one asperity, is the reference)",
-            _ => "",
-        };
-        summary.push(format!("{verdict}{fitted}"));
-    }
-    summary.extend(lines);
-    Ok(summary.iter().map(|line| said(line)).collect())
-}
-
-/// The models on the page that ignore yielding where it matters.
-fn ignoring_yielding<'m>(file: &SceneFile, at: At, solved: &'m OnScreen) -> Vec<&'m str> {
-    let ignores = |id: &&str| {
-        let found = file.model(id).map(|model| file.findings_at(&model, &[at]));
-        let yields =
-            |found: &Finding| found.code == "yields" && found.severity == Severity::Warning;
-        found.is_ok_and(|found| found.iter().any(yields))
-    };
-    solved.models.iter().map(|(id, _)| id.as_str()).filter(ignores).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Desk;
 
-    fn on_screen(notes: &[&str]) -> OnScreen {
-        let models = serde_json::json!([
-            ["gw", { "area-fraction": "0.06", "tangent": "9e7" }],
-            ["ke", { "area-fraction": "0.087", "tangent": "1.2e8", "unloading-stiffness": "2e8" }],
-            ["gao", { "tangent": "" }],
-        ]);
-        let bem = serde_json::json!({ "area-fraction": "0.1", "tangent": "1e8", "unloading-stiffness": "2e8" });
-        let given = serde_json::json!({ "bem": bem, "notes": notes, "models": models });
-        serde_json::from_value(given).unwrap()
-    }
+    const SEAL: &str = include_str!("../../asperity-inputs/examples/lapped-seal.toml");
+    const JOINT: &str = include_str!("../../asperity-inputs/examples/bolted-joint.toml");
 
-    #[test]
-    fn a_solved_load_has_a_verdict_and_a_sentence_for_each_quantity() {
-        let here = "on this scan at this load";
-        let start = format!("{here}, nearest to boundary elements in");
-        let found = on_screen(&["short"]).sentences(&["gw"]);
-        assert_eq!(
-            found,
-            [
-                "of the chosen models, use ke for real over nominal area, ke for tangent stiffness (first loading), ke for unloading stiffness".into(),
-                format!("{start} real over nominal area are ke (13 % low), gw (40 % low)"),
-                format!(
-                    "{start} tangent stiffness (first loading) are gw (10 % low), ke (20 % high)"
-                ),
-                format!("{start} unloading stiffness is ke (less than 1 % off)"),
-                "gw: yielding is ignored, and an agreement at this load is by chance".into(),
-            ]
-        );
-        let all = on_screen(&[]).sentences(&[]);
-        assert!(all.len() == 4 && all[0].contains("gw for tangent stiffness"), "{all:?}");
-        let few = on_screen(&["few-pixels"]).sentences(&[]);
-        let wanted = "these deviations are uncertain: too few pixels or patches are in contact";
-        assert!(few.len() == 4 && few[3].contains(wanted), "{few:?}");
-    }
-
-    #[test]
-    fn the_best_evidence_comes_first_and_models_are_compared_without_any() {
-        let parse = |text: &str| asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
-        let (file, solved) = (parse(asperity_inputs::template()), on_screen(&[]));
-        let advice = advise(&file, At::Pressure(1e8), Some(&solved)).unwrap();
-        assert!(advice[0].starts_with("of the chosen models, use"), "{advice:?}");
-        assert!(advice[0].contains("ke for tangent stiffness"), "{advice:?}");
-        let [.., area, stiffness] = &advice[..] else { panic!() };
-        let like = "on solved surfaces like this one, nearest to boundary elements in";
-        assert!(area.starts_with(&format!("{like} real over nominal area are")), "{area}");
-        assert!(stiffness.contains("in tangent stiffness (first loading) are"), "{stiffness}");
-        let without = advise(&file, At::Pressure(1e8), None).unwrap();
-        assert_eq!(without, [area.clone(), stiffness.clone()]);
-        // The plasticity index of the bolted joint is above those that were solved.
-        let joint = parse(include_str!("../../asperity-inputs/examples/bolted-joint.toml"));
-        let [verdict, none] = &advise(&joint, At::Pressure(1e6), None).unwrap()[..] else {
-            panic!()
+    /// What the page is told about a scene at a load, with these solved values there.
+    fn told(text: &str, load: &str, solved: Value) -> Value {
+        let mut desk = Desk::default();
+        let mut ask = |message: Value| -> Value {
+            serde_json::from_str(&desk.call(&message.to_string())).unwrap()
         };
-        assert!(verdict.contains("within 5 % of ke (ke, fitted"), "{verdict}");
-        assert!(
-            none.contains("plasticity index = ") && none.ends_with("solve this load"),
-            "{none}"
-        );
+        ask(json!({ "call": "show", "text": text }));
+        let models = ["gw", "ke", "jg", "persson-fudge"];
+        let asked = json!({ "call": "answer", "models": models, "load": { "text": load }, "solved": solved });
+        ask(asked)["ok"].clone()
+    }
+
+    fn row<'v>(told: &'v Value, id: &str) -> &'v Value {
+        told["rows"].as_array().unwrap().iter().find(|row| row["model"] == id).unwrap()
     }
 
     #[test]
-    fn a_reference_is_not_compared_with_itself() {
-        let text = include_str!("../../asperity-inputs/examples/elastomer-on-glass.toml");
-        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
-        let advice = advise(&file, At::Pressure(1e4), None).unwrap();
-        let itself = advice.iter().any(|line| line.contains("% of gw; use gw"));
-        let close = advice[0].starts_with("on solved surfaces");
-        assert!(itself || close, "{advice:?}");
+    fn an_answer_is_the_corrected_value_and_models_are_held_against_it() {
+        let found = told(SEAL, "1 MPa", json!([]));
+        let (answer, ke) = (&found["answer"], row(&found, "ke"));
+        assert_eq!(answer["source"], "evidence");
+        let file = asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap();
+        let corrected =
+            crate::answer::compile(&file, "ke").unwrap().corrected(&file, "ke").unwrap();
+        let wanted = corrected.at(At::Pressure(1e6)).unwrap();
+        let wanted = wanted.value(asperity::Quantity::AreaFraction).unwrap();
+        let area = &answer["first"][0];
+        for (end, wanted) in
+            [("digits", wanted.value), ("lower", wanted.lower), ("upper", wanted.upper)]
+        {
+            let found: f64 = area[end].as_str().unwrap().parse().unwrap();
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{end}: {found} {wanted}");
+        }
+        let own: f64 = ke["cells"][1]["digits"].as_str().unwrap().parse().unwrap();
+        let words = ke["against"]["words"].as_str().unwrap();
+        assert!(
+            words.starts_with(&format!("area {}, stiffness ", percent(own / wanted.value - 1.0))),
+            "{words}"
+        );
+        // The model to use is one of those shown, and the nearest.
+        let rows = found["rows"].as_array().unwrap().iter();
+        let known = |row: &&Value| !row["against"]["words"].to_string().contains('–');
+        let least = rows.filter(known).filter_map(|row| row["against"]["off"].as_f64());
+        let to_use = row(&found, answer["use"]["model"].as_str().unwrap());
+        assert!(to_use["against"]["off"].as_f64() <= least.reduce(f64::min), "{answer}");
+    }
+
+    #[test]
+    fn without_evidence_the_recommended_model_answers() {
+        let found = told(JOINT, "1 MPa", json!([]));
+        let answer = &found["answer"];
+        assert_eq!((&answer["source"], &answer["use"]["model"]), (&json!("model"), &json!("ke")));
+        let basis = answer["basis"].as_str().unwrap();
+        assert!(basis.starts_with("No evidence here (plasticity index = "), "{basis}");
+        assert_eq!(answer["first"][1]["digits"], row(&found, "ke")["cells"][2]["digits"]);
+        assert!(answer["first"][1]["lower"].is_null() && row(&found, "ke")["against"].is_null());
+    }
+
+    #[test]
+    fn what_was_solved_at_the_load_answers_unless_it_is_doubtful() {
+        let solved = |pressure: f64, notes: Value| {
+            let values = json!({ "area-fraction": "0.01", "tangent": "1e10" });
+            json!([{ "pressure": pressure, "values": values, "notes": notes }])
+        };
+        let source = |text, solved| told(text, "1 MPa", solved)["answer"]["source"].clone();
+        assert_eq!(source(SEAL, solved(1e6, json!([]))), "solved");
+        assert_eq!(source(SEAL, solved(2e6, json!([]))), "evidence");
+        assert_eq!(source(SEAL, solved(1e6, json!(["few-patches"]))), "evidence");
+        let doubtful = told(JOINT, "1 MPa", solved(1e6, json!(["few-patches"])));
+        assert_eq!(doubtful["answer"]["first"][0]["shown"], "1 %");
+        assert!(
+            doubtful["answer"]["basis"].as_str().unwrap().contains("uncertain: too few pixels")
+        );
     }
 }

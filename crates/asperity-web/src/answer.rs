@@ -37,6 +37,12 @@ pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
     USUAL.into_iter().chain(thermal).chain(electrical).collect()
 }
 
+/// The columns of a scene with their units: the separation and the quantities.
+pub(crate) fn columns(file: &SceneFile) -> impl Iterator<Item = (String, &'static str)> {
+    let quantities = quantities(file).into_iter().map(|q| (q.to_string(), q.unit()));
+    [(SEPARATION.to_string(), "m")].into_iter().chain(quantities)
+}
+
 /// The columns that can be drawn: the separation and the quantities; without a scene those that all
 /// have.
 pub(crate) fn views(file: Option<&SceneFile>) -> Vec<Value> {
@@ -52,7 +58,7 @@ pub(crate) fn views(file: Option<&SceneFile>) -> Vec<Value> {
 pub(crate) fn compile(file: &SceneFile, id: &str) -> Result<Asked, Refusal> {
     let many = Span::of(&file.scene).pressures().into_iter().map(At::Pressure);
     let request = Request::new(quantities(file)).at(many);
-    Ok(Asked::new(file, &file.model(id)?, &request, (false, false))?)
+    Ok(Asked::new(file, &file.model(id)?, &request, (false, true))?)
 }
 
 /// The values at one load, or the reason why there are none, with why no contact has them and

@@ -26,6 +26,7 @@ pub(crate) fn code(file: &SceneFile, ids: &[String], load: &Load) -> Value {
         ("IDS", ids.join(",")),
         ("LIST", format!("{ids:?}")),
         ("NAMES", names.join(",")),
+        ("QUANTITIES", format!("{names:?}")),
         ("VARIANTS", variants.join(",\n        ")),
         ("PLACE", place.into()),
         ("AT", at.into()),
@@ -97,5 +98,6 @@ mod tests {
         assert!(text("shell").contains("--model ke,jg --load 1500.0"), "{code}");
         assert!(text("python").contains("load=1500.0"), "{code}");
         assert!(text("python").contains("for name in [\"ke\", \"jg\"]:"), "{code}");
+        assert!(text("python").contains("for quantity in [\"area-fraction\", "), "{code}");
     }
 }

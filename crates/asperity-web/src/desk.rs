@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Findings, Severity};
+use asperity::{ContactError, Corrected, Evidence, Findings, Severity};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
+use asperity_topography::Topography;
 use serde_json::{Value, json};
 
+use crate::advice::Judged;
+use crate::best::{Best, recommended};
 use crate::files::{admit, usable};
-use crate::message::{LoadKeys, Message};
+use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
@@ -22,6 +25,8 @@ pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
     compiled: BTreeMap<String, Result<Asked, String>>,
+    /// Models corrected by the evidence.
+    corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
 }
 
 /// A scene with models on it, or the reasons why it refuses them.
@@ -59,6 +64,20 @@ impl Desk {
         self.files.get(name).map(Vec::as_slice)
     }
 
+    /// The heights \[m\] of the scan of the scene, for the report of another desk.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        let scan = self.file.as_ref().and_then(|file| file.scan.as_deref());
+        scan.map_or(&[], Topography::heights)
+    }
+
+    /// The report of a scan from its heights \[m\] and their shape, as `scan` gives it.
+    #[must_use]
+    pub fn report(&self, heights: Vec<f64>, shape: &str) -> String {
+        let shape = serde_json::from_str(shape).map_err(Refusal::from);
+        reply(shape.and_then(|shape| scan_report::report(heights, shape)))
+    }
+
     fn scene(&self) -> Result<&SceneFile, Refusal> {
         self.file.as_ref().ok_or_else(no_scene)
     }
@@ -92,17 +111,14 @@ impl Desk {
                 form["materials"] = materials.collect();
                 form
             }
-            Message::Surface { text, way } => {
-                surface_keys::described(&text, &way, self.scene()?)?.into()
+            Message::Surface { text, way, typed } => {
+                surface_keys::described(&text, &way, &typed, self.scene()?)?.into()
             }
             Message::UseScan { text, name } => surface_keys::with_scan(&text, &name)?.into(),
-            Message::Usable { name, kept } => {
-                let bytes = self.file(&name).unwrap_or_default();
-                usable(&name, bytes, kept.as_deref())?.into()
-            }
+            Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
-            Message::Answer { models, load } => self.values(&models, &load)?,
+            Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
             Message::Curve { models } => {
                 let (file, models) = self.compile(&models)?;
                 let pressures = Span::of(&file.scene).pressures();
@@ -111,19 +127,15 @@ impl Desk {
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
-            Message::Draw { rows, view, load, solved } => {
+            Message::Draw { rows, view, load, solved, outside, size } => {
                 let (file, load) = self.scene_at(&load)?;
-                picture::curves(file, &rows, &view, &load, &solved)?.into()
+                picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
-            Message::Scan => scan_report::report(self.scene()?)?,
+            Message::Scan => scan_report::numbers(self.scene()?)?,
             Message::Check { models, load } => {
                 let (file, models) = self.compile(&models)?;
                 let at = Load::of(&load, &file.scene)?.at;
                 dialect::findings(&advice::check(file, &models, at), file)
-            }
-            Message::Advise { load, solved } => {
-                let (file, load) = self.scene_at(&load)?;
-                advice::advise(file, load.at, solved.as_ref())?.into()
             }
             Message::Export { model, form, units } => {
                 code::table(self.scene()?, &model, &form, &units)?
@@ -141,6 +153,7 @@ impl Desk {
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
     fn show(&mut self, text: &str) -> Value {
         self.compiled.clear();
+        self.corrected.clear();
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
@@ -148,7 +161,12 @@ impl Desk {
         found
     }
 
-    fn values(&mut self, models: &[String], load: &LoadKeys) -> Result<Value, Refusal> {
+    fn values(
+        &mut self,
+        models: &[String],
+        load: &LoadKeys,
+        solved: &[Solved],
+    ) -> Result<Value, Refusal> {
         let (file, models) = self.compile(models)?;
         let load = Load::of(load, &file.scene)?;
         let (mut rows, mut findings) = (vec![], Findings::default());
@@ -163,11 +181,47 @@ impl Desk {
             }
         }
         let findings = file.accepted(findings).at_least(Severity::Warning);
-        Ok(json!({
-            "load": load,
-            "rows": rows,
-            "findings": dialect::findings(&findings, file),
-        }))
+        let findings = dialect::findings(&findings, file);
+        let answer = self.best(&load, solved, &mut rows)?;
+        Ok(json!({ "load": load, "rows": rows, "answer": answer, "findings": findings }))
+    }
+
+    /// The answer at a load; the rows of the shown models get their deviation from it.
+    fn best(
+        &mut self,
+        load: &Load,
+        solved: &[Solved],
+        rows: &mut [Value],
+    ) -> Result<Value, Refusal> {
+        let id = recommended(self.scene()?, load.at);
+        self.compile(&[id.into(), advice::ELASTIC.into()])?;
+        let Self { file: Some(file), compiled, corrected, .. } = self else {
+            return Err(no_scene());
+        };
+        let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
+        let row = match asked(id) {
+            Some(asked) => answer::row(file, id, asked, load.at)?.0,
+            None => Value::Null,
+        };
+        let corrected = corrected.entry(id).or_insert_with(|| match asked(id) {
+            Some(asked) => asked.corrected(file, id),
+            None => Err(Evidence::none(format!("{id} has no values"))),
+        });
+        let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
+        let best = Best::new(file, &row, corrected, load, here);
+        let ids = rows.iter().filter_map(|row| row["model"].as_str()).chain([advice::ELASTIC]);
+        let judge = |id: &str| Some((id.to_string(), Judged::of(file, asked(id)?, load.at)));
+        let judged: BTreeMap<_, _> = ids.filter_map(judge).collect();
+        for row in rows.iter_mut() {
+            let of = row["model"].as_str().and_then(|id| judged.get(id));
+            advice::hold_against(&best, row, of);
+        }
+        let mut shown = advice::answer(&best, file, load, rows, &judged);
+        if let Some(mut row) = here.map(Solved::row) {
+            advice::hold_against(&best, &mut row, None);
+            shown["solved"] = row;
+        }
+        Ok(shown)
     }
 }
 
@@ -263,8 +317,12 @@ mod tests {
         let scan = &shown["ok"]["scan"];
         assert_eq!((&scan["rows"], &scan["columns"]), (&json!(64), &json!(64)));
         assert!(scan["refused"].is_null() && scan["pressures"].as_array().unwrap().len() == 6);
+        // Another desk reports on the heights without the file.
         let scan = call(&mut desk, json!({ "call": "scan" }));
-        assert!(scan["ok"]["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg")), "{scan}");
+        let shape = scan["ok"]["shape"].to_string();
+        let report = Desk::default().report(desk.heights().to_vec(), &shape);
+        assert!(report.contains("\"svg\":\"<svg") && report.contains("64 x 64 points"), "{report}");
+        assert!(Desk::default().report(vec![], &shape).starts_with("{\"error\""));
         let mut solved = 0;
         let answer = desk.press(&[2e8], |event| solved += usize::from(event.contains("solved")));
         assert_eq!((answer.as_str(), solved), ("{\"ok\":null}", 1));

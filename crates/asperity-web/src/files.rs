@@ -1,19 +1,20 @@
 //! Files that the page hands over: their size, and whether a scene can use them.
 
+use asperity::short;
 use asperity_topography::TopographyError::{
     PixelSizeMissing, TooManyMissing, UnitMissing, UnknownName,
 };
 use asperity_topography::{Estimator, ReadOptions, Topography, TopographyError};
 
-use crate::fields::fields;
+use serde_json::{Value, json};
+
 use crate::refusal::Refusal;
 
 /// The longest file, in bytes: each worker that solves the scene holds it.
 pub(crate) const MOST_FILE: u64 = 128 << 20;
 
-/// Largest share of missing points at which a file is accepted; `max_missing` of the scene decides
-/// later.
-const MOST_MISSING: f64 = 0.99;
+/// The largest share of missing points of a file that is used.
+const MOST_MISSING: f64 = 0.5;
 
 /// Refuses a file without bytes and one that is too large.
 pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
@@ -29,30 +30,30 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
     Err(Refusal::at("surface.file", reason))
 }
 
-/// Refuses a file that no keys of a scene make usable: unit, pixel size, channel, estimator and the
-/// share of missing points can be given; a rough surface cannot, and is required of files that
-/// state unit and pixel size. The scene refuses the others once it has these.
-///
-/// A scan that has values is kept: in its place, a file must have few missing points at once.
-pub(crate) fn usable(name: &str, bytes: &[u8], kept: Option<&str>) -> Result<(), Refusal> {
-    let most = |scene| {
-        let given = fields(scene).get("surface.max_missing").and_then(|most| most.parse().ok());
-        given.unwrap_or(ReadOptions::default().max_missing)
-    };
-    let max_missing = kept.map_or(MOST_MISSING, most);
-    let options = ReadOptions { max_missing, ..ReadOptions::default() };
-    match asperity_topography::read_bytes(name, bytes, &options).and_then(measurable) {
+/// Refuses a file that no keys of a scene make usable: unit, pixel size and channel can be given;
+/// a rough surface cannot. Where many points are missing, the answer has the `max_missing` that
+/// uses the others.
+pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<Value, Refusal> {
+    let refused = |reason: String| Err(Refusal::at("surface.file", format!("{name}: {reason}")));
+    let read = asperity_topography::read_bytes(name, bytes, &ReadOptions::default());
+    match read.and_then(measurable) {
         Ok(()) | Err(UnitMissing | PixelSizeMissing | UnknownName { field: "channel", .. }) => {
-            Ok(())
+            Ok(Value::Null)
         }
-        Err(error @ TooManyMissing { .. }) if kept.is_some() => Err(Refusal::at(
-            "surface.file",
-            format!(
-                "{name}: {error}; the scan before is kept: raise \"Missing points, at most\" in \
-                 \"More about the scan\" and choose this file again"
-            ),
-        )),
-        Err(error) => Err(Refusal::at("surface.file", format!("{name}: {error}"))),
+        Err(TooManyMissing { share, limit }) => {
+            let [percent, usual] = [100.0 * share, 100.0 * limit].map(short);
+            let fact = format!("{percent} % of the points are missing");
+            if share > MOST_MISSING {
+                return refused(format!(
+                    "{fact}, and the others do not describe the surface: measure again, or crop the scan to its measured part"
+                ));
+            }
+            Ok(json!({
+                "message": format!("{name}: {fact}, and {usual} % are usual"),
+                "value": format!("{:.2}", share + 0.005),
+            }))
+        }
+        Err(error) => refused(error.to_string()),
     }
 }
 
@@ -69,23 +70,32 @@ mod tests {
     fn files_that_lack_what_keys_can_give_are_usable_and_others_are_not() {
         let row = |k: usize| format!("{} 2 {} 4 1 3 5 7\n", k * k % 7, k % 5);
         let numbers: String = (0..8).map(row).collect();
-        assert!(usable("a.txt", numbers.as_bytes(), None).is_ok());
-        let refused = usable("a.x3p", b"PK\x03\x04 nothing", None).unwrap_err();
+        assert!(usable("a.txt", numbers.as_bytes()).is_ok());
+        let refused = usable("a.x3p", b"PK\x03\x04 nothing").unwrap_err();
         assert!(refused.message.starts_with("a.x3p: "), "{}", refused.message);
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
-        assert!(usable("a.txt", "nan nan\n".repeat(9).as_bytes(), None).is_err());
+        assert!(usable("a.txt", "nan nan\n".repeat(9).as_bytes()).is_err());
     }
 
     #[test]
-    fn a_scan_with_values_is_kept_if_many_points_of_another_are_missing() {
-        let row = |k: usize| if k < 4 { "nan\t1\t3\t2\n" } else { "2\t4\t1\t3\n" };
-        let head = "# Width: 4 um\n# Height: 8 um\n# Value units: nm\n";
-        let text = head.to_string() + &(0..8).map(row).collect::<String>();
-        let usable = |kept: Option<&str>| usable("a.txt", text.as_bytes(), kept);
-        assert!(usable(None).is_ok());
-        let refused = usable(Some("[surface]\nfile = \"b.x3p\"\n")).unwrap_err().message;
-        assert!(refused.contains("0.1250") && refused.contains("is kept: raise"), "{refused}");
-        assert!(usable(Some("[surface]\nfile = \"b.x3p\"\nmax_missing = 0.2\n")).is_ok());
+    fn missing_points_are_left_out_by_one_change_unless_they_are_the_most() {
+        let row = |missing: usize, k: usize| {
+            let values = ["3", "1", "4", "2"].map(|z| if k < missing { "nan" } else { z });
+            values.join("\t") + "\n"
+        };
+        let of = |missing: usize| {
+            let head = "# Width: 4 um\n# Height: 8 um\n# Value units: nm\n";
+            let rows: String = (0..8).map(|k| row(missing, k)).collect();
+            usable("a.txt", (head.to_string() + &rows).as_bytes())
+        };
+        let offer = of(2).unwrap();
+        assert_eq!(offer["message"], "a.txt: 25 % of the points are missing, and 10 % are usual");
+        assert_eq!(offer["value"], "0.26");
+        let refused = of(7).unwrap_err().message;
+        assert!(
+            refused.starts_with("a.txt: 87.5 % of the points are missing, and the others"),
+            "{refused}"
+        );
     }
 
     #[test]
@@ -93,7 +103,7 @@ mod tests {
         let flat = Topography::new(vec![1e-9; 64], 8, [1e-6; 2]).unwrap();
         let refused = measurable(flat).unwrap_err().to_string();
         assert!(refused.contains("a rough surface was required"), "{refused}");
-        let refused = usable("photo.jpg", b"\xff\xd8\xff\xe0 JFIF", None).unwrap_err().message;
+        let refused = usable("photo.jpg", b"\xff\xd8\xff\xe0 JFIF").unwrap_err().message;
         let wanted =
             "photo.jpg: the file is a picture (JPEG): a map of heights was required, as csv";
         assert!(refused.starts_with(wanted), "{refused}");

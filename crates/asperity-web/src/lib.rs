@@ -6,6 +6,7 @@
 
 mod advice;
 mod answer;
+mod best;
 mod code;
 mod desk;
 mod dialect;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::random::RandomKeys;
 
@@ -19,29 +19,42 @@ pub(crate) enum Message {
     Edit { text: String, changes: Vec<Change> },
     /// The fields of the form, and the materials of its list.
     Form,
-    /// The text with the surface described in another way.
-    Surface { text: String, way: String },
+    /// The text with the surface described in another way; fields of the scene that was described
+    /// so before.
+    Surface { text: String, way: String, typed: BTreeMap<String, String> },
     /// The text whose surface is a file that was handed over.
     UseScan { text: String, name: String },
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
     Admit { name: String, size: u64 },
-    /// Whether a file that was handed over can be the surface of a scene, in place of the scan of
-    /// the scene `kept`, if that has values.
-    Usable { name: String, kept: Option<String> },
+    /// Whether a file, with which a scene has an error, can be its surface with other keys.
+    Usable { name: String },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
-    /// The values of models at one load.
-    Answer { models: Vec<String>, load: LoadKeys },
+    /// The values of models at one load and the answer there, which knows what was solved.
+    Answer {
+        models: Vec<String>,
+        load: LoadKeys,
+        #[serde(default)]
+        solved: Vec<Solved>,
+    },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
-    /// The picture of rows.
-    Draw { rows: Vec<String>, view: String, load: LoadKeys, solved: Vec<[f64; 2]> },
-    /// The map and the numbers of the scan.
+    /// The picture of rows, of this size in pixels; models outside of their range have no part in
+    /// the band.
+    Draw {
+        rows: Vec<String>,
+        view: String,
+        load: LoadKeys,
+        solved: Vec<[f64; 2]>,
+        #[serde(default)]
+        outside: Vec<String>,
+        #[serde(default)]
+        size: Option<[f64; 2]>,
+    },
+    /// The numbers of the scan, and the shape of its heights.
     Scan,
     /// Findings at a load.
     Check { models: Vec<String>, load: LoadKeys },
-    /// Which model to trust, and how far the models are from a load that was solved.
-    Advise { load: LoadKeys, solved: Option<OnScreen> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
     /// The same calculation in a shell, in Python and in Rust.
@@ -74,13 +87,20 @@ pub(crate) struct LoadKeys {
     pub(crate) show: Option<String>,
 }
 
-/// What boundary elements and models give at the load of the page: values by quantity, with all
-/// digits.
+/// What boundary elements gave at a load: values by quantity, with all digits.
 #[derive(Debug, Default, Deserialize)]
-pub(crate) struct OnScreen {
-    pub(crate) bem: BTreeMap<String, String>,
+pub(crate) struct Solved {
+    /// Mean pressure \[Pa\].
+    pub(crate) pressure: f64,
+    pub(crate) values: BTreeMap<String, String>,
     /// Codes of the notes of the solution.
     pub(crate) notes: Vec<String>,
-    /// The chosen models by their ids.
-    pub(crate) models: Vec<(String, BTreeMap<String, String>)>,
+}
+
+impl Solved {
+    /// As the row of a model.
+    pub(crate) fn row(&self) -> Value {
+        let cell = |(quantity, digits)| json!({ "quantity": quantity, "digits": digits });
+        json!({ "model": "bem", "cells": self.values.iter().map(cell).collect::<Value>() })
+    }
 }

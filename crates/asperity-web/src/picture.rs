@@ -2,18 +2,20 @@
 
 use std::collections::BTreeMap;
 
+use asperity::Quantity;
 use asperity::bem::{Bem, Solution};
-use asperity::{Quantity, short};
 use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
 
 use crate::answer::{SEPARATION, head};
 use crate::refusal::Refusal;
-use crate::shown::{legible, shown};
+use crate::shown::{interval, legible, shown};
 use crate::span::Load;
 
 /// Largest side of a drawn map, in pixels.
 const DRAWN: usize = 384;
+/// Width of a map, as on a phone.
+const SMALL: f64 = 340.0;
 /// Names of the band and of boundary elements among the curves.
 const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
@@ -27,6 +29,7 @@ pub(crate) fn curves(
     view: &str,
     load: &Load,
     solved: &[[f64; 2]],
+    (outside, size): (&[String], Option<[f64; 2]>),
 ) -> Result<String, Refusal> {
     let (column, unit, name, is_absolute) = match view {
         SEPARATION => ("separation_m".into(), "m", SEPARATION, false),
@@ -97,6 +100,8 @@ pub(crate) fn curves(
     if is_any(f64::le) && is_any(f64::ge) {
         panel.verticals.push(Mark::new(at, &load.text));
     }
+    let mut valid = ids.clone();
+    valid.retain(|id| outside.iter().all(|known| known != id));
     let mut csv = format!("model,load_N,pressure_Pa,{column}\n");
     for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
         let mut add = |name: &str, value: Option<f64>| {
@@ -111,25 +116,28 @@ pub(crate) fn curves(
         if reading.contains('\n') {
             panel.readings.push(Mark::new(pressure * of_load, &reading));
         }
-        let of_models = found.iter().filter(|(id, _)| *id != BEM);
+        let of_models = found.iter().filter(|(id, _)| valid.contains(id));
         let of_models: Vec<f64> = of_models.filter_map(|(_, value)| *value).collect();
-        if of_models.len() == ids.len() && ids.len() > 1 {
+        if of_models.len() == valid.len() && valid.len() > 1 {
             add(LOWEST, of_models.iter().copied().reduce(f64::min));
             add(HIGHEST, of_models.iter().copied().reduce(f64::max));
             let (lower, upper) = (LOWEST.into(), HIGHEST.into());
-            let label = "range of the models".into();
+            let label = "range of models".into();
             panel.between = vec![Between { lower, upper, look: 9, label }];
         }
     }
-    Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
+    let mut figure = Figure::new("", &[], vec![panel]);
+    figure.size =
+        size.map(|[width, height]| [width.clamp(280.0, 2000.0), height.clamp(220.0, 1500.0)]);
+    Ok(draw(&figure, &csv)?)
 }
 
-/// The map of a solved contact.
+/// The map of a solved contact, and a line about it.
 pub(crate) fn contact(
     bem: &Bem,
     solution: &Solution,
     hardness: Option<f64>,
-) -> Result<String, Refusal> {
+) -> Result<(String, String), Refusal> {
     let [rows, columns] = bem.map().shape();
     let [dy, dx] = bem.map().pixel();
     let size = [columns as f64 * dx, rows as f64 * dy];
@@ -137,29 +145,27 @@ pub(crate) fn contact(
     let ((scale, unit), (length, of_length)) = (legible(top, "Pa"), legible(size[0], "m"));
     let step = rows.max(columns).div_ceil(DRAWN);
     let (values, columns) = largest_of(&solution.pressures, columns, step);
-    let mut caption = vec![format!(
-        "Mean pressure {}: {} % of the area in {} patches, mean gap {}.",
+    let mut caption = format!(
+        "{}: {} in {} patches",
         shown(solution.mean_pressure, "Pa"),
-        short(100.0 * solution.area),
+        interval(solution.area, None, "%").0,
         solution.patches.len(),
-        shown(solution.mean_gap, "m"),
-    )];
+    );
     if hardness.is_some() {
-        let share = short(100.0 * solution.plastic_area);
-        caption.push(format!("Black is plastic: {share} % of the area carries the hardness."));
+        caption += &format!(", {} plastic", interval(solution.plastic_area, None, "%").0);
     }
-    Ok(draw_map(&Map {
-        title: "Contact pressure".into(),
-        caption,
+    let svg = draw_map(&Map {
         values: values.into_iter().map(|pressure| pressure / scale).collect(),
         columns,
         size: size.map(|side| side / length),
         unit: of_length,
         label: format!("pressure ({unit})"),
         top: top / scale,
-        white: "blank: no contact".into(),
+        full: hardness.map_or("", |_| "plastic").into(),
+        width: Some(SMALL),
         ..Map::default()
-    })?)
+    })?;
+    Ok((svg, caption))
 }
 
 /// The largest of every `step` x `step` values, so that no contact disappears, and their number in
@@ -179,6 +185,9 @@ mod tests {
     use super::*;
     use crate::answer::{compile, rows};
 
+    /// No model is out of its range, in the usual size.
+    const ALL: (&[String], Option<[f64; 2]>) = (&[], None);
+
     fn file() -> SceneFile {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
@@ -194,8 +203,8 @@ mod tests {
         let pressures = [1e5, 1e6, 1e7, 1e8];
         let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
         let load = load_of(&file, "100 N");
-        let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
-        for text in ["range of the models", "100 N", "boundary elements", ">ke<", "load (N)"] {
+        let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]], ALL).unwrap();
+        for text in ["range of models", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("style="));
@@ -205,10 +214,20 @@ mod tests {
         assert_eq!((lines.len(), lines[3]), (4, "boundary elements 0.001"), "{lines:?}");
         assert!(lines[1] == "gw 3.868e-4" && lines[2] == "ke 6.645e-4", "{lines:?}");
         let load = load_of(&file, "1 MPa");
-        let alone = curves(&file, &rows[..1], "separation", &load, &[]).unwrap();
+        let alone = curves(&file, &rows[..1], "separation", &load, &[], ALL).unwrap();
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
-        assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[]).is_err());
-        assert!(curves(&file, &rows, "speed", &load, &[]).is_err());
+        let small = curves(
+            &file,
+            &rows,
+            "area-fraction",
+            &load,
+            &[],
+            (&["gw".into()], Some([340.0, 300.0])),
+        );
+        let small = small.unwrap();
+        assert!(small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models"));
+        assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[], ALL).is_err());
+        assert!(curves(&file, &rows, "speed", &load, &[], ALL).is_err());
     }
 
     #[test]
@@ -217,15 +236,16 @@ mod tests {
         let load = load_of(&file, "100 N");
         let rows = ["persson-fudge", "gw"]
             .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
-        let refused = curves(&file, &rows[..1], "unloading-stiffness", &load, &[]).unwrap_err();
+        let refused =
+            curves(&file, &rows[..1], "unloading-stiffness", &load, &[], ALL).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
         assert_eq!(refused.field.as_deref(), Some("view"));
-        let svg = curves(&file, &rows, "unloading-stiffness", &load, &[]).unwrap();
+        let svg = curves(&file, &rows, "unloading-stiffness", &load, &[], ALL).unwrap();
         assert!(svg.contains(">gw<") && !svg.contains(">persson-fudge<"));
-        let none = curves(&file, &[], "unloading-stiffness", &load, &[]).unwrap_err();
+        let none = curves(&file, &[], "unloading-stiffness", &load, &[], ALL).unwrap_err();
         let wanted = "no model is chosen: choose models to see their unloading stiffness";
         assert_eq!((&*none.message, none.field.as_deref()), (wanted, Some("view")));
-        assert!(curves(&file, &[], "area-fraction", &load, &[[1e6, 1e-3]]).is_ok());
+        assert!(curves(&file, &[], "area-fraction", &load, &[[1e6, 1e-3]], ALL).is_ok());
     }
 
     #[test]

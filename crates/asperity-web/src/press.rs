@@ -4,8 +4,9 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use asperity::bem::{BoundaryElements, LoadCase, Progress, Solution};
-use asperity::{Quantity, Separation, SeparationUnit};
+use asperity::{Quantity, Separation, SeparationUnit, short};
 use asperity_inputs::SceneFile;
+use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::answer::{SEPARATION, cell, quantities};
@@ -21,21 +22,30 @@ use crate::span::Span;
 const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces.";
 const PLASTIC: &str = "Share of the pixels that carry the hardness.";
 
-/// The size of a scan, why it cannot be solved here, and the mean pressures \[Pa\] over the range
-/// of the slider to solve it at, each with its load in words.
+/// The size of a scan, why it cannot be solved here, whether filling its missing points helps, and
+/// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in
+/// words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     let scan = file.scan.as_deref()?;
     let [rows, columns] = [scan.rows(), scan.columns()];
-    let refused = match rows.max(columns) > MOST_PIXELS {
+    let (large, missing) = (rows.max(columns) > MOST_PIXELS, scan.missing_share());
+    let fill = !large && missing > 0.0 && missing <= Topography::MOST_FILLED;
+    let refused = match large {
         true => Some(format!(
             "the scan has {rows} x {columns} pixels, and the page solves at most {MOST_PIXELS} x {MOST_PIXELS}: use the program, asperity bem scene.toml"
+        )),
+        false if fill => Some(format!(
+            "{} % of the points are missing, and boundary elements need all",
+            short(100.0 * missing)
         )),
         false => file.bem(None, false).err().map(|error| error.to_string()),
     };
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
     let pressures: Vec<_> = Span::of(&file.scene).solved().into_iter().map(of).collect();
-    Some(json!({ "rows": rows, "columns": columns, "refused": refused, "pressures": pressures }))
+    Some(json!({
+        "rows": rows, "columns": columns, "refused": refused, "fill": fill, "pressures": pressures,
+    }))
 }
 
 /// Solves the contact of a scene's scan at mean pressures: the first before all others, and of
@@ -56,7 +66,8 @@ pub(crate) fn press(
     let tell = |event: Value| (happened.borrow_mut())(event);
     let event = |solution: Solution| -> Result<Value, Refusal> {
         let mut event = solved(file, &elements, &solution);
-        event["svg"] = picture::contact(&bem, &solution, hardness)?.into();
+        let (svg, caption) = picture::contact(&bem, &solution, hardness)?;
+        (event["svg"], event["caption"]) = (svg.into(), caption.into());
         event["readings"] = map_readings(&bem, &solution);
         Ok(event)
     };
@@ -176,7 +187,7 @@ mod tests {
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");
                     assert_eq!(x[0], "500 nm");
-                    assert!(event["svg"].as_str().unwrap().contains("blank: no contact"));
+                    assert!(event["caption"].as_str().unwrap().contains("patches"));
                     let [head, cells] = ["head", "cells"].map(|key| event[key].as_array().unwrap());
                     assert_eq!(head.len(), cells.len());
                     let pressure = event["pressure"].as_f64().unwrap();

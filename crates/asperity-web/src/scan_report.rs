@@ -3,7 +3,8 @@
 use asperity::shortest_digits;
 use asperity_inputs::SceneFile;
 use asperity_plot::draw_surface;
-use asperity_topography::{AtDistance, Glance, Level, Reported};
+use asperity_topography::{AtDistance, Glance, Level, Reported, Topography};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -13,35 +14,50 @@ use crate::shown::shown;
 const SCALES: [&str; 5] =
     ["distance", "slope, rows", "slope, columns", "curvature, rows", "curvature, columns"];
 
-/// The report of the scan of a scene.
-pub(crate) fn report(file: &SceneFile) -> Result<Value, Refusal> {
+/// The shape of the heights of a scan.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Shape {
+    columns: usize,
+    pixel_size: [f64; 2],
+    periodic: bool,
+}
+
+/// The statistics of the scan of a scene, and the shape of its heights.
+pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
     let (Some(scan), Some(measured)) = (&file.scan, &file.measured) else {
         return Err(Refusal::new("the scene has no scan"));
-    };
-    let level = Level::usual(scan.is_periodic());
-    let glance = Glance::new(scan, level, [None; 2], scan)?;
-    let [dx, _] = scan.pixel_size();
-    let text = |value: Option<f64>, unit| value.map_or("–".into(), |value| shown(value, unit));
-    let row = |at: &AtDistance| {
-        [
-            shown(at.step as f64 * dx, "m"),
-            text(at.slope_rows, ""),
-            text(at.slope_columns, ""),
-            text(at.curvature_rows, "1/m"),
-            text(at.curvature_columns, "1/m"),
-        ]
     };
     let number = |of: Reported| {
         let value = of.value?;
         let (digits, shown) = (shortest_digits(value), shown(value, of.unit));
         Some(json!({ "name": of.name, "digits": digits, "shown": shown, "meaning": of.meaning }))
     };
-    let numbers = measured.statistics.numbers().into_iter().filter_map(number);
+    let numbers: Value = measured.statistics.numbers().into_iter().filter_map(number).collect();
+    let (columns, pixel_size) = (scan.columns(), scan.pixel_size());
+    let shape = Shape { columns, pixel_size, periodic: scan.is_periodic() };
+    Ok(json!({ "numbers": numbers, "shape": shape }))
+}
+
+/// The picture of heights \[m\] with its caption, and slopes at several distances: as the scan of a
+/// scene has them, without reading its file again.
+pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> {
+    let Shape { columns, pixel_size, periodic } = shape;
+    let scan = Topography::new(heights, columns, pixel_size)?.with_periodic(periodic);
+    let glance = Glance::new(&scan, Level::usual(periodic), [None; 2], &scan)?;
+    let text = |value: Option<f64>, unit| value.map_or("–".into(), |value| shown(value, unit));
+    let row = |at: &AtDistance| {
+        [
+            shown(at.step as f64 * pixel_size[0], "m"),
+            text(at.slope_rows, ""),
+            text(at.slope_columns, ""),
+            text(at.curvature_rows, "1/m"),
+            text(at.curvature_columns, "1/m"),
+        ]
+    };
     let rows: Vec<_> = scan.scale_dependence().iter().map(row).collect();
     Ok(json!({
-        "svg": draw_surface(scan, &glance, None)?,
+        "svg": draw_surface(&scan, &glance, None)?,
         "caption": scan.caption(&glance),
-        "numbers": numbers.collect::<Value>(),
         "scales": { "head": SCALES, "rows": rows },
     }))
 }
@@ -58,15 +74,17 @@ mod tests {
         let text = asperity_inputs::template();
         let text = crate::surface_keys::with_scan(text, &keys.name()).unwrap();
         let file = parse_handed(&text, &files).unwrap();
-        let found = report(&file).unwrap();
+        let about = numbers(&file).unwrap();
+        let shape = serde_json::from_value(about["shape"].clone()).unwrap();
+        let found = report(file.scan.as_ref().unwrap().heights().to_vec(), shape).unwrap();
         assert!(found["svg"].as_str().unwrap().starts_with("<svg"));
         assert!(found["caption"][0].as_str().unwrap().contains("64 x 64 points"));
         assert_eq!(
-            (&found["numbers"][0]["name"], &found["numbers"][0]["shown"]),
+            (&about["numbers"][0]["name"], &about["numbers"][0]["shown"]),
             (&json!("sq"), &json!("500 nm"))
         );
         assert_eq!(found["scales"]["rows"][0][0], "1 µm");
         let plain = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
-        assert!(report(&plain.unwrap()).is_err());
+        assert!(numbers(&plain.unwrap()).is_err());
     }
 }

@@ -28,6 +28,27 @@ pub(crate) fn shown(value: f64, unit: &str) -> String {
     format!("{} {name}", short(value / factor)).trim_end().into()
 }
 
+/// A value with three digits, and its interval in the same unit: `4.04 GN/m`, `3.76 to 4.35`. The
+/// unit `%` is for shares.
+pub(crate) fn interval(value: f64, ends: Option<[f64; 2]>, unit: &str) -> (String, String) {
+    let (factor, name) = if unit == "%" { (0.01, unit.into()) } else { legible(value, unit) };
+    let digits = |x: f64| {
+        let x = x / factor;
+        let rounded: f64 = format!("{x:.2e}").parse().unwrap_or(x);
+        short(rounded)
+    };
+    let range =
+        ends.map_or(String::new(), |[low, high]| format!("{} to {}", digits(low), digits(high)));
+    (format!("{} {name}", digits(value)), range)
+}
+
+/// A deviation in percent, with its sign: `+19 %`.
+pub(crate) fn percent(share: f64) -> String {
+    let whole = (100.0 * share).round() + 0.0;
+    let sign = if whole > 0.0 { "+" } else { "" };
+    format!("{sign}{whole} %").replace('-', "−")
+}
+
 /// A number as a scene file and the program take it, rounded to some digits: `126 N`.
 pub(crate) fn typed(value: f64, unit: &str, digits: usize) -> String {
     let rounded = |x: f64| format!("{x:.*e}", digits - 1).parse().unwrap_or(x);

@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::{At, Scene};
-use asperity_inputs::{NO_LOAD, converted, quantity};
+use asperity_inputs::{NO_LOAD, converted, notation_hint, quantity};
 use serde::Serialize;
 
 use crate::message::LoadKeys;
@@ -95,16 +95,11 @@ impl Load {
             }
             (Ok(newtons), Err(_)) => (NEWTON, newtons),
             (Err(_), Ok(pascals)) => (PASCAL, pascals),
-            (Err(newtons), Err(pascals)) => {
-                // The unit tells a load from a pressure.
-                let same = converted(&text, NEWTON).or_else(|| converted(&text, PASCAL));
-                return Err(wrong(match same {
-                    Some(same) => {
-                        format!("{text:?} is not a known unit: write {same}, which is the same")
-                    }
-                    None if beside == PASCAL => format!("{pascals}, or a load such as 2kN"),
-                    None => format!("{newtons}, or a pressure such as 5MPa"),
-                }));
+            (Err(_), Err(_)) => {
+                let hint = notation_hint(&text).unwrap_or_else(|| {
+                    "is neither a load nor a pressure: write 2 kN or 5 MPa, for example".into()
+                });
+                return Err(wrong(format!("{text:?} {hint}")));
             }
         };
         let [newtons, pascals] =
@@ -123,6 +118,9 @@ impl Load {
             PASCAL => (At::Pressure(pascals), shown(newtons, NEWTON)),
             _ => (At::Load(newtons), shown(pascals, PASCAL)),
         };
+        // What a load in psi or lbf was taken as.
+        let taken = converted(&text, "", unit).map(|same| format!("= {same}; "));
+        let other = taken.unwrap_or_default() + &other;
         let place = (1.0 + (pascals / span.high).log10() / DECADES).clamp(0.0, 1.0);
         let position = if pascals > 0.0 { place } else { 0.0 };
         Ok(Self { at, text, unit, newtons, pascals, other, position })
@@ -161,19 +159,23 @@ mod tests {
         // The text of a plain number is shown with the unit beside it.
         assert_eq!(of(&keys("2e6", None, "Pa")).text, "2e6 Pa");
         assert_eq!(of(&keys("2e6 Pa", None, "N")).at, At::Pressure(2e6));
-        let refused = Load::of(&keys("2 kg", None, "N"), &scene).unwrap_err();
-        assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
-        for (text, same) in [("5 kN/cm2", "50 MPa"), ("36 ksi", "248.2 MPa"), ("9 lbf", "40.03 N")]
-        {
+        for (text, pascals, other) in [
+            ("5 kN/cm2", 50e6, "= 50 MPa; 5 kN"),
+            ("36 ksi", 248.211e6, "= 248.2 MPa; 24.82 kN"),
+            ("9 lbf", 400_340.0, "= 40.03 N; 400.3 kPa"),
+        ] {
             for unit in ["N", "Pa"] {
-                let refused = Load::of(&keys(text, None, unit), &scene).unwrap_err();
-                let wanted =
-                    format!("load: {text:?} is not a known unit: write {same}, which is the same");
-                assert_eq!(refused.message, wanted);
+                let found = of(&keys(text, None, unit));
+                assert!((found.pascals / pascals - 1.0).abs() < 3e-6, "{found:?}");
+                assert_eq!((found.text.as_str(), found.other.as_str()), (text, other));
             }
         }
-        let refused = Load::of(&keys("1 kip", None, "Pa"), &scene).unwrap_err();
-        assert!(refused.message.contains("is not a number in Pa"), "{}", refused.message);
+        for text in ["5 kg", "1 kip", "3 mm"] {
+            let refused = Load::of(&keys(text, None, "Pa"), &scene).unwrap_err().message;
+            assert!(refused.contains("neither a load nor a pressure: write 2 kN or"), "{refused}");
+        }
+        let comma = Load::of(&keys("0,3 N", None, "N"), &scene).unwrap_err().message;
+        assert_eq!(comma, "load: \"0,3 N\" has a decimal comma; write 0.3 N");
         assert!(Load::of(&keys("1e999", None, "N"), &scene).is_err());
         let refused = Load::of(&keys("0", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("neither a load"), "{}", refused.message);

@@ -20,8 +20,10 @@ const WAYS: [(&str, &[&str]); 5] = [
     ("index", &["plasticity_index", "roughness_parameter", "asperity_height_std"]),
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
-/// Keys that say how a file of a kind is read.
-const OF_FILES: [&str; 3] = ["unit", "pixel_size", "channel"];
+/// Keys that say how a scan is treated, whatever its file.
+const OF_TREATMENT: [&str; 5] = ["estimator", "level", "filter", "smooth", "despike"];
+/// Largest relative difference of a surface from the numbers that were typed for it.
+const SAME: f64 = 2e-5;
 /// Keys of a scan that the form always shows.
 const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
 /// Keys that another description of the surface leaves: the second surface, and what models make of
@@ -59,12 +61,20 @@ pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
     WAYS.iter().find(of).map_or("asperities", |(way, _)| way)
 }
 
-/// The text with the surface of its scene described in another way, to six digits.
-pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<String, Refusal> {
-    let surface = file.scene.surface;
-    let moments = surface.moments();
-    let [radius, density] = [surface.asperity_radius, surface.asperity_density];
-    let std = surface.asperity_height_std;
+/// The text with the surface of its scene described in another way: with the fields that were
+/// `typed` before in that way if the surface is still the same, else to six digits.
+pub(crate) fn described(
+    text: &str,
+    way: &str,
+    typed: &BTreeMap<String, String>,
+    file: &SceneFile,
+) -> Result<String, Refusal> {
+    let asperities = |file: &SceneFile| {
+        let surface = file.scene.surface;
+        [surface.asperity_radius, surface.asperity_density, surface.asperity_height_std]
+    };
+    let [radius, density, std] = asperities(file);
+    let moments = file.scene.surface.moments();
     let numbers = match way {
         "moments" => [moments.m0, moments.m2, moments.m4],
         "iso" => [moments.m0.sqrt(), density, 1.0 / radius],
@@ -73,29 +83,39 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
         _ => return Err(Refusal::new("drop or choose a scan file instead")),
     };
     let keys = WAYS.iter().find(|(name, _)| *name == way).map_or(&[][..], |(_, keys)| keys);
-    let mut changes = removals(|key| keys.contains(&key.name));
-    changes.extend(keys.iter().zip(numbers).map(|(key, x)| surface_key(key, Some(rounded(x)))));
-    edit(text, &changes)
+    let with = |values: Vec<Change>| {
+        let mut changes = removals(|key| keys.contains(&key.name));
+        changes.extend(values);
+        edit(text, &changes)
+    };
+    let as_typed = |key: &Key| {
+        let value = typed.get(&format!("surface.{}", key.name))?;
+        Some(surface_key(key.name, Some(value.clone())))
+    };
+    let numbers_of = KEYS.iter().filter(|key| key.subject == Subject::Roughness);
+    let before = with(numbers_of.filter_map(as_typed).collect())?;
+    let is_same = |before: SceneFile| {
+        let both = asperities(&before).into_iter().zip(asperities(file));
+        both.into_iter().all(|(then, now)| (then / now - 1.0).abs() < SAME)
+    };
+    if asperity_inputs::parse(&before, Path::new("")).is_ok_and(is_same) {
+        return Ok(before);
+    }
+    with(keys.iter().zip(numbers).map(|(key, x)| surface_key(key, Some(rounded(x)))).collect())
 }
 
-/// The text whose surface is a file. In place of another file it is treated alike: levelled and
-/// filtered with the same keys, and read with the same if it is of the same kind.
+/// The text whose surface is a file. In place of another file it is levelled and filtered with the
+/// same keys, and read without those that the other file needed.
 pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
     if files(text).iter().any(|known| known == name) {
         return Ok(text.into());
     }
     let fields = fields(text);
     let old = fields.get("surface.file").map(String::as_str);
-    let kind = |name: &str| Path::new(name).extension().map(|end| end.to_ascii_lowercase());
-    let is_alike = old.map(kind) == Some(kind(name));
     let is_random = |name: &str| name.starts_with(RANDOM) && name.ends_with(".x3p");
-    let mut changes = removals(|key| match (key.subject, key.name) {
-        _ if old.is_none() => false,
-        // Random surfaces are periodic, and what takes their place may not be.
-        (_, "periodic") => !is_random(name) && !old.is_some_and(is_random),
-        (Subject::Scan, key) if OF_FILES.contains(&key) => is_alike,
-        (Subject::Scan, key) => key != "files",
-        (subject, _) => subject == Subject::Surface,
+    let mut changes = removals(|key| {
+        let is_kept = key.subject == Subject::Surface || OF_TREATMENT.contains(&key.name);
+        old.is_some() && (is_kept || key.name == "file")
     });
     // In quotes, so that no name of a file reads as anything else.
     changes.push(surface_key("file", Some(toml_edit::Value::from(name).to_string())));
@@ -127,7 +147,7 @@ mod tests {
         let file = asperity_inputs::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
         for (name, _) in &WAYS[1..] {
-            let edited = described(text, name, &file).unwrap();
+            let edited = described(text, name, &BTreeMap::new(), &file).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
             let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
             let wanted = file.scene.surface;
@@ -139,7 +159,9 @@ mod tests {
         let found = fields(&with_scan(text, "a \"b\".x3p").unwrap());
         assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
         assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
-        assert!(described(text, "scan", &file).is_err() && described(text, "x", &file).is_err());
+        for way in ["scan", "x"] {
+            assert!(described(text, way, &BTreeMap::new(), &file).is_err());
+        }
     }
 
     #[test]
@@ -154,7 +176,7 @@ mod tests {
             let text = format!("{head}\n[surface]\n{surface}\n");
             let file = asperity_inputs::parse(&text, folder).unwrap();
             for (name, _) in &WAYS[1..] {
-                let edited = described(&text, name, &file).unwrap();
+                let edited = described(&text, name, &BTreeMap::new(), &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
                 let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
                 let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
@@ -166,14 +188,31 @@ mod tests {
     }
 
     #[test]
-    fn another_file_is_treated_as_the_one_before() {
-        let text = "[surface]\nfile = \"a.txt\"\nunit = \"um\"\nfilter = 8e-4\nlevel = \"mean\"\n";
+    fn the_way_back_has_the_texts_that_were_typed_unless_the_surface_changed() {
+        let template = asperity_inputs::template();
+        let (head, _) = template.split_once("\n[surface]").unwrap();
+        let text = format!(
+            "{head}\n[surface]\nsq = \"95 nm\"\nspd = \"20000 1/mm2\"\nspc = \"50 1/mm\"\n"
+        );
+        let typed = fields(&text);
+        let parse = |text: &str| asperity_inputs::parse(text, Path::new("")).unwrap();
+        let moments = described(&text, "moments", &BTreeMap::new(), &parse(&text)).unwrap();
+        let back = described(&moments, "iso", &typed, &parse(&moments)).unwrap();
+        assert_eq!(fields(&back), fields(&text));
+        let m0 = |value: &str| surface_key("m0", Some(value.into()));
+        let changed = edit(&moments, &[m0("1e-14")]).unwrap();
+        let back = described(&changed, "iso", &typed, &parse(&changed)).unwrap();
+        assert!(fields(&back)["surface.sq"].starts_with("1e-7"), "{back}");
+    }
+
+    #[test]
+    fn another_file_is_treated_as_the_one_before_and_read_without_its_keys() {
+        let text = "[surface]\nfile = \"a.txt\"\nunit = \"um\"\npixel_size = 2\nmax_missing = 0.3\n\
+                    filter = 8e-4\nlevel = \"mean\"\nperiodic = true\n";
         let of = |text: &str, name: &str| fields(&with_scan(text, name).unwrap());
-        let same = of(text, "b.TXT");
-        assert_eq!((same["surface.file"].as_str(), same["surface.unit"].as_str()), ("b.TXT", "um"));
-        assert_eq!(same["surface.filter"], "8e-4");
-        let other = of(text, "b.x3p");
-        assert!(!other.contains_key("surface.unit") && other["surface.level"] == "mean");
+        let found = of(text, "b.txt");
+        let values: Vec<_> = found.values().map(String::as_str).collect();
+        assert_eq!(values, ["b.txt", "8e-4", "mean"]);
         assert_eq!(with_scan(text, "a.txt").unwrap(), text);
         assert!(with_scan(text, "b.txt").unwrap().starts_with("[surface]\nfile = \"b.txt\"\n"));
         let random = with_scan(text, "random-1.x3p").unwrap();

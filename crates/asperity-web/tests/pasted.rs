@@ -22,7 +22,7 @@ fn the_code_to_paste_runs_beside_its_scene() {
     let shown = call(json!({ "call": "show", "text": scene }));
     assert!(shown["ok"]["error"].is_null(), "{shown}");
     let load = json!({ "text": "123 N" });
-    let code = call(json!({ "call": "code", "models": ["gw", "ke"], "load": load }));
+    let code = call(json!({ "call": "code", "models": ["gw", "persson-fudge"], "load": load }));
     assert_eq!(code["ok"]["rust"], include_str!("pasted/program.rs"), "{}", code["ok"]["rust"]);
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("scene.toml"), scene).unwrap();

@@ -1,27 +1,48 @@
 // The load, the table of values, the curves and what is found about them.
-import { $, cell, element, heading, lowered, noPicture, options, picture, put } from "./page.js";
+import { $, cell, element, heading, lowered, noPicture, numbers as attributes, options, picture, put } from "./page.js";
+
+// What the answer has before there are values: their place on the screen.
+const PARTS = ["real area", "first-loading stiffness", "unloading stiffness", "plasticity index", "model to use"];
+
+// The values at the load with their intervals, the model to use, and where both are from.
+export function answer(found, isExample) {
+  const part = (name, data, shown, more) => element("div", { title: more },
+    element("dt", {}, name), element("dd", {}, element("b", { data }, shown), element("small", {}, more)));
+  $("answer").querySelector("dl").replaceChildren(...(found ? [
+    ...found.first.map((one) => part(one.name, attributes(one, "answer"), one.shown, one.by)),
+    part("plasticity index", {}, found.plasticity.shown, found.plasticity.says),
+    part("model to use", {}, found.use?.model ?? "–", found.use?.says ?? ""),
+  ] : PARTS.map((name) => part(name, {}, "–", ""))));
+  const [example, basis] = $("basis").children;
+  basis.textContent = found?.basis ?? "";
+  basis.title = found?.basis ?? "";
+  example.textContent = found && isExample ? `An example surface (${found.surface}).` : "";
+}
 
 // Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
-export function table(views, ids, values, solved, about = () => "") {
+export function table(views, ids, values, solved, best, about = () => "") {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
-  head.replaceChildren(element("tr", {}, heading("model"), ...views.map(({ label, definition }) => heading(label, definition))));
+  head.replaceChildren(element("tr", {}, heading("model"), heading("area, stiffness against the answer", "How far real area and first-loading stiffness of a model are from the answer; ⚠ where the model is out of its range."), ...views.map(({ label, definition }) => heading(label, definition))));
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
-  body.replaceChildren(...ids.map((id) => {
+  const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
+    row?.outside ? "⚠ " : "", row?.against?.words.replace(/(area|stiffness) /g, "") ?? "");
+  const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
+  body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);
     const name = element("th", { scope: "row", title: about(id) }, id);
-    const line = element("tr", {}, name, ...(row ? cells(id, row) : waiting()));
+    const line = element("tr", {}, name, against(row), ...(row ? cells(id, row) : waiting()));
     return row?.mark ? [line, marked(id, row.mark, views)] : [line];
   }).flat());
   if (solved) {
     const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
-    body.append(element("tr", {}, name, ...columns(views, solved).map((value) => cell(value, "bem"))));
+    body.append(element("tr", {}, name, against(best?.solved), ...columns(views, solved).map((value) => cell(value, "bem"))));
   }
 }
 
 // Why the values above are those of no contact.
 function marked(id, reason, views) {
-  const text = element("td", { className: "reason", colSpan: views.length + 1 }, "⚠ ", element("strong", {}, `${id}: impossible result`), `: ${reason}`);
+  const text = element("td", { className: "reason", colSpan: views.length + 2 }, "⚠ ", element("strong", {}, `${id}: impossible result`), `: ${reason}`);
   return element("tr", { className: "marked", data: { marked: id } }, text);
 }
 
@@ -64,22 +85,31 @@ export function refuseLoad(message, typed = $("load").value) {
 // The list of models with what each lacks.
 export function models(list, chosen, changed) {
   const box = $("models");
+  const words = element("p", { className: "source" });
   const focused = box.contains(document.activeElement) && document.activeElement.value;
   box.replaceChildren(...list.map(({ id, about, reason }) => {
     const check = element("input", { type: "checkbox", value: id, checked: chosen.includes(id) && !reason, disabled: Boolean(reason) });
     check.addEventListener("change", () => changed([...box.querySelectorAll("input:checked")].map((one) => one.value)));
     const label = element("label", { title: reason ?? about }, check, ` ${id}`);
+    // What the model is, also by tap and key.
+    for (const event of ["pointerover", "focusin"]) label.addEventListener(event, () => { words.textContent = reason ? `${id}: ${reason}` : about; });
     if (reason) label.setAttribute("aria-disabled", "true");
     return label;
-  }));
+  }), words);
   if (focused) box.querySelector(`[value="${focused}"]`)?.focus();
   names(chosen);
 }
 
-export const names = (chosen) => { $("model-box").querySelector("summary").textContent = `Models: ${chosen.join(", ")}`; };
+export function names(chosen) {
+  const summary = $("model-box").querySelector("summary");
+  summary.textContent = `Models: ${chosen.join(", ")}`;
+  summary.title = chosen.join(", ");
+}
 
 export function views(list, chosen) {
   options($("view"), list.map(({ id, label }) => [id, label]), chosen);
+  $("definitions").querySelector("dl").replaceChildren(...list.flatMap(({ label, definition }) =>
+    [element("dt", {}, label), element("dd", {}, definition)]));
 }
 
 export function curve(svg, ids, view) {
@@ -90,7 +120,11 @@ let listed = [];
 
 export function findings(list) {
   listed = list;
-  $("findings").hidden = list.length === 0;
+  $("no-findings").hidden = list.length > 0;
+  $("tab-findings").textContent = list.length > 0 ? `Findings (${list.length})` : "Findings";
+  const [first] = list.filter(({ severity }) => severity !== "note");
+  $("first-warning").replaceChildren(...(first ? ["⚠ ", ...lowered(first.message)] : []));
+  $("first-warning").title = first?.message ?? "";
   $("findings").querySelector("ul").replaceChildren(
     ...list.map(({ severity, message, code }) => element("li", { className: severity, data: { code } }, ...lowered(`${severity}: ${message}`))));
 }
@@ -115,6 +149,7 @@ export function keep({ load, models, view }) {
 
 // No values, no curves; the place of the curves says why.
 export function clear(why) {
+  answer(null);
   table([], [], new Map());
   findings([]);
   numbers([]);

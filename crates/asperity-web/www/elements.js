@@ -4,9 +4,16 @@ import { desks, page, work } from "./state.js";
 
 const NO_SCAN = "They need the heights of a surface: drop a scan or make a random surface.";
 
+// Scenes whose solved loads are kept.
+const MOST_KEPT = 8;
+
 class Elements {
   solved = [];
   shown = null;
+  // The scene of the solved loads, and the loads of scenes before it.
+  scene = "";
+  kept = new Map();
+  edit = () => {};
   // The run under way; events of an older one are not shown.
   run = null;
   // The loads of the run by their pressure, in words.
@@ -17,14 +24,31 @@ class Elements {
   allow(scan, error = !page.shown || page.shown.error) {
     const refused = error ? "" : scan ? scan.refused : NO_SCAN;
     $("elements-note").textContent = refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`;
-    $("solve").disabled = $("solve-load").disabled = refused !== null;
+    $("solve").disabled = $("solve-load").disabled = refused !== null || this.run !== null;
+    $("contact-box").hidden = !scan;
+    if (scan && !this.shown) this.spot(refused ?? "The contact of this scan is not solved yet.", refused === null);
+    const fill = () => this.edit([{ path: "surface.fill_missing", value: "true" }]);
+    for (const place of refused && scan?.fill ? [$("elements-note"), $("contact").firstElementChild] : []) {
+      place.append(" ", element("button", { type: "button", onclick: fill }, "Fill the missing points"));
+    }
   }
 
-  // Nothing of an older scene stays.
+  // The loads that were solved for this text with these files, and none of another scene.
+  of(scene) {
+    if (scene === this.scene) return;
+    this.kept.delete(this.scene);
+    if (this.solved.length > 0) this.kept.set(this.scene, this.solved);
+    if (this.kept.size > MOST_KEPT) this.kept.delete(this.kept.keys().next().value);
+    this.drop();
+    this.scene = scene;
+    this.solved = this.kept.get(scene) ?? [];
+    if (this.solved.length > 0) this.table();
+  }
+
   drop() {
+    this.spot();
     if (this.run) this.stop("");
     [this.solved, this.shown] = [[], null];
-    noPicture($("contact"));
     $("solved").hidden = $("solved-notes").hidden = true;
     $("iterations").textContent = "";
   }
@@ -79,10 +103,21 @@ class Elements {
     if (busy) $("iterations").textContent = "starting";
   }
 
+  // The place of the map without one.
+  spot(why = "", offer = false) {
+    noPicture($("contact"), why);
+    $("contact-reading").textContent = "";
+    const button = element("button", { type: "button", onclick: () => this.solve(false) }, "Solve this load");
+    if (offer) $("contact").firstElementChild.append(element("br"), button);
+  }
+
   happened(event) {
     if (event.event === "progress") {
       Object.assign($("progress"), { max: event.count, value: event.done });
       $("iterations").textContent = event.text;
+      // Spoken once a load.
+      const [loads] = event.text.split(";");
+      if ($("loads-done").textContent !== loads) $("loads-done").textContent = loads;
     } else if (event.event === "failed") {
       tell(event.message);
     } else {
@@ -91,9 +126,16 @@ class Elements {
       this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
-      this.changed();
+      this.changed(event.pressure);
     }
   }
+
+  // What the answer knows of solved loads.
+  known = () => this.solved.map(({ pressure, cells, notes }) => ({
+    pressure,
+    values: Object.fromEntries(cells.filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits])),
+    notes: notes.map(({ code }) => code),
+  }));
 
   // The map at the present load, or at the next heavier one that is solved.
   showNear() {
@@ -104,7 +146,8 @@ class Elements {
 
   show(one) {
     this.shown = one;
-    picture($("contact"), one.svg, `contact pressures at ${one.load}`);
+    picture($("contact"), one.svg, `contact pressures at ${one.load}: ${one.caption}`);
+    $("contact-reading").textContent = one.caption;
   }
 
   // The pressures of the map under the pointer.
@@ -119,7 +162,7 @@ class Elements {
       const row = part((clientY - box.top) / box.height, rows);
       output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
     });
-    figure.addEventListener("pointerleave", () => { output.textContent = ""; });
+    figure.addEventListener("pointerleave", () => { output.textContent = this.shown?.caption ?? ""; });
   }
 
   table() {

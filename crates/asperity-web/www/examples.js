@@ -111,7 +111,9 @@ function tick() {
 shownAgain(tick);
 
 export async function exampleText(name) {
-  const response = await fetch(name === FIRST ? `${name}.toml` : `examples/${name}.toml`);
+  const response = await fetch(name === FIRST ? `${name}.toml` : `examples/${name}.toml`).catch(() => {
+    throw new Error(`the example ${name} could not be read, as there is no connection to ${location.host || "its folder"}: connect again and choose it once more`);
+  });
   if (!response.ok) throw new Error(`the example ${name} could not be loaded: reload the page`);
   return response.text();
 }
@@ -123,5 +125,5 @@ export const openExample = (name, kind = "example") => work("page", "example", a
   if (name === FIRST) ({ text, scan, random } = await useScan(text, { typed: usualRandom() }));
   Object.assign(state, { load: "", scan, random });
   tries(name);
-  setScene(text, kind).then(() => page.shown?.scan && !page.shown.scan.refused && elements.solve(true));
+  setScene(text, kind).then(() => page.shown?.scan && !page.shown.scan.refused && elements.solved.length === 0 && elements.solve(true));
 });

@@ -1,34 +1,48 @@
 // The form: a view of the text of the scene. An edited field is a change of the text.
 import { $, element, lowered, put, typing } from "./page.js";
 
-// A labelled field of a path; choices, between bars, make a select.
-export function field(path, label, hint, edit) {
+// A labelled field of a path; choices, between bars, make a select. `of` tells it from that of the
+// other body.
+export function field(path, label, hint, edit, of = "") {
   const id = `field-${path.replace(/[^a-z0-9]+/gi, "-")}`;
   let input;
   if (hint.includes("|")) {
     input = element("select", { id, data: { path } });
     input.append(element("option", { value: "" }, "default"), ...hint.split("|").map((name) => element("option", {}, name)));
   } else {
-    input = element("input", { id, type: "text", placeholder: hint, autocomplete: "off", data: { path } });
+    input = element("input", { id, type: "text", placeholder: hint && `e.g. ${hint}`, autocomplete: "off", data: { path } });
   }
   input.setAttribute("aria-describedby", `${id}-note`);
+  if (of) input.setAttribute("aria-label", `${label} of the ${of}`);
   input.addEventListener("change", () => edit([{ path, value: input.value.trim() || null }]));
   const note = element("p", { id: `${id}-note`, className: "note", hidden: true });
   return element("div", { className: "row" }, element("label", { htmlFor: id }, ...lowered(label)), input, note);
 }
 
+// The fields of a body before those that are folded.
+const MAIN = 3;
+// A folded field that is filled or has a note is shown.
+function unfold(input) {
+  const folded = input.closest("details");
+  if (folded) folded.open = true;
+}
+
 function body(k, edit, form) {
-  const box = element("div", { className: "body" }, element("h3", {}, k === 1 ? "First body" : "Second body"));
+  const name = k === 1 ? "first body" : "second body";
+  const box = element("fieldset", { className: "body" }, element("legend", {}, k === 1 ? "First body" : "Second body"));
   const path = `body[${k}].material`;
   const pick = element("select", { id: `material-${k}`, data: { path } });
   pick.append(element("option", { value: "" }, "own values"));
   pick.append(...form.materials.map(({ id, name }) => element("option", { value: id }, name)));
   pick.addEventListener("change", () => edit([{ path, value: pick.value }]));
   pick.setAttribute("aria-describedby", `${pick.id}-note`);
+  pick.setAttribute("aria-label", `Material of the ${name}`);
   box.append(element("div", { className: "row wide" }, element("label", { htmlFor: pick.id }, "Material"), pick));
   box.append(element("p", { id: `${pick.id}-note`, className: "note", hidden: true }));
   box.append(element("p", { className: "source", id: `source-${k}`, hidden: true }));
-  box.append(...form.body.map(([key, label, hint]) => field(`body[${k}].${key}`, label, hint, edit)));
+  const fields = form.body.map(([key, label, hint]) => field(`body[${k}].${key}`, label, hint, edit, name));
+  const [main, rare] = [fields.slice(0, MAIN), fields.slice(MAIN)];
+  box.append(...main, element("details", { className: "rare" }, element("summary", {}, "More about this body"), ...rare));
   return box;
 }
 
@@ -65,13 +79,13 @@ export function fill(shown, edit, form) {
       again.value = value;
       typing.add(again);
     }
-    if (again?.closest("#more")) $("more").open = true;
+    if (again) unfold(again);
     again?.focus();
   }
-  if (way === "scan" && [...form.more, ...form.every].some(([key]) => `surface.${key}` in fields)) $("more").open = true;
   $("way").value = way;
   for (const input of document.querySelectorAll("[data-path]")) {
     put(input, fields[input.dataset.path] ?? "");
+    if (input.dataset.path in fields) unfold(input);
   }
   for (const k of [1, 2]) {
     const source = $(`source-${k}`);
@@ -92,14 +106,15 @@ export function mark(error, findings) {
   for (const { field: path, message, severity } of findings) if (!of.has(path)) of.set(path, [message, severity]);
   if (error?.field) of.set(error.field, [error.message, "error"]);
   for (const input of document.querySelectorAll("[data-path]")) {
-    let [text, severity] = of.get(input.dataset.path) ?? [];
+    const { path } = input.dataset;
+    let [text, severity] = of.get(path) ?? of.get(path.replace(/^surface\./, "")) ?? [];
     // The form has names and no lines.
     if (severity === "error" && error?.field_message) text = `${input.labels[0].textContent}: ${error.field_message}`;
     const note = $(`${input.id}-note`);
     note.hidden = !text;
     note.textContent = text ?? "";
     note.classList.toggle("wrong", severity === "error");
-    if (text && input.closest("#more")) $("more").open = true;
+    if (text) unfold(input);
     if (severity === "error") input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }

@@ -1,13 +1,16 @@
 // The explorer: one state, whose scene is a text; everything on the page follows from it.
 import { $, options, readings, tell } from "./page.js";
 import { desks, page, report, state, work } from "./state.js";
-import { answer, change, redraw, setScene, setView, typed, typingEnds } from "./scene.js";
+import { answer, change, describe, edit, redraw, setModels, setScene, setView, typed, typingEnds } from "./scene.js";
 import { note, openLink, rest, writeLink } from "./link.js";
+import { clear } from "./answers.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
 import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
+import { startCompare } from "./compare.js";
+import { openTab, tabs } from "./tabs.js";
 
 // A scene with another surface or a typed text is no longer the example that it started from.
 const ownScene = () => tries(null);
@@ -36,7 +39,7 @@ function loads() {
 function surfaces() {
   $("way").addEventListener("change", () => {
     const way = $("way").value;
-    change((text) => desks.quick.ask(text, "surface", { text, way }).catch((error) => {
+    change((text) => describe(text, way).catch((error) => {
       if (page.shown) $("way").value = page.shown.way;
       throw error;
     }));
@@ -45,7 +48,7 @@ function surfaces() {
 }
 
 function boundaryElements() {
-  elements.changed = redraw;
+  Object.assign(elements, { changed: redraw, edit });
   elements.readings();
   $("solve").addEventListener("click", () => elements.solve(true));
   $("solve-load").addEventListener("click", () => elements.solve(false));
@@ -72,9 +75,21 @@ async function start() {
   // The address holds the state of the page: it does not become that of a place.
   $("to-answers").addEventListener("click", (event) => {
     event.preventDefault();
-    $("results").scrollIntoView();
-    $("results").focus({ preventScroll: true });
+    $("answer").scrollIntoView();
+    $("answer").focus({ preventScroll: true });
   });
+  addEventListener("pointerdown", ({ target }) => { if (!$("model-box").contains(target)) $("model-box").open = false; });
+  $("model-box").addEventListener("keydown", ({ key }) => {
+    if (key !== "Escape") return;
+    $("model-box").open = false;
+    $("model-box").firstElementChild.focus();
+  });
+  tabs();
+  clear("");
+  $("first-warning").addEventListener("click", () => openTab("findings"));
+  startCompare((id) => setModels([...state.models, id]));
+  // A surface of the user is no example any more.
+  $("surface-fields").addEventListener("change", () => work("page", null, ownScene));
   editor((text) => {
     ownScene();
     typed(text);

@@ -59,11 +59,17 @@ export const lowered = (text) => text.split(/(?<![\p{L}\w])(\p{L}_\w+)/u).map((p
   (k % 2 === 1 ? element("span", {}, part[0], element("sub", {}, part.slice(2))) : part));
 
 // A cell with a number as shown, and with all digits.
-export function cell({ quantity, digits, bound, shown }, model) {
-  if (digits === undefined) return element("td", { className: "none", title: shown }, "–");
-  const data = { model, quantity, value: digits };
-  if (bound !== undefined) data.bound = bound;
-  return element("td", { data, title: digits }, shown);
+export function cell(value, model) {
+  if (value.digits === undefined) return element("td", { className: "none", title: value.shown }, "–");
+  const { lower, upper } = value;
+  const title = lower === undefined ? value.digits : `${value.digits}, from ${lower} to ${upper}`;
+  return element("td", { data: numbers(value, model), title }, value.shown);
+}
+
+// A value with all digits, its bound and its interval, as attributes.
+export function numbers({ quantity, digits, bound, lower, upper }, model) {
+  const all = { model, quantity, value: digits, bound, lower, upper };
+  return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
 }
 
 export const heading = (name, definition = "") => element("th", { scope: "col", title: definition }, name);

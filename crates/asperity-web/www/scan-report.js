@@ -1,19 +1,35 @@
 // The report of the scene's scan.
 import { $, element, heading, lowered, noPicture, picture } from "./page.js";
-import { desks, page, work } from "./state.js";
+import { desks, files, page, work } from "./state.js";
 
-// Shows it, if the scene has a scan.
-export function scanReport(there) {
-  $("scan-report").hidden = $("save-scan").hidden = !there;
+// The scan that the report on the page is about: its file and the keys of the surface.
+let reported = "";
+const about = ({ fields, files: names }) => JSON.stringify([names.map((name) => files.get(name)?.checksum), Object.entries(fields).filter(([path]) => path.startsWith("surface."))]);
+
+// Leaves the report of this scan where it is; of another scan, or of none, nothing stays.
+export function showReport(there) {
+  $("save-scan").hidden = !there;
+  $("no-scan").hidden = there;
+  if (there && reported === about(page.shown)) return;
+  reported = "";
+  for (const id of ["scan-caption", "scan-numbers", "scales"]) $(id).replaceChildren();
   noPicture($("scan-picture"));
-  if (there) work("slow", "scan", report);
 }
+
+// Reports on the scan of the scene after its values, in the worker of slow models: the file was
+// read by the other.
+export const reportScan = () => page.shown?.scan && !reported && work("slow", "scan", report);
 
 async function report() {
   const { text, shown } = page;
-  if (!shown?.scan) return;
-  const { svg, caption, scales, numbers } = await desks.slow.ask(text, "scan");
+  if (!shown?.scan || reported) return;
+  const { numbers, shape } = await desks.quick.ask(text, "scan");
+  const heights = await desks.quick.send("heights");
   if (page.shown !== shown) return;
+  const message = { heights, shape: JSON.stringify(shape) };
+  const { svg, caption, scales } = await desks.slow.send("report", message, undefined, [heights.buffer]);
+  if (page.shown !== shown) return;
+  reported = about(shown);
   picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
   $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
   $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>

@@ -1,13 +1,14 @@
 // From the text of the scene to everything that the page shows of it.
 import { $, noPicture, tell, typing } from "./page.js";
-import { answers, ask, chosen, desks, isSlow, missing, page, report, state, work } from "./state.js";
+import { answers, ask, chosen, desks, files, isSlow, missing, page, report, state, work } from "./state.js";
 import { note, writeLink } from "./link.js";
 import * as blocks from "./answers.js";
 import * as editor from "./editor.js";
 import * as form from "./form.js";
 import { elements } from "./elements.js";
-import { scanReport } from "./scan-report.js";
+import { reportScan, showReport } from "./scan-report.js";
 import { takeAway } from "./takeaway.js";
+import { forget, showCompared } from "./compare.js";
 
 // The place of the slider for a scene without a load.
 const USUAL = 0.6;
@@ -49,19 +50,20 @@ export const edit = (changes) => change((text) => tools("edit", { text, changes 
 
 async function showScene() {
   const text = state.text;
-  elements.drop();
   try {
     Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "", refused: "" });
   } catch (error) {
     Object.assign(page, { shown: null, text, failure: error.message });
+    elements.of("");
     clear("The calculation failed.");
     throw error;
   } finally {
     page.rows.clear();
     page.values.clear();
-    Object.assign(page, { load: null, answered: "", undescribed: "" });
+    Object.assign(page, { load: null, best: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
+  elements.of(JSON.stringify([text, shown.files.map((name) => files.get(name)?.checksum)]));
   form.fill(shown, edit, page.form);
   form.mark(shown.error, shown.findings);
   editor.number(shown.error);
@@ -80,16 +82,24 @@ async function showScene() {
   blocks.numbers(shown.numbers);
   takeAway.models(shown, chosen());
   elements.allow(shown.scan);
-  scanReport(Boolean(shown.scan));
+  showReport(Boolean(shown.scan));
+  typedIn.set(shown.way, shown.fields);
   await values(state.load ? { text: state.load } : { position: USUAL });
+  reportScan();
 }
+
+// The fields of the last scene whose surface is described in each way.
+const typedIn = new Map();
+
+// The surface described in another way: as it was typed there, if it is still the same.
+export const describe = (text, way) => desks.quick.ask(text, "surface", { text, way, typed: typedIn.get(way) ?? {} });
 
 // Nothing of another scene stays on the page.
 function clear(why) {
-  Object.assign(page, { load: null, drawn: "" });
+  Object.assign(page, { load: null, best: null, drawn: "" });
   blocks.clear(why);
   elements.allow(null);
-  scanReport(false);
+  showReport(false);
   takeAway.models({ models: [] }, []);
   followers.forEach((follow) => follow());
 }
@@ -103,7 +113,7 @@ async function values(keys) {
   const models = ids.filter((id) => !isSlow(id));
   let found;
   try {
-    found = await ask(desks.quick, "answer", { models, load: keys });
+    found = await ask(desks.quick, "answer", { models, load: keys, solved: elements.known() });
   } catch (error) {
     if (error.field !== "load") throw error;
     return refuse(error.message, keys);
@@ -113,11 +123,11 @@ async function values(keys) {
   // Slow models are still to answer.
   else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
   Object.assign(page, { load: found.load, refused: "" });
-  if (state.load !== found.load.text) takeAway.dropAdvice();
+  if (state.load !== found.load.text) forget();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
-  page.values = new Map(rows.map((row) => [row.model, row]));
+  Object.assign(page, { values: new Map(rows.map((row) => [row.model, row])), best: found.answer });
   page.undescribed = ids.length > models.length ? "" : blocks.undescribed(rows);
   table();
   await curves(desks.quick, models);
@@ -166,7 +176,7 @@ async function slowValues(shown, keys) {
   const models = chosen().filter(isSlow);
   if (!current() || models.length === 0) return;
   const load = state.load;
-  const found = await ask(desks.slow, "answer", { models, load: { text: load } });
+  const found = await ask(desks.slow, "answer", { models, load: { text: load }, solved: elements.known() });
   if (!current()) return;
   // A later load has a piece of its own.
   if (state.load === load) {
@@ -188,15 +198,20 @@ async function slowValues(shown, keys) {
 // The values of models, and of boundary elements where they are solved at this load.
 function table() {
   const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
-  if (page.load) blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), about);
+  if (page.load) {
+    blocks.answer(page.best, Boolean(state.example));
+    blocks.table(page.shown.views, chosen(), page.values, elements.at(page.load.pascals), page.best, about);
+  }
+  showCompared();
   followers.forEach((follow) => follow());
 }
 
-// Boundary elements were solved at another load, which advice without them does not know.
-export function redraw() {
-  takeAway.dropAdvice();
+// Boundary elements were solved at a load: at that of the page they are the answer.
+export function redraw(pascals) {
+  forget();
+  if (pascals === page.load?.pascals && !page.refused) return answer({ text: state.load });
   table();
-  work("page", "draw", draw);
+  return work("page", "draw", draw);
 }
 
 async function draw() {
@@ -208,7 +223,12 @@ async function draw() {
     if (rows.length + solved.length === 0 && chosen().length > 0) {
       withoutCurves("Being calculated.");
     } else {
-      const svg = await ask(desks.quick, "draw", { rows, view, load: { text: state.load }, solved });
+      const outside = ids.filter((id) => page.values.get(id)?.outside);
+      const keys = { rows, view, load: { text: state.load }, solved, outside };
+      page.picture = (size) => ask(desks.quick, "draw", { ...keys, size });
+      // As large as its place, so that letters keep their size.
+      const { clientWidth, clientHeight } = $("curve");
+      const svg = await page.picture([clientWidth, clientHeight]);
       blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
       page.drawn = view;
     }
@@ -220,6 +240,9 @@ async function draw() {
   }
   followers.forEach((follow) => follow());
 }
+
+// Another width of the page has another picture.
+addEventListener("resize", () => work("page", "draw", draw));
 
 // The place of the curves says why there are none.
 function withoutCurves(why) {

@@ -11,22 +11,22 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 // started from.
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null };
 
-// Answers of the desks: the scene as read from a text, the load on it, the values of models, the
-// rows of their curves and the quantity that is drawn; why the load was refused or no
+// Answers of the desks: the scene as read from a text, the load on it, the answer there, the values
+// of models, the rows of their curves, the quantity that is drawn and how; why the load was refused or no
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", form: null, text: "", shown: null,
-  load: null, drawn: "", refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
+  load: null, best: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
 };
 
-// The scan without which the scene of a link cannot be shown.
-export const missing = () => (page.shown?.error && page.shown.files.includes(page.wanted?.name) ? page.wanted.name : "");
+// The scan without which the scene cannot be shown.
+export const missing = () => (page.shown?.error && page.shown.files.find((name) => !files.has(name))) || "";
 
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
 
 // The scene has values, of which a finding says that they follow from an error.
-const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
+export const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
 
 // The state follows from the work that is under way and from what it found.
 export function report() {
@@ -35,12 +35,14 @@ export function report() {
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
   $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "implausible number" : "ready" }[phase];
+  // Spoken when the values are there, not at every step of the slider.
+  if (phase === "ready" && $("spoken").textContent !== page.best?.spoken) $("spoken").textContent = page.best?.spoken ?? "";
   // Values at the load before a refused one.
   document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
   // Values of numbers that cannot be meant.
   document.documentElement.toggleAttribute("data-implausible", implausible());
   $("copy-link").disabled = Boolean(page.refused);
-  const none = Boolean(page.refused) || !page.load;
+  const none = Boolean(page.refused) || !page.load || implausible();
   $("save-values").disabled = none;
   $("save-csv").disabled = none || chosen().length === 0;
   $("save-svg").disabled = $("save-png").disabled = none || !page.drawn;

@@ -1,5 +1,5 @@
 // Files and lines to take away.
-import { $, download, element, lowered, options, picture, noPicture, readings } from "./page.js";
+import { $, download, element, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
 import { columns } from "./answers.js";
 import { elements } from "./elements.js";
@@ -26,10 +26,11 @@ function saves() {
     const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.map((_, k) => cells[k]?.digits ?? "")].join());
     download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });
-  on("save-svg", () => download("asperity.svg", $("curve").dataset.svg, "image/svg+xml"));
+  // Of the usual size, not that of the screen.
+  on("save-svg", async () => download("asperity.svg", await page.picture(null), "image/svg+xml"));
   on("save-png", async () => {
     const image = new Image();
-    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent($("curve").dataset.svg)}`;
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(await page.picture(null))}`;
     await image.decode();
     const canvas = element("canvas", { width: image.naturalWidth, height: image.naturalHeight });
     canvas.getContext("2d").drawImage(image, 0, 0);
@@ -59,31 +60,6 @@ async function copyLink() {
   }
 }
 
-// What boundary elements and the chosen models give at this load, if it was solved.
-function onScreen() {
-  const solved = page.load && elements.at(page.load.pascals);
-  if (!solved) return null;
-  const values = (row) => Object.fromEntries((row?.cells ?? []).filter(({ digits }) => digits !== undefined).map(({ quantity, digits }) => [quantity, digits]));
-  return {
-    bem: values(solved),
-    notes: solved.notes.map(({ code }) => code),
-    models: chosen().map((id) => [id, values(page.values.get(id))]),
-  };
-}
-
-function advise() {
-  $("advice").replaceChildren(element("li", {}, "Comparing the models takes some seconds."));
-  work("slow", "advice", async () => {
-    const { text } = page;
-    const { load } = state;
-    const lines = await desks.slow.ask(text, "advise", { load: loadKeys(), solved: onScreen() }).catch((error) => {
-      $("advice").replaceChildren();
-      throw error;
-    });
-    if (text === page.text && load === state.load) $("advice").replaceChildren(...lines.map((line) => element("li", {}, ...lowered(line))));
-  });
-}
-
 async function code() {
   if (!$("code").open || !answers() || !state.load) return;
   const found = await ask(desks.quick, "code", { models: chosen(), load: loadKeys() });
@@ -108,15 +84,12 @@ export const takeAway = {
   start() {
     saves();
     $("copy-link").addEventListener("click", copyLink);
-    $("advise").addEventListener("click", advise);
     $("code").addEventListener("toggle", takeAway.code);
     $("law").addEventListener("toggle", law);
     $("law-model").addEventListener("change", law);
     for (const id of ["export-model", "law-model"]) $(id).addEventListener("change", () => takeAway.pick($(id).value));
     readings($("law-picture"), $("law-reading"));
   },
-  // Advice holds for one load.
-  dropAdvice: () => $("advice").replaceChildren(),
   // The code of the present load.
   code: () => work("page", "code", code),
   pick(id) {
@@ -134,8 +107,7 @@ export const takeAway = {
     const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
     options($("export-model"), ids.map((id) => [id, id]), first(ids));
     options($("law-model"), allowed, first(allowed.map(([id]) => id)));
-    for (const id of ["save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
-    takeAway.dropAdvice();
+    for (const id of ["save-table", "law-model"]) $(id).disabled = ids.length === 0;
     if (ids.length === 0) {
       noPicture($("law-picture"));
       $("law-source").replaceChildren();

@@ -36,7 +36,7 @@ fn every_error_names_line_field_and_requirement() {
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
-                "line 12: surface.asperity_height_std = \"1 parsec\" is not a number in m: write 0.2mm, for example",
+                "line 12: surface.asperity_height_std = \"1 parsec\" is not a number in m: write 1um, for example",
             ],
         ),
         (

@@ -10,9 +10,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Quantity::MeanPressure,
         Quantity::Contacts,
     ];
-    let request = Request::new(quantities).at([At::Load(123.0)]);
-    for id in ["gw", "ke"] {
-        println!("{id}: {:?}", file.model(id)?.solve(&file.scene, &request)?);
+    for id in ["gw", "persson-fudge"] {
+        let model = file.model(id)?;
+        for quantity in quantities {
+            let request = Request::new([quantity]).at([At::Load(123.0)]);
+            match model.solve(&file.scene, &request) {
+                Ok(answer) => println!("{id}: {:?}", answer.columns),
+                Err(reason) => println!("{id}: {quantity}: none: {reason}"),
+            }
+        }
     }
     Ok(())
 }
