@@ -1,7 +1,8 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
 use asperity::{
-    Body, DerivedNumber, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits,
+    Body, DerivedNumber, Described, Dialect, Finding, HARDNESS_OVER_YIELD, Model, Severity,
+    shortest_digits,
 };
 use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
@@ -30,7 +31,11 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let check = file.check(None);
             found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(number).collect();
             let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-            found["findings"] = dialect::findings(&file.accepted(findings), &file);
+            let findings = file.accepted(findings);
+            // Values follow from a number that cannot be meant.
+            let is_error = |found: &Finding| found.severity == Severity::Error;
+            found["implausible"] = findings.iter().any(is_error).into();
+            found["findings"] = dialect::findings(&findings, &file);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&file).into();
