@@ -206,7 +206,6 @@ fn unknown_models_are_answered_with_the_nearest_name() {
         let message = typed.parse::<Model>().unwrap_err().to_string();
         assert!(message.contains(&format!("{typed:?}")), "{message}");
         assert!(message.contains(&format!("the nearest is {near:?}")), "{message}");
-        assert!(message.contains("gw, ceb, zmc, ke, etsion, jg, "), "{message}");
     }
     let far = "archard".parse::<Model>().unwrap_err();
     assert!(matches!(&far, ContactError::UnknownModel { near: None, .. }), "{far}");

@@ -11,7 +11,7 @@ use crate::figure::{Figure, Legend, Panel, Strip};
 use crate::legend::{AREA, draw_line};
 use crate::ruler::Ruler;
 use crate::series::{self, Area, CsvTable, Point, Series};
-use crate::size::{LABEL, SMALL, TICK, TITLE_GAP, labels_that_fit};
+use crate::size::{LABEL, LEAST, SMALL, TICK, TITLE_GAP, labels_that_fit};
 use crate::style::{BLACK, DARK_GREY, GREY};
 use crate::text::{CAPITAL, LINE, power_of_ten, widest, width};
 use crate::trace::marker_places;
@@ -36,6 +36,8 @@ pub(crate) struct Plot<'a> {
     x: Ruler,
     y: Ruler,
     legend: Legend,
+    /// The least size of the name of the vertical axis.
+    least: f64,
 }
 
 /// The panels of a figure with their data, all of which are drawn.
@@ -59,12 +61,13 @@ impl<'a> Plot<'a> {
         let edges = || areas.iter().flat_map(|area| area.lower.iter().chain(&area.upper));
         let points = || series.iter().flat_map(|s| s.pieces.iter().flatten()).chain(edges());
         let (across, down) = labels_that_fit(figure);
+        let least = figure.size.map_or(0.0, |_| LEAST);
         let only_points = series.iter().all(|series| !series.curve.line);
         let shown = points().map(|point| point.0);
         let x = Ruler::new(&panel.x, shown, only_points, across)?;
         let shown = points().filter(|point| x.holds(point.0)).map(|point| point.1);
         let y = Ruler::new(&panel.y, shown, !panel.stacked, down)?;
-        Ok(Self { panel, heading, series, areas, x, y, legend: figure.legend })
+        Ok(Self { panel, heading, series, areas, x, y, legend: figure.legend, least })
     }
 
     /// Room to the left of the frame.
@@ -248,7 +251,8 @@ impl<'a> Plot<'a> {
         let baseline = frame.bottom + self.below() - 6.0 - 0.3 * LABEL;
         canvas.text(&self.panel.x.label, (middle.0, baseline), black(LABEL, "middle"));
         // A long name is set smaller, so that it stays out of the panel above.
-        let size = LABEL * (frame.height() / width(&self.panel.y.label, LABEL)).min(1.0);
+        let fits = LABEL * (frame.height() / width(&self.panel.y.label, LABEL)).min(1.0);
+        let size = fits.max(self.least);
         let face = Type { upward: true, ..black(size, "middle") };
         canvas.text(&self.panel.y.label, (frame.left - self.left() + LABEL, middle.1), face);
         for (exponent, place, side) in [

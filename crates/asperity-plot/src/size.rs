@@ -10,6 +10,8 @@ pub(crate) const HEIGHT: f64 = 600.0;
 pub(crate) const TICK: f64 = 14.0;
 /// Size of the names of axes and panels.
 pub(crate) const LABEL: f64 = 15.3;
+/// The least size of a name in a small picture.
+pub(crate) const LEAST: f64 = 12.0;
 /// Size of the title.
 pub(crate) const TITLE: f64 = 16.7;
 /// Size of caption and marks.

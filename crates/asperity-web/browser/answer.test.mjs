@@ -74,6 +74,12 @@ test("the answer has area, stiffnesses, plasticity and the model to use at every
   assert.equal((await against())[model], `${area}, ${stiffness}`);
 });
 
+test("a model that ignores yielding is near by chance, and the next beside it", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.change(["#load", "5 MPa"]);
+  assert.match((await first())["model to use"], /^gwarea [^;]+, by chance: it ignores yielding; (ke|jg) [+−]\d+ %, [+−]\d+ %$/);
+});
+
 test("without evidence the answer is that of the recommended model, with the reason", async () => {
   await page.scene(example("bolted-joint"));
   const shown = await first();

@@ -49,8 +49,16 @@ impl Against {
     }
 
     fn words(&self) -> String {
-        let [area, stiffness] = self.0.map(|off| off.map_or("–".into(), percent));
+        let [area, stiffness] = self.parts();
         format!("area {area}, stiffness {stiffness}")
+    }
+
+    fn short(&self) -> String {
+        self.parts().join(", ")
+    }
+
+    fn parts(&self) -> [String; 2] {
+        self.0.map(|off| off.map_or("–".into(), percent))
     }
 }
 
@@ -63,7 +71,8 @@ pub(crate) fn hold_against(best: &Best, row: &mut Value, judged: Option<&Judged>
     let far = (best.source != Source::Model && is_far).then(far);
     row["outside"] = judged.and_then(|of| of.outside.clone()).or(far).into();
     if let Some(against) = against {
-        row["against"] = json!({ "words": against.words(), "off": against.off() });
+        row["against"] =
+            json!({ "words": against.words(), "short": against.short(), "off": against.off() });
     }
 }
 
@@ -83,9 +92,9 @@ fn model_to_use(best: &Best, rows: &[Value], ignores: impl Fn(&str) -> bool) -> 
     let Some((_, against, id)) = near.first() else { return Value::Null };
     let mut says = against.words();
     if ignores(id) {
-        says += "; ignores yielding, near by chance";
+        says += ", by chance: it ignores yielding";
         if let Some((_, other, next)) = near.iter().find(|(.., id)| !ignores(id)) {
-            says += &format!(". {next}: {}", other.words());
+            says += &format!("; {next} {}", other.short());
         }
     }
     json!({ "model": id, "says": says })
@@ -114,7 +123,9 @@ pub(crate) fn answer(
         Some(Severity::Note) => "a few contacts yield",
         Some(_) => "contacts yield",
     };
-    let to_use = model_to_use(best, rows, |id| yields(id) > Some(Severity::Note));
+    let to_use = model_to_use(best, rows, |id| {
+        yields(id).is_some_and(|severity| severity != Severity::Note)
+    });
     let first = FIRST.map(|part| first(best, part));
     let said: Vec<String> =
         first.iter().map(|part| text(&part["name"]) + " " + &text(&part["shown"])).collect();
@@ -180,7 +191,7 @@ impl Judged {
         let [found, _] = asked.findings(file, &[at]);
         let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
         let is_outside =
-            |found: &&Finding| OUTSIDE.contains(&found.code) && found.severity > Severity::Note;
+            |found: &&Finding| OUTSIDE.contains(&found.code) && found.severity != Severity::Note;
         let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
         Self { yields, outside }
     }

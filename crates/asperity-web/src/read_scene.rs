@@ -30,7 +30,10 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let check = file.check(None);
             found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(number).collect();
             let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-            found["findings"] = dialect::findings(&file.accepted(findings), &file);
+            let findings = file.accepted(findings);
+            // Values follow from a number that cannot be meant.
+            found["implausible"] = findings.are_implausible().into();
+            found["findings"] = dialect::findings(&findings, &file);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&file).into();

@@ -26,7 +26,7 @@ export function table(views, ids, values, solved, best, about = () => "") {
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
   const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
-    row?.outside ? "⚠ " : "", row?.against?.words.replace(/(area|stiffness) /g, "") ?? "");
+    row?.outside ? "⚠ " : "", row?.against?.short ?? "");
   const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
   body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);

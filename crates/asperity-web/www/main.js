@@ -86,7 +86,10 @@ async function start() {
   });
   tabs();
   clear("");
-  $("first-warning").addEventListener("click", () => openTab("findings"));
+  $("first-warning").addEventListener("click", () => {
+    openTab("findings");
+    $("tab-findings").focus();
+  });
   startCompare((id) => setModels([...state.models, id]));
   // A surface of the user is no example any more.
   $("surface-fields").addEventListener("change", () => work("page", null, ownScene));

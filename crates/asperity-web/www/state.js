@@ -25,8 +25,8 @@ export const missing = () => (page.shown?.error && page.shown.files.find((name) 
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
 
-// The scene has values, of which a finding says that they follow from an error.
-export const implausible = () => Boolean(page.shown?.findings.some(({ severity }) => severity === "error"));
+// The scene has values that follow from a number that cannot be meant.
+export const implausible = () => Boolean(page.shown?.implausible);
 
 // The state follows from the work that is under way and from what it found.
 export function report() {

@@ -82,8 +82,8 @@ pub struct Truths {
 }
 
 impl Truths {
-    /// Solves the scan at mean pressures \[Pa\], and half the grid to `refine`; `watch` may stop the
-    /// work.
+    /// Solves the scan at mean pressures \[Pa\], and half the grid to `refine`; `watch` may stop
+    /// the work.
     ///
     /// # Errors
     /// Those of [`compare_with_bem`], and a grid that cannot be halved.

@@ -143,7 +143,7 @@ fn a_faint_pressure_looks_like_megapascals_where_few_asperities_touch() {
     let messages =
         |place: &str| bench.run(&format!("curve scene.toml --model ke {place}")).messages;
     let faint = messages("--pressure 5");
-    assert!(faint.contains("(usual: at least 30): 5 looks like MPa; 5 MPa is 5e6 Pa"), "{faint}");
+    assert!(faint.contains("at a pressure of 5 Pa: 5 looks like MPa; 5 MPa is 5e6 Pa"), "{faint}");
     // Neither loads nor pressures with enough contacts, nor those that would exceed the hardness.
     for place in ["--load 5", "--pressure 5e6", "--pressure 3e3"] {
         let found = messages(place);
@@ -158,7 +158,7 @@ fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
     let copper =
         scene.replace("# electrical_resistivity = 1.7e-7", "electrical_resistivity = 2.5e7");
     bench.write("copper.toml", &copper);
-    let found = bench.run("check copper.toml").out;
+    let found = bench.run("check copper.toml").messages;
     let wanted = "2.5e7 looks like a conductivity in S/m, of which the resistivity is 4e-8 ohm m";
     assert!(found.contains(wanted), "{found}");
     // A hardness that is missing has its place.

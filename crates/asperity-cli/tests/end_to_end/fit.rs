@@ -210,6 +210,6 @@ fn models_that_do_not_hold_come_last_and_equal_ones_are_one() {
     let run = bench.run(&format!("fit hard.toml data.csv {free}"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["gw"], "{}", run.messages);
-    assert!(run.messages.contains("note: nothing yields: "), "{}", run.messages);
-    assert!(!run.messages.contains("few contacts"), "{}", run.messages);
+    assert!(run.messages.contains("note[ranking]: nothing yields: "), "{}", run.messages);
+    assert!(!run.messages.contains("few-contacts"), "{}", run.messages);
 }
