@@ -170,7 +170,7 @@ fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
     let tail = rest.split_once("heights = \"gaussian\"").unwrap().1;
     let iso = "sq = \"1.1 um\"\nspd = \"600 1/um2\"\nspc = \"5 1/mm\"";
     bench.write("iso.toml", &format!("{head}{iso}{tail}"));
-    let found = bench.run("check iso.toml").out;
+    let found = bench.run("check iso.toml").messages;
     let wanted = "asperities from sq = 1.1e-6 m, spd = 6e14 1/m^2, spc = 5000 1/m: roughness_parameter is 1.32e5";
     assert!(found.contains(wanted), "{found}");
     assert!(found.contains("check these numbers and their units"), "{found}");
