@@ -23,7 +23,7 @@ use crate::topography::Topography;
 /// >>> cut_offs = {"long": 30e-6, "short": 2e-6}
 /// >>> surface = asperity.random_surface((128, 256), 0.5e-6, **cut_offs, sq=1e-7, seed=7)
 /// >>> report = surface.report()
-/// >>> f"{surface.statistics()['sq']:.4g} {report['hurst']:.1f}"
+/// >>> f"{surface.statistics()['sq']:.4g} {report['hurst_exponent']:.1f}"
 /// '1e-07 0.8'
 #[pyfunction]
 #[pyo3(signature = (

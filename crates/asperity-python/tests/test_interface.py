@@ -181,7 +181,7 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asper
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
     assert refusal(ke.solve, scene, 0.0, []).startswith("quantities is empty")
     assert refusal(ke.solve, scene, 0.0, separation_unit="mm").startswith("separation_unit is 'mm'")
-    assert refusal(ke.separation_at, scene, [1.0, 1e30]).startswith("load is 1e30 N: ")
+    assert refusal(ke.separation_at, scene, [1.0, 1e30]).startswith("load is 1e30 N, above ")
     assert refusal(scene.replace, hardnes=1.0).startswith("hardnes is not an input")
     assert refusal(scene.vary, hardnes=[1.0]).startswith("hardnes is not an input")
     many = scene.vary(hardness=[1e9, 2e9, -3.0, -4.0])

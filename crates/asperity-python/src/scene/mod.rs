@@ -70,6 +70,7 @@ impl SceneFile {
         ),
         text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=())"
     )]
+    #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
     fn new(
         interface: &Object<'_>,
         surface: &Object<'_>,

@@ -79,7 +79,8 @@ pub struct Recommendation {
     /// The finding that contacts of that model merge, if they do.
     pub merging: Option<Finding>,
     /// The ids of the models nearest to boundary elements in the compared quantities, up to the
-    /// first that is valid there, each with the reason why it is not; empty without evidence.
+    /// first that is valid there, each with the reason why it is not; empty without evidence, and
+    /// where mean gaps are compared (forces at separations).
     pub nearest: Vec<(String, Option<Finding>)>,
     /// The compared quantities of the request; [`summary`](Self::summary) and
     /// [`expectations`](Self::expectations) are about these only.
@@ -233,16 +234,15 @@ pub fn recommend_among(
 }
 
 /// The models by their largest deviation from boundary elements in these quantities, up to the
-/// first that is valid.
+/// first that is valid; none where the mean gap is compared, in which models are not ranked.
 fn nearest(
     comparisons: &[Comparison],
     compared: &[Compared],
     outside: impl Fn(&Model) -> Option<Finding>,
 ) -> Vec<(String, Option<Finding>)> {
     let largest = |found: &Comparison| -> Option<f64> {
-        let asked = compared.iter().filter(|of| **of != Compared::MeanGap);
         let off = |of: &Compared| found.off?.in_quantity(*of).map(|[off, _]| off.abs());
-        let all: Vec<f64> = asked.map(off).collect::<Option<_>>()?;
+        let all: Vec<f64> = compared.iter().map(off).collect::<Option<_>>()?;
         all.into_iter().reduce(f64::max)
     };
     let has_all = |found: &&Comparison| found.deviations.is_ok() && found.lacking.is_empty();
