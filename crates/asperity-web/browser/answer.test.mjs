@@ -85,7 +85,7 @@ test("without evidence the answer is that of the recommended model, with the rea
   const shown = await first();
   assert.match(shown["real area"], /by ke$/);
   assert.match(shown["model to use"], /^ke/);
-  assert.match(await basis(), /^ ?No evidence here \(plasticity index = .* used up to [\d.]+\): values by ke\.$/);
+  assert.match(await basis(), /^ ?No evidence here \(plasticity index = .* solved up to [\d.]+\): values by ke\.$/);
   const [answer, ke] = [await of("#answers", "answer"), await of("#answers", "ke")];
   assert.equal(answer.tangent.value, ke.tangent.value);
   assert.equal(answer.tangent.lower, undefined);
