@@ -1,4 +1,5 @@
-//! The simplest valid model near a reference, and how far each is from boundary elements.
+//! The model nearest to boundary elements, or the simplest valid one near a reference, and how far
+//! each is.
 
 use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request};
 use asperity_inputs::SceneFile;
@@ -41,6 +42,15 @@ impl Recommend<'_> {
         if request.quantities.contains(&Quantity::Force) && request.at.iter().all(given) {
             return Err("force is given at a load; compare area, tangent or others".into());
         }
+        if self
+            .models
+            .iter()
+            .map(String::as_str)
+            .chain(self.reference)
+            .any(|id| id == asperity::bem::Bem::ID)
+        {
+            return Err("bem: models are compared with boundary elements; name others".into());
+        }
         let (id, reference) = one_model(file, self.reference, sheet)?;
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
@@ -79,7 +89,10 @@ impl Recommend<'_> {
             true => vec![At::from(2.0)],
             false => self.request.at.clone(),
         };
-        let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
+        let is_named = |found: &&Comparison| {
+            found.outside.is_some() || advice.nearest.iter().any(|(id, _)| id == found.model.id())
+        };
+        let outside = advice.comparisons.iter().filter(is_named);
         let checked = [&advice.reference].into_iter().chain(&advice.simplest);
         let mut models: Vec<&Model> = vec![];
         for model in checked.chain(outside.map(|found| &found.model)) {

@@ -42,7 +42,7 @@ pub(crate) fn measured(
 }
 
 impl Sheet {
-    /// Adds the warnings and errors that the scene does not accept, one for each cause.
+    /// Adds the warnings that the scene does not accept, one for each cause.
     pub(crate) fn report(&mut self, file: &SceneFile, found: Findings) {
         self.extend(file.accepted(found).at_least(Severity::Warning));
     }

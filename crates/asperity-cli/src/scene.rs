@@ -48,7 +48,7 @@ impl LoadedScene {
     /// The scene, whose files no output may overwrite, and which accepts what the command accepts.
     fn kept(mut self, path: &Path) -> Result<Self> {
         output::keep(path);
-        self.file.accept.extend_from_slice(output::accepted());
+        self.file = self.file.accepting(output::accepted()).map_err(Error::msg)?;
         self.file.files().iter().try_for_each(|file| destinations::protect(file))?;
         Ok(self)
     }
@@ -75,8 +75,7 @@ impl LoadedScene {
     ) -> Result<(Sheet, T)> {
         let mut sheet = Sheet::default();
         let filled = fill(&mut sheet);
-        let accepted = |code: &str| self.file.accept.iter().any(|accepted| accepted == code);
-        sheet.findings.retain(|one| one.severity == Severity::Refusal || !accepted(one.code));
+        sheet.findings.retain(|one| !one.is_accepted(&self.file.accept));
         show(&sheet.findings);
         match filled.map_err(|error| error.into().downcast::<AnswerError>()) {
             Ok(filled) => Ok((sheet, filled)),

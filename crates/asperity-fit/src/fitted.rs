@@ -70,9 +70,15 @@ impl Fitted {
         self.misfit().is_none() && !self.has_unreachable()
     }
 
-    /// The warning that the law of the model does not hold where data were measured.
+    /// The warning that the law of the model does not hold where data were measured; none where the
+    /// data do not determine the hardness, on which that depends.
     #[must_use]
     pub fn invalid(&self) -> Option<&Finding> {
+        let is_strength = |one: &&Estimate| ["hardness", "yield_strength"].contains(&&*one.name);
+        let is_open = |one: &Estimate| one.lower.or(one.upper).is_none();
+        if self.parameters.iter().find(is_strength).is_some_and(is_open) {
+            return None;
+        }
         self.unusual.iter().find(|one| one.is_of_model() && one.severity < Severity::Note)
     }
 

@@ -3,7 +3,7 @@
 use asperity_core::Finding;
 use serde::Serialize;
 
-use crate::doubt::{UNREACHABLE, list};
+use crate::doubt::list;
 use crate::{Data, Fitted};
 
 /// A difference of the criterion below which two models are hardly distinguished: a factor of 20
@@ -36,9 +36,8 @@ impl Ranking {
     pub fn doubts(&self) -> Vec<Finding> {
         let mut found: Vec<Finding> = vec![];
         for new in self.distinct().flat_map(Fitted::findings) {
-            // Each value out of reach has its own reason.
-            let value = |one: &Finding| (one.code == UNREACHABLE).then(|| one.value.to_bits());
-            let cause = |one: &Finding| (one.code, one.field.clone(), value(one));
+            // Another value, as of another limit, has another reason.
+            let cause = |one: &Finding| (one.code, one.field.clone(), one.value.to_bits());
             let same = |one: &&mut Finding| cause(one) == cause(&new) && one.model != new.model;
             match found.iter_mut().find(same) {
                 Some(known) => known.also.extend(new.model),
@@ -128,15 +127,23 @@ fn order(first: &Fitted, least: f64, others: &[&Fitted]) -> String {
     let near: Vec<&str> = near.map(|other| other.model.as_str()).collect();
     let mut text = match &near[..] {
         _ if valid.is_empty() => format!("{name} is the only model of the list that holds here"),
-        [] => format!("{name} fits best by BIC, clearly before the others"),
+        [] if invalid.is_empty() => format!("{name} fits best by BIC, clearly before the others"),
+        [] => format!(
+            "of the models that hold here, {name} fits best by BIC, clearly before the others"
+        ),
         near => format!(
             "{name} fits best by BIC, but these data do not distinguish it from {} (BIC within {STRONG})",
             list(near)
         ),
     };
-    for other in invalid {
-        let code = other.invalid().map_or("", |one| one.code);
-        text += &format!("; {} ranks last, as its law does not hold here ({code})", other.model);
+    let names: Vec<String> = invalid
+        .iter()
+        .map(|other| format!("{} ({})", other.model, other.invalid().map_or("", |one| one.code)))
+        .collect();
+    match &names[..] {
+        [] => {}
+        [one] => text += &format!("; {one} ranks last, as its law does not hold here"),
+        all => text += &format!("; {} rank last, as their laws do not hold here", all.join(", ")),
     }
     text
 }

@@ -63,6 +63,10 @@ mod tests {
             "sheet.warn(",
             "output::note(",
             "output::warn(",
+            " note(",
+            " warning(",
+            "warn_text(py, ",
+            "Finding::refusal(",
             "at), ",
         ] {
             for after in all.split(call).skip(1) {

@@ -131,7 +131,9 @@ impl SceneFile {
         };
         let mut fitted = Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?;
         if fitted.describes_data() {
-            let (file, rig) = self.fitted(&fitted)?;
+            let (mut file, rig) = self.fitted(&fitted)?;
+            // Whether a law holds does not depend on what is accepted.
+            file.accept.clear();
             let places = places(&**model, &file.scene, rig, data);
             fitted.unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
         }
@@ -159,7 +161,7 @@ impl SceneFile {
     #[must_use]
     pub fn findings_of_fits(&self, ranking: &Ranking) -> Vec<Finding> {
         let mut found = ranking.doubts();
-        found.retain(|one| !self.accept.iter().any(|code| code == one.code));
+        found.retain(|one| !one.is_accepted(&self.accept));
         let unusual = ranking.distinct().flat_map(|one| one.unusual.iter().cloned());
         found.extend(self.accepted(unusual.collect()));
         found

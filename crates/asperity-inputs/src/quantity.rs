@@ -79,7 +79,10 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     Err(strength.or_else(|| notation_hint(text)).unwrap_or_else(|| {
         let near = nearest_hint(in_other_case(text, units));
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
-        let example = typed.unwrap_or(example).replace(' ', "");
+        // 200 1/mm2 joined would read as 2001 per mm2.
+        let example = typed.unwrap_or(example);
+        let example =
+            if example.contains(" 1/") { example.into() } else { example.replace(' ', "") };
         let names = names.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
         format!("is not a number in {si}{near}: write {example}, for example (units: {names})")
     }))
@@ -239,6 +242,7 @@ mod tests {
             ("hardness", "5 kg", "write 2GPa, for example"),
             ("youngs_modulus", "210 mm", "write 210GPa, for example"),
             ("sq", "Ra 0.8", "write 1.1um, for example"),
+            ("asperity_density", "0.01 1/in2", "write 200 1/mm2, for example"),
         ] {
             let error = quantity_of(key, text).unwrap_err();
             assert!(error.contains(wanted), "{error}");

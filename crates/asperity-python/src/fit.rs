@@ -60,7 +60,7 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                warn_text(py, "left-out", format!("left out: {error}"), 1)?;
+                warn_text(py, &file.accept, "left-out", format!("left out: {error}"))?;
             }
             Err(error) => return Err(value_error(error)),
         }

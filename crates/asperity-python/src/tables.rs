@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::ask::asked::arrays;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{tolerance, value_error, warn};
+use crate::convert::{tolerance, value_error, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -66,7 +66,7 @@ pub(crate) fn contact_table<'py>(
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
     let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
-    warnings.try_for_each(|found| warn(py, found, 1))?;
+    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
     Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
 }
 

@@ -133,6 +133,24 @@ def test_accepted_codes_are_silent_and_unknown_ones_refused(scene: asperity.Scen
         asperity.Scene(*given, accept=["few-contact"])
 
 
+def test_accepted_codes_are_silent_in_other_answers(scene: asperity.Scene) -> None:
+    given = scene.interface, scene.surface, scene.nominal_area
+    loud = asperity.Scene(*given)
+    quiet = asperity.Scene(*given, accept=["energy-gain", "likely-unit", "interpolation-error"])
+    for one, counted in ((loud, 1), (quiet, 0)):
+        for call in (
+            lambda: asperity.model("af").unloading(one, load=100.0, law="brake").dissipated(),  # noqa: B023
+            lambda: asperity.model("ke").unloading(one, 1.0).force(1e-7),  # noqa: B023
+            lambda: asperity.model("ke").solve(one, 2e-6),  # noqa: B023
+        ):
+            with warnings.catch_warnings(record=True) as seen:
+                warnings.simplefilter("always")
+                call()
+            codes = ("energy-gain", "likely-unit")
+            found = [str(one.message) for one in seen if str(one.message).startswith(codes)]
+            assert len(found) == counted, found
+
+
 def test_arguments_that_are_no_numbers_are_named(scene: asperity.Scene) -> None:
     with pytest.raises(TypeError, match=r"Body: youngs_modulus is \[.*\]: give a number in Pa"):
         asperity.Body([2e11], 0.3)  # type: ignore[arg-type]

@@ -22,8 +22,6 @@ const FIRST: [(&str, &str, &str); 3] = [
 ];
 /// A model farther than this from boundary elements is out of its range.
 const FAR: f64 = 0.3;
-/// Codes of findings that a load is out of the range of a model.
-const OUTSIDE: [&str; 4] = ["beyond-fit", "fit-misses", "tabor", "above-hardness"];
 /// The model that shows whether contacts yield, as it ignores that.
 pub(crate) const ELASTIC: &str = "gw";
 
@@ -71,8 +69,7 @@ pub(crate) fn hold_against(best: &Best, row: &mut Value, judged: Option<&Judged>
     let far = (best.source != Source::Model && is_far).then(far);
     row["outside"] = judged.and_then(|of| of.outside.clone()).or(far).into();
     if let Some(against) = against {
-        row["against"] =
-            json!({ "words": against.words(), "short": against.short(), "off": against.off() });
+        row["against"] = json!({ "words": against.words(), "short": against.short(), "off": against.off(), "lacks": against.0[1].is_none() });
     }
 }
 
@@ -190,8 +187,9 @@ impl Judged {
     pub(crate) fn of(file: &SceneFile, asked: &Asked, at: At) -> Self {
         let [found, _] = asked.findings(file, &[at]);
         let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
-        let is_outside =
-            |found: &&Finding| OUTSIDE.contains(&found.code) && found.severity != Severity::Note;
+        let is_outside = |found: &&Finding| {
+            found.is_of_model() && found.code != "yields" && found.severity != Severity::Note
+        };
         let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
         Self { yields, outside }
     }
@@ -266,7 +264,8 @@ mod tests {
         let known = |row: &&Value| !row["against"]["words"].to_string().contains('–');
         let least = rows.filter(known).filter_map(|row| row["against"]["off"].as_f64());
         let to_use = row(&found, answer["use"]["model"].as_str().unwrap());
-        assert!(to_use["against"]["off"].as_f64() <= least.reduce(f64::min), "{answer}");
+        let (of_use, least) = (to_use["against"]["off"].as_f64().unwrap(), least.reduce(f64::min));
+        assert!(of_use <= least.unwrap(), "{answer}");
     }
 
     #[test]

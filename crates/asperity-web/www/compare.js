@@ -25,7 +25,9 @@ export function forget() {
 export function showCompared() {
   const rows = new Map([...others, ...page.values]);
   // The nearest first, then those that cannot be compared.
-  const list = [...rows.values()].sort((a, b) => ((a.against?.off ?? Infinity) < (b.against?.off ?? Infinity) ? -1 : 1));
+  const rank = ({ against, mark }) => [!against, Boolean(mark), Boolean(against?.lacks), against?.off];
+  const before = (a, b) => rank(a).map((part, k) => part - rank(b)[k]).find((part) => part) ?? 0;
+  const list = [...rows.values()].sort(before);
   const name = (id) => (chosen().includes(id) ? element("strong", {}, id)
     : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
   $("compared").replaceChildren(...list.map(({ model, against, outside, reason }) =>

@@ -49,7 +49,7 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
             "the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels",
         ),
         _ if codes.iter().all(|codes| has(&FEW, codes)) => {
-            Some("too few pixels or patches are in contact; increase the load")
+            Some("too few pixels or patches are in contact")
         }
         _ => None,
     }

@@ -1,5 +1,5 @@
-//! `asperity recommend`: the simplest valid model within a tolerance, and the deviations of models
-//! from boundary elements on similar surfaces.
+//! `asperity recommend`: the model nearest to boundary elements on similar surfaces, or the
+//! simplest valid one near a reference.
 
 use anyhow::Result;
 use asperity::{Quantity, linspace};
@@ -10,7 +10,7 @@ use crate::input::numbers::share;
 use crate::output::progress;
 use crate::scene::LoadedScene;
 
-/// Recommend the simplest valid model near a reference, with evidence from boundary elements
+/// Recommend a model: the nearest to boundary elements, or the simplest near a reference
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
 pub struct Recommend {

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use asperity::{Findings, Severity};
+use asperity::Findings;
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
@@ -135,9 +135,7 @@ impl Surface {
             let statistics = surface.statistics(self.estimator).with_context(of)?;
             let seam = asperity_inputs::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
-            // An error of a scene: statistics without a contact have no wrong answer.
             let slope = statistics.unusual_slope(dx.max(dy));
-            let slope = slope.map(|found| found.severity(Severity::Warning));
             let size = slope.or_else(|| statistics.unusual_height());
             let size = size.into_iter().chain(statistics.unusual_kurtosis());
             let of_scan = seam.chain(size).chain(statistics.warnings.iter().cloned());

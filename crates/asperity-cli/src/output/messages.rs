@@ -1,8 +1,8 @@
 //! Messages on standard error: errors, and findings with their codes.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 
 use asperity::{Code, Finding, Severity};
 use clap::Args;
@@ -23,8 +23,8 @@ pub struct Treatment {
 }
 
 static TREATMENT: OnceLock<Treatment> = OnceLock::new();
-/// Warnings that are not accepted.
-static WARNINGS: AtomicUsize = AtomicUsize::new(0);
+/// Codes of warnings that are not accepted.
+static WARNINGS: Mutex<BTreeSet<&str>> = Mutex::new(BTreeSet::new());
 
 fn code(text: &str) -> Result<String, String> {
     Code::named(text).map(|code| code.name.into())
@@ -42,13 +42,10 @@ pub fn accepted() -> &'static [String] {
 
 /// The reason why a strict run fails although it has an answer.
 pub fn strict_failure() -> Option<String> {
-    let strict = TREATMENT.get().is_some_and(|treatment| treatment.strict);
-    match WARNINGS.load(Ordering::Relaxed) {
-        _ if !strict => None,
-        0 => None,
-        1 => Some("--strict: there is a warning that is not accepted".into()),
-        count => Some(format!("--strict: there are {count} warnings that are not accepted")),
-    }
+    TREATMENT.get().filter(|treatment| treatment.strict)?;
+    let codes: Vec<&str> = WARNINGS.lock().ok()?.iter().copied().collect();
+    let text = format!("--strict: not all warnings are accepted: {}", codes.join(", "));
+    (!codes.is_empty()).then_some(text)
 }
 
 /// The error that ends the program; it goes on where standard error is closed.
@@ -61,14 +58,13 @@ pub fn show<'a>(found: impl IntoIterator<Item = &'a Finding>) {
     let is_quiet = TREATMENT.get().is_some_and(|treatment| treatment.quiet);
     for found in found {
         let Finding { code, severity, .. } = found;
-        let is_refusal = *severity == Severity::Refusal;
-        if !is_refusal && accepted().iter().any(|accepted| accepted == code) {
+        if found.is_accepted(accepted()) {
             continue;
         }
-        if *severity == Severity::Warning {
-            WARNINGS.fetch_add(1, Ordering::Relaxed);
+        if let (Severity::Warning, Ok(mut codes)) = (severity, WARNINGS.lock()) {
+            codes.insert(*code);
         }
-        if is_refusal || !is_quiet {
+        if *severity == Severity::Refusal || !is_quiet {
             let _ = writeln!(io::stderr(), "{severity}[{code}]: {found}");
         }
     }

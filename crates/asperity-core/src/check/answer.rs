@@ -190,13 +190,9 @@ impl Check {
         }
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
-        let merging = crowded(model, at, fraction).filter(|_| model.validity().asperities);
-        // More area than there is says as much.
-        if merging.is_none() || fraction <= 1.0 {
-            let pressure = force / scene.nominal_area;
-            check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
-        }
-        check.extend(merging);
+        check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
+        let pressure = force / scene.nominal_area;
+        check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.add_number("contacts", contacts, "", "asperities that touch");
@@ -244,7 +240,7 @@ impl Check {
                 .of_model(model.id())
                 .at(at)
                 .fact(format!(
-                    "the asperities that carry the top 1 % of the load are pressed in by more than {} of their radius",
+                    "the asperities that carry the top 1 % of the load are pressed in by more than {} times their radius",
                     short(w / r)
                 ))
                 .advice("laws of spherical asperities do not hold so deep");

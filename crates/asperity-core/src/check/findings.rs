@@ -70,15 +70,15 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         true => "yielding asperities",
         false => "pressures above the hardness",
     };
-    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
+    let (severity, chance) = match share > YIELDS[1] {
+        true => (Severity::Warning, ", and its area is right only by chance"),
+        false => (Severity::Note, ""),
+    };
     let found = warning((model, at), "yields", "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
-        .advice(format!(
-            "`{}` ignores yielding, and its area is right only by chance{others}",
-            model.id()
-        ));
+        .advice(format!("`{}` ignores yielding{chance}{others}", model.id()));
     (share > YIELDS[0]).then_some(found)
 }
 

@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hardness_far_below_that_of_any_metal_is_an_error_which_says_so_once() {
+    fn a_hardness_far_below_that_of_any_metal_is_implausible_and_says_so_once() {
         for hardness in [1.2e6, 9e5, 6e4, 200.0] {
             let mut found = of_hardness(70e9, hardness).unwrap();
             assert!(found.is_implausible(), "{hardness}");

@@ -220,7 +220,7 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
 mod tests {
     use super::*;
 
-    /// The first finding, with its severity.
+    /// Whether the first finding is of an implausible number, and its text.
     fn of(radius: f64, density: f64, std: f64) -> String {
         let found = Surface::new(radius, density, std).findings();
         found

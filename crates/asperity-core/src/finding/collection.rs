@@ -10,7 +10,7 @@ use super::{FEW_ASPERITIES, Finding, ROUGHNESS_PARAMETER, Severity};
 
 /// A code, and the codes with the same cause that it replaces.
 const SAME_CAUSE: [(&str, &[&str]); 4] = [
-    ("beyond-full-contact", &["above-hardness", "yields"]),
+    ("beyond-full-contact", &["above-hardness", "area-above-nominal", "crowded", "yields"]),
     ("above-nominal", &["area-above-nominal", "crowded"]),
     ("crowded", &["area-above-nominal"]),
     (FEW_ASPERITIES, &["few-contacts"]),
@@ -57,11 +57,7 @@ impl Findings {
     /// Without warnings and notes of these codes; refusals stay. Scene files name them in `accept`.
     #[must_use]
     pub fn silenced(mut self, codes: &[impl AsRef<str>]) -> Self {
-        // More area than there is means no more than contacts that merge.
-        let same = |code: &str, found: &str| code == "crowded" && found == "area-above-nominal";
-        let accepts = |code: &str, found| code == found || same(code, found);
-        let accepted = |found: &Finding| codes.iter().any(|c| accepts(c.as_ref(), found.code));
-        self.0.retain(|found| found.severity == Severity::Refusal || !accepted(found));
+        self.0.retain(|found| !found.is_accepted(codes));
         self
     }
 
@@ -104,8 +100,10 @@ impl Findings {
         }
         let follows = |found: &Finding| {
             let scan = kept.iter().any(|other| other.code == ROUGHNESS_PARAMETER);
+            // A note hides no warning.
             let same = |(code, others): &(&str, &[&str])| {
-                others.contains(&found.code) && kept.iter().any(|other| other.code == *code)
+                let hides = |o: &Finding| o.code == *code && o.severity <= found.severity;
+                others.contains(&found.code) && kept.iter().any(hides)
             };
             // β of a scan and of the asperities derived from it.
             scan && found.code != ROUGHNESS_PARAMETER && found.field == "roughness_parameter"
@@ -122,6 +120,16 @@ impl Findings {
 }
 
 impl Finding {
+    /// Whether one of these codes accepts the finding. More area than there is means no more than
+    /// contacts that merge; refusals are not accepted.
+    #[must_use]
+    pub fn is_accepted(&self, codes: &[impl AsRef<str>]) -> bool {
+        let accepts = |code: &str| {
+            code == self.code || code == "crowded" && self.code == "area-above-nominal"
+        };
+        self.severity != Severity::Refusal && codes.iter().any(|code| accepts(code.as_ref()))
+    }
+
     fn has_cause_of(&self, other: &Self) -> bool {
         let cause = |d: &Self| (d.code, d.quantity);
         cause(self) == cause(other)

@@ -77,7 +77,7 @@ fn a_model_whose_law_does_not_hold_ranks_last() {
     ke.unusual.push(Finding::warning("fit-misses", "missed_share", 0.9));
     let ranking = rank(vec![gw.clone(), ke.clone()]);
     assert_eq!(ranking.models[0].model, "gw");
-    let reason = "gw is the only model of the list that holds here; ke ranks last, as its law does not hold here (fit-misses); ";
+    let reason = "gw is the only model of the list that holds here; ke (fit-misses) ranks last, as its law does not hold here; ";
     assert!(ranking.summary.starts_with(reason), "{}", ranking.summary);
     let ranking = rank(vec![ke]);
     assert!(ranking.summary.starts_with("ke alone was fitted"), "{}", ranking.summary);

@@ -173,7 +173,7 @@ impl Contact {
         }
         let (given, is_si) = Given::read(numbers, "separation", axis.si())?;
         let axis = if is_si { axis.in_si() } else { axis };
-        axis.warn_of_unit(py, "separation", given.numbers()?, &self.file.scene, 0)?;
+        axis.warn_of_unit(py, "separation", given.numbers()?, &self.file, 0)?;
         let contact = self.current();
         if let Some(columns) = self.filled(py, &*contact, quantities, axis, given.numbers()?)? {
             return given.shaped(py, columns);

@@ -12,7 +12,9 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
-use crate::convert::{Object, Quantities, object, refused, value_error, warn, warn_text};
+use crate::convert::{
+    Object, Quantities, object, refused, value_error, warn, warn_text, warn_unless,
+};
 use crate::scene::{SceneFile, models_among};
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
@@ -46,7 +48,7 @@ pub(crate) fn bem<'py>(
 ) -> PyResult<Contacts<'py>> {
     let (maps, mask) = maps_and_mask;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene } = Pressed::new(pressed)?;
+    let Pressed { bem, scene, accept } = Pressed::new(pressed)?;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     // Refuses what boundary elements or the interface lack before anything is solved.
@@ -101,7 +103,7 @@ pub(crate) fn bem<'py>(
     if let Some(error) = failed {
         return Err(error);
     }
-    notes.iter().try_for_each(|note| warn(py, note, 1))?;
+    notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
     let names = HEADS.iter().map(|(name, _)| (*name).to_string());
     let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
     let fields = arrays(py, names.zip(columns))?;
@@ -122,7 +124,7 @@ pub(crate) fn bem_unloading<'py>(
     retreats: Option<Vec<f64>>,
     points: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Pressed { bem, scene } = Pressed::new(pressed)?;
+    let Pressed { bem, scene, .. } = Pressed::new(pressed)?;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_cases(given, area).remove(0);
@@ -186,12 +188,12 @@ pub(crate) fn truth<'py>(
     if let Some((_, error)) = found.failed.first().filter(|_| !mask) {
         return Err(value_error(error));
     }
-    found.findings().by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
+    scene.accepted(found.findings()).iter().try_for_each(|note| warn(py, note, 1))?;
     let mut refused: BTreeMap<String, String> =
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
     for (id, why) in found.missing() {
         if !refused.contains_key(id) {
-            warn_text(py, "no-value", format!("{id}: {why}"), 1)?;
+            warn_text(py, &scene.accept, "no-value", format!("{id}: {why}"))?;
             refused.insert(id.into(), why.to_string());
         }
     }

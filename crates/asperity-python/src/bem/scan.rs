@@ -4,7 +4,7 @@ use asperity::bem::{Bem, Continuation, LoadCase};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::convert::{Object, value_error, warn};
+use crate::convert::{Object, value_error, warn_unless};
 use crate::records::{instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
@@ -15,6 +15,8 @@ pub(super) struct Pressed {
     /// The two bodies, and the area of the loads: the nominal area of a scene, or that of a
     /// topography.
     pub(super) scene: asperity::Scene,
+    /// Codes of findings that the scene accepts.
+    pub(super) accept: Vec<String>,
 }
 
 /// A surface, the two bodies of a topography, the form to remove, whether the hardness is ignored,
@@ -64,7 +66,7 @@ impl Pressed {
         // Boundary elements use no asperities.
         let none = asperity::Surface::new(1.0, 1.0, 1.0);
         let scene = asperity::Scene::new(interface, none, bem.map().area());
-        Self::noted(surface.py(), Self { bem, scene })
+        Self::noted(surface.py(), Self { bem, scene, accept: vec![] })
     }
 
     pub(super) fn of_scene(
@@ -74,12 +76,12 @@ impl Pressed {
         elastic: bool,
     ) -> PyResult<Self> {
         let bem = file.bem(continuation(boundary)?, elastic).map_err(value_error)?;
-        Self::noted(py, Self { bem, scene: file.scene.clone() })
+        Self::noted(py, Self { bem, scene: file.scene.clone(), accept: file.accept.clone() })
     }
 
     /// Warns of edges that do not match.
     fn noted(py: Python<'_>, pressed: Self) -> PyResult<Self> {
-        pressed.bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
+        pressed.bem.note().map_or(Ok(()), |note| warn_unless(py, &pressed.accept, &note, 1))?;
         Ok(pressed)
     }
 }

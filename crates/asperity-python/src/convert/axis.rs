@@ -4,7 +4,7 @@ use asperity::{At, ContactError, Datum, Finding, Scene, Separation, SeparationUn
 use pyo3::prelude::*;
 
 use crate::convert::numbers::largest_magnitude;
-use crate::convert::{value_error, warn};
+use crate::convert::{value_error, warn_unless};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -102,10 +102,10 @@ impl Axis {
         py: Python<'_>,
         name: &str,
         numbers: &[f64],
-        scene: &Scene,
+        file: &asperity_inputs::SceneFile,
         above: usize,
     ) -> PyResult<()> {
-        let mistaken = self.mistaken_unit(name, numbers, scene.surface.asperity_height_std);
-        mistaken.map_or(Ok(()), |found| warn(py, &found, above))
+        let mistaken = self.mistaken_unit(name, numbers, file.scene.surface.asperity_height_std);
+        mistaken.map_or(Ok(()), |found| warn_unless(py, &file.accept, &found, above))
     }
 }

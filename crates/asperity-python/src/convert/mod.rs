@@ -54,14 +54,24 @@ pub(crate) fn warn(py: Python<'_>, found: &Finding, above: usize) -> PyResult<()
     py.import("asperity._warn")?.call_method1("warn", (warning(found), above)).map(drop)
 }
 
+/// Likewise, unless one of these codes accepts it.
+pub(crate) fn warn_unless(
+    py: Python<'_>,
+    accept: &[String],
+    found: &Finding,
+    above: usize,
+) -> PyResult<()> {
+    if found.is_accepted(accept) { Ok(()) } else { warn(py, found, above) }
+}
+
 /// Likewise, a sentence of its own.
 pub(crate) fn warn_text(
     py: Python<'_>,
+    accept: &[String],
     code: &'static str,
     text: String,
-    above: usize,
 ) -> PyResult<()> {
-    warn(py, &Finding::warning(code, "", f64::NAN).fact(text), above)
+    warn_unless(py, accept, &Finding::warning(code, "", f64::NAN).fact(text), 1)
 }
 
 /// The text of a warning, which filters of warnings find by its code.

@@ -62,7 +62,7 @@ impl JointTable {
         let unit: Axis = separation_unit.extract()?;
         let metres = unit.metres(&file.scene);
         for end in [ends.0, ends.1] {
-            unit.warn_of_unit(py, "separation", &[end], &file.scene, 1)?;
+            unit.warn_of_unit(py, "separation", &[end], &file, 1)?;
         }
         let named = model.get().on(&file)?;
         let (plane, table) = model.get().run(py, || {

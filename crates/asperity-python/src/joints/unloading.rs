@@ -9,7 +9,7 @@ use crate::ask::advice::check_scene;
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::in_si;
-use crate::convert::{Object, tolerance, value_error, warn};
+use crate::convert::{Object, tolerance, value_error, warn, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -56,7 +56,7 @@ impl Unloading {
         let file = scene.get().0.clone();
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
-        axis.warn_of_unit(py, "separation", &[place.1], &file.scene, 1)?;
+        axis.warn_of_unit(py, "separation", &[place.1], &file, 1)?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
         let (joint, whole, closest) = model.get().run(py, || {
@@ -151,7 +151,8 @@ impl Unloading {
             let work = self.whole.work(closest)?;
             Ok((work, self.whole.energy_gain(closest, &work)?))
         })?;
-        gain.map_or(Ok(()), |gain| warn(py, &gain.finding(), 0))?;
+        let accept = &self.scene.get().0.accept;
+        gain.map_or(Ok(()), |gain| warn_unless(py, accept, &gain.finding(), 0))?;
         Ok(work)
     }
 
@@ -163,7 +164,7 @@ impl Unloading {
         let (py, scene) = (retreat.py(), self.joint.scene());
         let (given, is_si) = Given::read(retreat, "retreat", "m")?;
         let unit = if is_si { METRES } else { self.unit };
-        unit.warn_of_unit(py, "retreat", given.numbers()?, scene, 0)?;
+        unit.warn_of_unit(py, "retreat", given.numbers()?, &self.scene.get().0, 0)?;
         let one = |_, u: f64| Ok([one(&self.joint, unit.metres(scene) * u)?]);
         Ok(given.each(py, ROWS_PER_TASK, one, |error| self.model.get().raise(py, error))?.remove(0))
     }

@@ -1,5 +1,5 @@
-//! Which model does a scene need? The simplest that agrees with a reference model, and how far each
-//! model is from boundary elements.
+//! Which model does a scene need? The nearest to boundary elements or, without evidence, the
+//! simplest that agrees with a reference model.
 
 mod between_models;
 mod evidence;
@@ -11,7 +11,7 @@ use crate::evidence::{compile, compile_known};
 use crate::{
     Compared, ContactError, Described, Finding, Model, Quantity, Request, Scene, SurfaceShape,
 };
-use between_models::{answer, largest_deviation, merging, outside, regimes};
+use between_models::{answer, largest_deviation, merging as merging_at, outside, regimes};
 pub(crate) use evidence::evidence_of;
 pub use evidence::{Deviation, EvidenceAt, Expectation};
 
@@ -76,11 +76,12 @@ pub struct Recommendation {
     /// Models from simplest to most complex: upright asperities of one radius, random asperities,
     /// no asperities, inclined contacts; then by number of parts of the force law and by year.
     pub comparisons: Vec<Comparison>,
-    /// The finding that contacts of that model merge, if they do.
+    /// The finding that contacts merge by the model to use, if they do.
     pub merging: Option<Finding>,
     /// The ids of the models nearest to boundary elements in the compared quantities, up to the
-    /// first that is valid there, each with the reason why it is not; empty without evidence, and
-    /// where mean gaps are compared (forces at separations).
+    /// first that is valid there, each with the reason why it is not; behind it the simplest valid
+    /// one that is as near within the interval. Empty without evidence, and where mean gaps are
+    /// compared (forces at separations).
     pub nearest: Vec<(String, Option<Finding>)>,
     /// The compared quantities of the request; [`summary`](Self::summary) and
     /// [`expectations`](Self::expectations) are about these only.
@@ -217,9 +218,13 @@ pub fn recommend_among(
     }
     let itself = || outside(reference, scene, &request.at).is_none().then(|| reference.clone());
     let simplest = near.map(|(found, _)| found.model.clone()).or_else(itself);
-    let merging = simplest.as_ref().and_then(|model| merging(model, scene, &request.at));
     let comparisons: Vec<_> = comparisons.into_iter().map(|(found, _)| found).collect();
     let nearest = nearest(&comparisons, &asked, |model| outside(model, scene, &request.at));
+    let is_nearest =
+        |found: &&Comparison| nearest.last().is_some_and(|(id, _)| id == found.model.id());
+    let named = comparisons.iter().find(is_nearest).map(|found| &found.model);
+    let merging = named.or(simplest.as_ref());
+    let merging = merging.and_then(|model| merging_at(model, scene, &request.at));
     let (reference, compared) = (reference.clone(), asked);
     Ok(Recommendation {
         reference,
@@ -234,28 +239,35 @@ pub fn recommend_among(
 }
 
 /// The models by their largest deviation from boundary elements in these quantities, up to the
-/// first that is valid; none where the mean gap is compared, in which models are not ranked.
+/// first that is valid, and then the simplest valid one that is as near within the interval; none
+/// where the mean gap is compared, in which models are not ranked.
 fn nearest(
     comparisons: &[Comparison],
     compared: &[Compared],
     outside: impl Fn(&Model) -> Option<Finding>,
 ) -> Vec<(String, Option<Finding>)> {
-    let largest = |found: &Comparison| -> Option<f64> {
-        let off = |of: &Compared| found.off?.in_quantity(*of).map(|[off, _]| off.abs());
-        let all: Vec<f64> = compared.iter().map(off).collect::<Option<_>>()?;
-        all.into_iter().reduce(f64::max)
+    // The largest deviation, and half the width of its interval.
+    let largest = |found: &Comparison| -> Option<[f64; 2]> {
+        let off = |of: &Compared| found.off?.in_quantity(*of).map(|[off, half]| [off.abs(), half]);
+        let all: Vec<[f64; 2]> = compared.iter().map(off).collect::<Option<_>>()?;
+        all.into_iter().reduce(|a, b| if b[0] > a[0] { b } else { a })
     };
     let has_all = |found: &&Comparison| found.deviations.is_ok() && found.lacking.is_empty();
     let known = comparisons.iter().filter(has_all);
-    let known = known.filter_map(|found| Some((largest(found)?, &found.model)));
-    let mut near: Vec<(f64, &Model)> = known.collect();
-    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // From simplest to most complex.
+    let known: Vec<([f64; 2], &Model)> =
+        known.filter_map(|found| Some((largest(found)?, &found.model))).collect();
+    let mut near = known.clone();
+    near.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]));
     let mut found = vec![];
-    for (_, model) in near {
+    for ([off, half], model) in near {
         let why = outside(model);
         let is_valid = why.is_none();
         found.push((model.id().to_string(), why));
         if is_valid {
+            let mut alike = known.iter().filter(|([other, _], _)| *other <= off + half);
+            let simplest = alike.find(|(_, model)| outside(model).is_none());
+            found.extend(simplest.map(|(_, model)| (model.id().to_string(), None)));
             break;
         }
     }

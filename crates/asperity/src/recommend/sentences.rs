@@ -16,30 +16,42 @@ impl Recommendation {
     }
 
     /// The model nearest to boundary elements in the requested quantities and, if it does not hold
-    /// here, the nearest that does; `None` without evidence.
+    /// here, the nearest that does, or the simplest that is as near; `None` without evidence.
     fn nearest_sentence(&self) -> Option<String> {
         let text = |id: &str| {
             let off = self.comparisons.iter().find(|found| found.model.id() == id)?.off?;
-            let words = |(of, name): (Compared, &str)| {
+            let in_words = |(of, name): (Compared, &str)| {
                 Some(format!("{name} {}", words(&[off.in_quantity(of)?[0]])))
             };
             let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
-            let all: Vec<String> = asked.filter_map(words).collect();
+            let all: Vec<String> = asked.filter_map(in_words).collect();
             Some(format!("{id} ({})", all.join(", ")))
         };
         let (first, outside) = self.nearest.first()?;
-        let (last, invalid) = self.nearest.last()?;
-        let rest = match (outside, invalid) {
-            (None, _) => String::new(),
-            (Some(why), Some(_)) => format!(", but does not hold here (`{}`)", why.code),
-            (Some(why), None) => format!(
-                ", but does not hold here (`{}`); of the models that do, {} is",
-                why.code,
-                text(last)?
+        let (simplest, invalid) = self.nearest.last()?;
+        let holds = self.nearest.iter().find(|(_, why)| why.is_none());
+        let is_nearest = holds.is_none_or(|(id, _)| id == simplest);
+        let alike = match is_nearest {
+            true => format!("{} is", text(simplest)?),
+            false => format!(
+                "{} is as near within the interval, and the simplest of these",
+                text(simplest)?
             ),
         };
+        let rest = match (outside, invalid) {
+            (None, _) if is_nearest => String::new(),
+            (None, _) => format!("; {alike}"),
+            (Some(why), Some(_)) => format!(", but does not hold here (`{}`)", why.code),
+            (Some(why), None) => {
+                format!(", but does not hold here (`{}`); of the models that do, {alike}", why.code)
+            }
+        };
+        let merging = match self.merging {
+            Some(_) => "; contacts merge here, and no model of asperities is valid",
+            None => "",
+        };
         let text = text(first)?;
-        Some(AsWritten.say(&format!("{text} is nearest to boundary elements{rest}")))
+        Some(AsWritten.say(&format!("{text} is nearest to boundary elements{rest}{merging}")))
     }
 
     /// Which model is the simplest within the limit of the reference, in one sentence.
