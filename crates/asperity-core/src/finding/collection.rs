@@ -120,12 +120,13 @@ impl Findings {
 }
 
 impl Finding {
-    /// Whether one of these codes accepts the finding. More area than there is means no more than
-    /// contacts that merge; refusals are not accepted.
+    /// Whether one of these codes accepts the finding. Who accepts contacts that merge or a load
+    /// beyond full contact accepts more area than there is, too; refusals are not accepted.
     #[must_use]
     pub fn is_accepted(&self, codes: &[impl AsRef<str>]) -> bool {
         let accepts = |code: &str| {
-            code == self.code || code == "crowded" && self.code == "area-above-nominal"
+            let is_cause = ["crowded", "beyond-full-contact"].contains(&code);
+            code == self.code || is_cause && self.code == "area-above-nominal"
         };
         self.severity != Severity::Refusal && codes.iter().any(|code| accepts(code.as_ref()))
     }
