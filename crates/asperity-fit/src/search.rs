@@ -18,8 +18,9 @@ pub(crate) struct Found {
     pub(crate) others: Vec<Minimum>,
 }
 
-/// Searches from the start given, and from the best `more` samples within the bounds, each with so
-/// many evaluations for a free parameter.
+/// Searches from the start given, from the best `more` samples within the bounds and, if there are
+/// more, from a body so hard that it does not yield, each with so many evaluations for a free
+/// parameter.
 pub(crate) fn search(
     problem: &Problem<'_>,
     more: usize,
@@ -28,6 +29,9 @@ pub(crate) fn search(
     let given = problem.start();
     let mut starts = vec![given.clone()];
     starts.extend(samples(problem, more)?);
+    if more > 0 {
+        starts.extend(elastic(problem, &given, patience)?);
+    }
     let mut minima: Vec<Minimum> = vec![];
     for start in &starts {
         let _ = (problem.count)(Counted::Start);
@@ -56,6 +60,32 @@ pub(crate) fn search(
         }
     }
     Ok(found)
+}
+
+/// The least squares with a free strength near its upper bound: elastic data have a flat minimum
+/// there, which a ridge parts from other starts.
+fn elastic(
+    problem: &Problem<'_>,
+    given: &[f64],
+    patience: usize,
+) -> Result<Option<Vec<f64>>, FitError> {
+    let is_strength =
+        |k: &usize| ["hardness", "yield_strength"].contains(&&*problem.parameters[*k].name);
+    let (strengths, others): (Vec<usize>, Vec<usize>) = (0..given.len()).partition(is_strength);
+    if strengths.is_empty() || others.is_empty() {
+        return Ok(None);
+    }
+    // A model may have no value for the hardest bodies.
+    let start = [0.95, 0.8, 0.65].into_iter().find_map(|share| {
+        let mut start = given.to_vec();
+        for k in &strengths {
+            let [low, high] = problem.parameters[*k].range();
+            start[*k] = low + share * (high - low);
+        }
+        problem.predicted(&start).is_ok().then_some(start)
+    });
+    let found = start.map(|start| problem.minimise(&start, &others, patience)).transpose()?;
+    Ok(found.map(|minimum| minimum.coordinates))
 }
 
 /// The samples with the least squares: of one parameter the local minima of even steps, of several

@@ -214,3 +214,24 @@ fn models_that_do_not_hold_come_last_and_equal_ones_are_one() {
     assert!(run.messages.contains("note[ranking]: nothing yields: "), "{}", run.messages);
     assert!(!run.messages.contains("few-contacts"), "{}", run.messages);
 }
+
+/// Elastic data have a flat minimum at large hardnesses, beside one of yielding asperities.
+#[test]
+fn models_that_yield_find_the_elastic_law_within_them() {
+    let bench = Bench::new();
+    bench.write("elastic.toml", asperity_inputs::template());
+    let ask = "--model gw --pressure 1e5:3e7:8:log --quantity area,unloading-stiffness";
+    bench.data(&format!("curve elastic.toml {ask} --output g.csv"));
+    let start = asperity_inputs::template()
+        .replace("asperity_height_std = 1e-6", "asperity_height_std = 1.5e-6")
+        .replace("hardness = 2e9", "hardness = 3e9");
+    bench.write("start.toml", &start);
+    for hardness in ["1e8:9e10", "1e8:5e11"] {
+        let free = format!("asperity_height_std,hardness={hardness}");
+        let ask = format!("fit start.toml g.csv --free {free} --model ke,ceb --format csv");
+        let found = bench.data(&ask);
+        let of = |name: &str| column(&found, name);
+        assert!((of("value")[0] / 1e-6 - 1.0).abs() < 1e-6, "{found}");
+        assert!(of("rms").iter().all(|rms| *rms < 1e-6), "{found}");
+    }
+}
