@@ -100,8 +100,8 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
     assert np.ma.getmaskarray(some.area).tolist() == [False, True]
     assert "p/(E g)" in some.failures[1]
     # Without a Hurst exponent persson has areas and no separation, which is no failure of a row.
-    plain, persson = asperity.Scene.parse(asperity.template()), asperity.model("persson")
-    found = persson.solve(plain, pressure=[1e6, 1e7], quantities="area", corrected=True)
+    template, persson = asperity.Scene.parse(asperity.template()), asperity.model("persson")
+    found = persson.solve(template, pressure=[1e6, 1e7], quantities="area", corrected=True)
     assert not found.failures and not np.ma.getmaskarray(found.area).any()
     assert sorted(found.separation_failures) == [0, 1]
     with pytest.raises(TypeError, match="use lower and upper"):
