@@ -30,7 +30,7 @@ const THIN: f64 = 1e-4;
 #[derive(Debug)]
 pub(crate) struct Average<'m> {
     pub(crate) model: &'m dyn AsperityModel,
-    pub(crate) name: &'m str,
+    pub(crate) id: &'m str,
     pub(crate) population: Population,
     /// Interferences \[m\] at which parts of the force are cut in two, so that each has a share of
     /// its own.
@@ -42,8 +42,8 @@ impl Described for Average<'_> {
         self.model.citation()
     }
 
-    fn name(&self) -> &str {
-        self.name
+    fn id(&self) -> &str {
+        self.id
     }
 
     fn validity(&self) -> Validity {
@@ -133,7 +133,7 @@ impl AsperityModel for Average<'_> {
     fn contact_radius(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         // The root of the average area is not the average of the contact radii.
         let what = format!("contact radii, which need asperities of one radius; {EQUAL}");
-        Err(ContactError::Unsupported { model: self.name.into(), what })
+        Err(ContactError::Unsupported { model: self.id.into(), what })
     }
 }
 

@@ -103,7 +103,7 @@ impl Described for RandomAsperities {
 impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         let (model, population) = self.accepted(scene)?;
-        let average = Average { model, name: &self.name, population, cuts: &[] };
+        let average = Average { model, id: &self.id, population, cuts: &[] };
         let averaged = compiled(&average, scene, request)?;
         let (model, tolerance) = (self.clone(), request.tolerance);
         Ok(Box::new(OnScene { averaged, model, scene: scene.clone(), population, tolerance }))
@@ -214,7 +214,7 @@ impl Contact for OnScene {
         let asperity = population.scene(&self.scene).asperity()?;
         let critical = asperity.critical_interference()?;
         let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
-        let average = Average { model, name: &self.model.name, population, cuts: &cuts };
+        let average = Average { model, id: &self.model.id, population, cuts: &cuts };
         let request = Request::new([Quantity::Force]).at([at]);
         let averaged = compiled(&average, &self.scene, &request)?;
         let shares = averaged.shares_at(Quantity::Force, self.own(at)?).map_err(self.at(at))?;

@@ -198,7 +198,7 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     for quantity in [Quantity::ContactRadiusSum, Quantity::UnloadingStiffness] {
         let refused = gw.compile(&usual, &Request::new([quantity])).unwrap_err().to_string();
         assert!(
-            refused.starts_with("GW random cannot give contact radii, which need"),
+            refused.starts_with("gw-random cannot give contact radii, which need"),
             "{refused}"
         );
     }
