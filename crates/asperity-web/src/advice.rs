@@ -220,8 +220,8 @@ mod tests {
     const SEAL: &str = include_str!("../../asperity-inputs/examples/lapped-seal.toml");
     const JOINT: &str = include_str!("../../asperity-inputs/examples/bolted-joint.toml");
 
-    /// What the page is told about a scene at a load, with these solved values there.
-    fn told(text: &str, load: &str, solved: Value) -> Value {
+    /// The answer of the page for a scene at a load, with values solved there.
+    fn page_at(text: &str, load: &str, solved: Value) -> Value {
         let mut desk = Desk::default();
         let mut ask = |message: Value| -> Value {
             serde_json::from_str(&desk.call(&message.to_string())).unwrap()
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn an_answer_is_the_corrected_value_and_models_are_held_against_it() {
-        let found = told(SEAL, "1 MPa", json!([]));
+        let found = page_at(SEAL, "1 MPa", json!([]));
         let (answer, ke) = (&found["answer"], row(&found, "ke"));
         assert_eq!(answer["source"], "evidence");
         let file = asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap();
@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn without_evidence_the_recommended_model_answers() {
-        let found = told(JOINT, "1 MPa", json!([]));
+        let found = page_at(JOINT, "1 MPa", json!([]));
         let answer = &found["answer"];
         assert_eq!((&answer["source"], &answer["use"]["model"]), (&json!("model"), &json!("ke")));
         let basis = answer["basis"].as_str().unwrap();
@@ -285,11 +285,11 @@ mod tests {
             let values = json!({ "area-fraction": "0.01", "tangent": "1e10" });
             json!([{ "pressure": pressure, "values": values, "notes": notes }])
         };
-        let source = |text, solved| told(text, "1 MPa", solved)["answer"]["source"].clone();
+        let source = |text, solved| page_at(text, "1 MPa", solved)["answer"]["source"].clone();
         assert_eq!(source(SEAL, solved(1e6, json!([]))), "solved");
         assert_eq!(source(SEAL, solved(2e6, json!([]))), "evidence");
         assert_eq!(source(SEAL, solved(1e6, json!(["few-patches"]))), "evidence");
-        let doubtful = told(JOINT, "1 MPa", solved(1e6, json!(["few-patches"])));
+        let doubtful = page_at(JOINT, "1 MPa", solved(1e6, json!(["few-patches"])));
         assert_eq!(doubtful["answer"]["first"][0]["shown"], "1 %");
         assert!(
             doubtful["answer"]["basis"].as_str().unwrap().contains("uncertain: too few pixels")

@@ -175,7 +175,7 @@ impl Desk {
                 Ok(asked) => {
                     let (row, found) = answer::row(file, id, asked, load.at)?;
                     rows.push(row);
-                    // The check of the load says as much of an area above the nominal one.
+                    // The findings of the load name an area above the nominal one already.
                     findings.extend(found.into_iter().filter(|f| f.code != "area-above-nominal"));
                 }
                 Err(reason) => rows.push(json!({ "model": id, "cells": [], "reason": reason })),

@@ -122,11 +122,11 @@ fn heights_in_a_wrong_unit_and_a_few_far_points_are_told() {
     };
     bench.write("waves.txt", &waves(0.0));
     bench.write("spot.txt", &waves(400.0));
-    let told = |name: &str, words: &str| bench.run(&format!("surface {name} {words}")).messages;
-    let metres = told("waves.txt", "--unit m --pixel-size 2");
+    let messages = |name: &str, words: &str| bench.run(&format!("surface {name} {words}")).messages;
+    let metres = messages("waves.txt", "--unit m --pixel-size 2");
     assert!(metres.contains("sq is 1 m") && metres.contains("usual: 3e-11 to 0.002"), "{metres}");
-    assert!(!told("waves.txt", "--unit um --pixel-size 2").contains("sq is"));
-    let spot = told("spot.txt", "--unit um --pixel-size 2 --despike");
+    assert!(!messages("waves.txt", "--unit um --pixel-size 2").contains("sq is"));
+    let spot = messages("spot.txt", "--unit um --pixel-size 2 --despike");
     assert!(spot.contains("sku is ") && spot.contains("groups that despike leaves"), "{spot}");
     let blank = bench.run("surface waves.txt --unit um --pixel-size 2 --scales 1e-12,2e-12");
     assert_eq!((blank.code, &*blank.out), (Some(1), ""), "{}", blank.messages);
