@@ -13,7 +13,5 @@ pub const JKR: &str = "jkr";
 pub const JKR_SEPARATION: &str = "jkr-separation";
 /// Boundary elements on a scan.
 pub const BEM: &str = "bem";
-/// For merging contacts; the theories of the whole surface ignore yielding.
-pub const WHOLE_SURFACE: &str = "bem, or persson if nothing yields";
-/// The same for real areas near the nominal one.
-pub const FULL_CONTACT: &str = "bem, or persson-fudge if nothing yields";
+/// For merging contacts and real areas near the nominal one; one theory has yielding.
+pub const WHOLE_SURFACE: &str = "bem, persson-plastic, or persson-fudge if nothing yields";

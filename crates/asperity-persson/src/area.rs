@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 use libm::erf;
 use serde::{Deserialize, Serialize};
 
-/// The variance V' of the pressure from which the area follows.
+/// The form of the theory: the variance V' of the pressure, and whether the hardness limits it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PerssonVariance {
@@ -14,23 +14,25 @@ pub enum PerssonVariance {
     Full,
     /// (γ + (1-γ) A/A_n) V, γ = 0.45: smaller at small areas.
     Fudge,
+    /// That of `Fudge`, and no pressure above the hardness.
+    Plastic,
 }
 
 /// γ.
-const GAMMA: f64 = 0.45;
+pub(crate) const GAMMA: f64 = 0.45;
 /// Newton steps: the first estimate is within 20 %, and each step doubles the number of digits.
 const STEPS: usize = 8;
 
 impl PerssonVariance {
-    /// Both, the simpler one first.
-    pub const ALL: [Self; 2] = [Self::Full, Self::Fudge];
+    /// All three, the simplest first.
+    pub const ALL: [Self; 3] = [Self::Full, Self::Fudge, Self::Plastic];
 
-    /// A/A_n at the pressure p = `over_std` √V > 0.
+    /// A/A_n at the pressure p = `over_std` √V > 0, without a limit.
     pub(crate) fn area_fraction(self, over_std: f64) -> f64 {
         let p = over_std / SQRT_2;
         match self {
             Self::Full => erf(p),
-            Self::Fudge => erf(argument(p)),
+            Self::Fudge | Self::Plastic => erf(argument(p)),
         }
     }
 
@@ -38,7 +40,7 @@ impl PerssonVariance {
     pub(crate) fn elastic_share(self) -> f64 {
         match self {
             Self::Full => 1.0,
-            Self::Fudge => GAMMA,
+            Self::Fudge | Self::Plastic => GAMMA,
         }
     }
 }
@@ -97,7 +99,7 @@ mod tests {
                 let found = variance.area_fraction(p);
                 let reduced = match variance {
                     PerssonVariance::Full => 1.0,
-                    PerssonVariance::Fudge => 0.45 + 0.55 * found,
+                    _ => 0.45 + 0.55 * found,
                 };
                 // exp(-(s-p)²/2V') - exp(-(s+p)²/2V'), without cancellation.
                 let density = |s: f64| {
@@ -116,7 +118,7 @@ mod tests {
     fn small_loads_give_proportional_areas_and_large_ones_full_contact() {
         let asymptote = |variance: PerssonVariance| match variance {
             PerssonVariance::Full => (2.0 / std::f64::consts::PI).sqrt(),
-            PerssonVariance::Fudge => (2.0 / std::f64::consts::PI / 0.45).sqrt(),
+            _ => (2.0 / std::f64::consts::PI / 0.45).sqrt(),
         };
         for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {
             for p in [1e-300, 1e-30, 1e-15] {

@@ -8,7 +8,7 @@ use asperity_quadrature::QuadratureError;
 
 use crate::gap::{self, Gap, LN_PRESSURES};
 use crate::inverse::{Found, Inverse};
-use crate::{Persson, Spectrum};
+use crate::{Persson, Spectrum, plastic};
 
 /// Bound on the relative error of areas, which is rounding.
 const ERROR: f64 = 1e-14;
@@ -18,6 +18,8 @@ pub(crate) struct OnScene {
     pub(crate) model: Persson,
     pub(crate) scene: Scene,
     pub(crate) quantities: Vec<Quantity>,
+    /// H \[Pa\], if it limits the pressure.
+    pub(crate) limit: Option<f64>,
     /// √V \[Pa\], the standard deviation of the pressure at full contact.
     pub(crate) pressure_std: f64,
     /// The spectrum for mean gaps and stiffnesses, or the error that names the missing input.
@@ -28,8 +30,31 @@ pub(crate) struct OnScene {
 
 impl OnScene {
     fn gap(&self) -> Result<Gap<'_>, ContactError> {
+        if self.limit.is_some() {
+            return Err(self.no_gap());
+        }
         let spectrum = self.spectrum.as_deref().map_err(Clone::clone)?;
         Ok(Gap { spectrum, share: self.model.variance.elastic_share() })
+    }
+
+    /// The error of a mean gap where pressures end at the hardness.
+    fn no_gap(&self) -> ContactError {
+        self.unsupported(
+            "mean gaps and stiffnesses: how far yielding closes the gap is not derived",
+        )
+    }
+
+    /// A/A_n and its plastic part.
+    fn areas(&self, pressure: f64) -> Result<[f64; 2], ContactError> {
+        let Some(limit) = self.limit else {
+            return Ok([self.model.variance.area_fraction(pressure / self.pressure_std), 0.0]);
+        };
+        if pressure >= limit {
+            let required = "a pressure on the nominal area below the hardness";
+            return Err(ContactError::OutOfRange { field: "pressure", value: pressure, required });
+        }
+        let full = std::f64::consts::SQRT_2 * self.pressure_std / limit;
+        Ok(plastic::areas(pressure / limit, full))
     }
 
     /// b = p/√(2 V).
@@ -58,9 +83,19 @@ impl OnScene {
     }
 }
 
+fn is_slope(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Stiffness | Quantity::Tangent)
+}
+
 /// The slopes of the mean gap, and what follows from force and area.
 fn is_known(quantity: Quantity) -> bool {
-    matches!(quantity, Quantity::Stiffness | Quantity::Tangent) || quantity.follows_from_totals()
+    is_slope(quantity) || quantity.follows_from_totals()
+}
+
+/// What follows from force and area of a surface that yields, and the shares of the force.
+fn is_known_plastic(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::ElasticShare | Quantity::PlasticShare)
+        || quantity.follows_from_totals()
 }
 
 fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
@@ -81,7 +116,13 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.check_asked(quantity, is_known)?;
+        let known = match self.limit {
+            // With the reason.
+            Some(_) if is_slope(quantity) => return Err(self.no_gap()),
+            Some(_) => is_known_plastic,
+            None => is_known,
+        };
+        self.check_asked(quantity, known)?;
         let nominal = self.scene.nominal_area;
         let (pressure, error) = match at {
             At::Pressure(pressure) => (positive("pressure", pressure)?, ERROR),
@@ -89,7 +130,7 @@ impl Contact for OnScene {
             At::Separation(separation) => self.pressure_at(separation)?,
             _ => return Err(self.unsupported(&format!("an answer at {at}"))),
         };
-        let found = if matches!(quantity, Quantity::Stiffness | Quantity::Tangent) {
+        let found = if is_slope(quantity) {
             let (fall, ln_scale) =
                 self.gap()?.fall(self.reduced(pressure)).map_err(integral(quantity, at))?;
             // dF/du = A p/(du/d ln p); the error of b² is that of the exponent.
@@ -97,9 +138,17 @@ impl Contact for OnScene {
             let error = gap::ERROR + error * (2.0 - 2.0 * ln_scale);
             Some(Evaluation::new(stiffness, error))
         } else {
-            let fraction = self.model.variance.area_fraction(pressure / self.pressure_std);
+            let [fraction, plastic] = self.areas(pressure)?;
             let totals = (pressure * nominal, fraction * nominal);
-            Evaluation::of_totals(quantity, totals, nominal, error)
+            let limit = self.limit.unwrap_or(0.0);
+            // The plastic area carries H; it takes on the rounding of p/H.
+            let plastic = plastic * limit / pressure;
+            let rounded = error * (1.0 + limit / self.pressure_std);
+            match quantity {
+                Quantity::PlasticShare => Some(Evaluation::absolute(plastic, rounded)),
+                Quantity::ElasticShare => Some(Evaluation::absolute(1.0 - plastic, rounded)),
+                _ => Evaluation::of_totals(quantity, totals, nominal, error),
+            }
         };
         match found {
             Some(found) if found.scaled.is_finite() => Ok(found),
@@ -207,6 +256,40 @@ mod tests {
         assert!(
             on(&bad, PerssonVariance::Full).unwrap_err().to_string().contains("asperity_density")
         );
+    }
+
+    #[test]
+    fn a_yielding_surface_has_areas_and_shares_and_no_gaps() {
+        let mut scene = scene();
+        let missing = on(&scene, PerssonVariance::Plastic).unwrap_err().to_string();
+        assert!(missing.starts_with("hardness is missing"), "{missing}");
+        // E g/H = 0.5.
+        scene.interface.hardness = Some(8e4);
+        let contact = on(&scene, PerssonVariance::Plastic).unwrap();
+        let of = |quantity, at: At| contact.evaluate(quantity, at);
+        let at = At::Pressure(0.2 * 8e4);
+        let value = |quantity| of(quantity, at).unwrap().value();
+        let [area, plastic] = plastic::areas(0.2, 0.5 / std::f64::consts::SQRT_2);
+        assert!((value(Quantity::AreaFraction) / area - 1.0).abs() < 1e-15);
+        assert!((value(Quantity::MeanPressure) / (0.2 * 8e4 / area) - 1.0).abs() < 1e-14);
+        // The plastic area carries the hardness, and together the shares are the force.
+        assert!((value(Quantity::PlasticShare) / (plastic / 0.2) - 1.0).abs() < 1e-14);
+        let shares = value(Quantity::PlasticShare) + value(Quantity::ElasticShare);
+        assert!((shares - 1.0).abs() < 1e-15, "{shares}");
+        for quantity in [Quantity::Stiffness, Quantity::Tangent] {
+            let text = of(quantity, at).unwrap_err().to_string();
+            assert!(text.starts_with("persson-plastic cannot give mean gaps"), "{text}");
+        }
+        let gap = Separation::sigmas(1.0);
+        let refused =
+            [contact.separation(at).unwrap_err(), of(Quantity::Area, gap.into()).unwrap_err()];
+        assert!(refused.iter().all(|error| matches!(error, ContactError::Unsupported { .. })));
+        let contacts = of(Quantity::Contacts, at).unwrap_err().to_string();
+        assert!(contacts.ends_with("elastic-share, plastic-share)"), "{contacts}");
+        for at in [At::Pressure(8e4), At::Load(9e4 * 3e-5)] {
+            let text = of(Quantity::Area, at).unwrap_err().to_string();
+            assert!(text.contains("pressure is") && text.contains("below the hardness"), "{text}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod area;
 mod contact;
 mod gap;
 mod inverse;
+mod plastic;
 mod spectrum;
 
 use std::sync::Arc;
@@ -23,7 +24,7 @@ pub use spectrum::Spectrum;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Persson {
-    /// The variance of the pressure from which the area follows.
+    /// The form of the theory.
     pub variance: PerssonVariance,
     /// The Hurst exponent H, from 0.1 to 1. Mean gaps and stiffnesses need it, or a spectrum; it is
     /// about 0.8 for fractured, ground or blasted surfaces.
@@ -52,6 +53,15 @@ const FUDGE: Citation = Citation {
     provenance: Provenance::Seen,
 };
 
+const PLASTIC: Citation = Citation {
+    id: "persson-plastic",
+    name: "Persson plastic",
+    authors: "Persson; Xu, Li & Mulvihill",
+    year: 2022,
+    title: "Revisiting the Persson theory of elastoplastic contact: A simpler closed-form solution and a rigorous proof of boundary conditions",
+    provenance: Provenance::Derived,
+};
+
 impl Persson {
     /// The variance of the model with this id.
     #[must_use]
@@ -66,6 +76,7 @@ impl Described for Persson {
         match self.variance {
             PerssonVariance::Full => &FULL,
             PerssonVariance::Fudge => &FUDGE,
+            PerssonVariance::Plastic => &PLASTIC,
         }
     }
 
@@ -75,15 +86,28 @@ impl Described for Persson {
             PerssonVariance::Fudge => {
                 vec!["the variance of the pressure is smaller at small areas"]
             }
+            PerssonVariance::Plastic => {
+                vec!["no pressure exceeds the hardness, and the variance is smaller at small areas"]
+            }
         }
     }
 
     fn validity(&self) -> Validity {
+        let (holds_to, valid_for) = match self.variance {
+            PerssonVariance::Plastic => (
+                None,
+                "areas of surfaces with Gaussian slopes that yield at one hardness; no gaps or stiffnesses",
+            ),
+            _ => (
+                Some(1.0),
+                "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
+            ),
+        };
         Validity {
             asperities: false,
             hertz_limit: None,
-            holds_to: Some(1.0),
-            valid_for: "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
+            holds_to,
+            valid_for,
             ..Validity::default()
         }
     }
@@ -91,7 +115,11 @@ impl Described for Persson {
 
 impl ContactModel for Persson {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        scene.asperity()?;
+        let asperity = scene.asperity()?;
+        let limit = match self.variance {
+            PerssonVariance::Plastic => Some(asperity.hardness()?),
+            _ => None,
+        };
         let of_scan = self.hurst_exponent.is_none() && matches!(self.spectrum, Some(Ok(_)));
         let gaussian = match &scene.heights {
             HeightDistribution::Gaussian => true,
@@ -128,6 +156,7 @@ impl ContactModel for Persson {
             scene: scene.clone(),
             quantities: request.quantities.clone(),
             // √V = E g/2.
+            limit,
             pressure_std: 0.5 * scene.interface.equivalent_modulus * gradient,
             spectrum,
             inverse: Inverse::default(),

@@ -3,7 +3,7 @@
 use super::findings::CROWDED;
 use super::{Check, Scene};
 use crate::finding::short;
-use crate::recommended::FULL_CONTACT;
+use crate::recommended::WHOLE_SURFACE;
 use crate::{At, ContactModel, Finding};
 
 impl Check {
@@ -37,7 +37,7 @@ impl Check {
             .at(At::Pressure(pressure))
             .fact(format!("the real area is {} times the nominal area", short(area_fraction)))
             .advice(format!(
-                "check the units of modulus and load; at such loads use `{FULL_CONTACT}`"
+                "check the units of modulus and load; at such loads use `{WHOLE_SURFACE}`"
             ));
         Some(found)
     }

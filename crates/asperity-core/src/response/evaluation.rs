@@ -33,7 +33,8 @@ impl Evaluation {
     }
 
     /// A value whose error is bounded as a difference: a logarithm or a share.
-    pub(crate) fn absolute(value: f64, error: f64) -> Self {
+    #[must_use]
+    pub fn absolute(value: f64, error: f64) -> Self {
         Self { scaled: value, ln_scale: 0.0, size: 1.0, error }
     }
 

@@ -261,9 +261,7 @@ mod tests {
 
     #[test]
     fn the_models_that_messages_recommend_are_what_they_are_recommended_for() {
-        use crate::recommended::{
-            DMT, ELASTIC, FULL_CONTACT, JKR, JKR_SEPARATION, WHOLE_SURFACE, YIELDING,
-        };
+        use crate::recommended::{DMT, ELASTIC, JKR, JKR_SEPARATION, WHOLE_SURFACE, YIELDING};
         use crate::{Interface, Quantity, Request, Scene, Surface};
         let ids = |text: &'static str| {
             let ids = text.trim_end_matches(" if nothing yields").replace(", or ", ", ");
@@ -280,7 +278,7 @@ mod tests {
         let yields = |model: &Model| model.validity().holds_to.is_none_or(|x| x > 1.0);
         assert!(models(YIELDING).iter().all(|m| yields(m) && m.validity().asperities));
         assert!([DMT, JKR, JKR_SEPARATION].iter().all(|id| models(id)[0].validity().adhesive));
-        let whole = [models(WHOLE_SURFACE), models(FULL_CONTACT)].concat();
+        let whole = models(WHOLE_SURFACE);
         assert!(whole.iter().all(|model| !model.validity().asperities));
         // Without a hardness, these alone have an answer, but for their own variants.
         let mut interface = Interface::elastic(1e11, 0.3);
@@ -290,7 +288,8 @@ mod tests {
         let elastic = ids(ELASTIC);
         for model in Model::named() {
             let stem = model.id().split('-').next().unwrap();
-            let stated = elastic.split(", ").any(|id| id == stem);
+            let of_yielding = model.id() == "persson-plastic";
+            let stated = !of_yielding && elastic.split(", ").any(|id| id == stem);
             assert_eq!(model.compile(&scene, &request).is_ok(), stated, "{model}");
         }
     }
