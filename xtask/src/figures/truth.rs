@@ -27,7 +27,7 @@ pub const SHOWN: [Shown; 3] = [
 /// Plasticity indices with panels.
 const SHOWN_INDICES: [f64; 3] = [0.0, 2.0, 4.0];
 /// The models drawn in colour, with their looks; the others are grey.
-const DRAWN: [(&str, usize, &str); 9] = [
+const DRAWN: [(&str, usize, &str); 10] = [
     ("gw", 0, "GW"),
     ("zmc", 2, "ZMC"),
     ("ke", 3, "KE"),
@@ -37,9 +37,10 @@ const DRAWN: [(&str, usize, &str); 9] = [
     ("jg-random", 11, "JG random"),
     ("persson", 12, "Persson"),
     ("persson-fudge", 13, "Persson fudge"),
+    ("persson-plastic", 14, "Persson plastic"),
 ];
 /// Models that have a colour in elastic panels alone: at most six curves of a panel have one.
-const ELASTIC_ONLY: [&str; 3] = ["gw", "gw-random", "persson"];
+const ELASTIC_ONLY: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
 /// Edges of the band.
 const BAND: [&str; 2] = ["error-low", "error-high"];
 

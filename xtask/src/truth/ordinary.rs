@@ -18,7 +18,7 @@ use crate::figures::truth_ranges::NOTHING;
 use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared.
-const SHOWN: [&str; 5] = ["gw", "zmc", "ke", "jg", "persson-fudge"];
+const SHOWN: [&str; 6] = ["gw", "zmc", "ke", "jg", "persson-fudge", "persson-plastic"];
 /// Surfaces of a case.
 const SEEDS: u64 = 8;
 

@@ -15,7 +15,7 @@ use crate::figures::truth_ranges::{ends, is_plain};
 use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared.
-const SHOWN: [&str; 5] = ["ceb", "zmc", "ke", "jg", "ke-random"];
+const SHOWN: [&str; 6] = ["ceb", "zmc", "ke", "jg", "ke-random", "persson-plastic"];
 /// Shares of the force at which something and not all yields.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 /// Logarithmic step of the hardness, between which areas and shares are interpolated: 0.6 % off.
