@@ -113,8 +113,8 @@ impl Model {
         upright.map(|model| model.random()).collect()
     }
 
-    /// Theories of the whole surface, without asperities: they have values at loads, and at
-    /// separations if a spectrum is given. Commands use them only by name.
+    /// Theories of the whole surface, without asperities: they have values at loads, and, elastic
+    /// ones with a spectrum, at separations. Commands use them only by name.
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
         let persson = |variance| Self::known(Persson { variance, ..Persson::default() });

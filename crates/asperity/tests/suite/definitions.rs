@@ -56,11 +56,14 @@ fn every_quantity_names_the_models_that_have_it() {
     let scene = scene();
     let (inclined, upright): (Vec<_>, Vec<_>) =
         Model::all().into_iter().partition(|model| model.validity().angles);
+    let (yielding, elastic): (Vec<_>, Vec<_>) =
+        Model::whole_surface().into_iter().partition(|model| model.validity().holds_to.is_none());
     let groups = [
         ([upright, Model::adhesive()].concat(), &["all", "asperities", "upright"][..]),
         (Model::all_random(), &["all", "asperities"]),
         (inclined, &["all", "asperities"]),
-        (Model::whole_surface(), &["all", "persson"]),
+        (elastic, &["all", "persson"]),
+        (yielding, &["all", "persson-plastic"]),
     ];
     for quantity in Quantity::ALL {
         let row = row(quantity);
