@@ -13,6 +13,7 @@ mod lists;
 mod model;
 mod notes;
 mod reference;
+mod slip;
 mod steps;
 mod surfaces;
 mod unloading;
