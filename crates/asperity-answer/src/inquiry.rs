@@ -62,6 +62,7 @@ impl<'s> Inquiry<'s> {
     /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
+        sheet.extend(self.file.conduction_findings(&self.request.quantities));
         let (mut found, mut wanted) = (Found::default(), vec![]);
         if let Beside::Deviations(reference) = &self.beside {
             self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;

@@ -11,7 +11,7 @@ mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Described, Separation, SeparationUnit};
+use asperity::{At, Described, Quantity, Separation, SeparationUnit};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -173,6 +173,8 @@ impl Export<'_> {
         let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
         let mut text = table.text(self, &format!("asperity {version}, model {id}"))?;
         if let Some(against) = self.conductance {
+            let asked = [Quantity::ThermalConductancePerArea];
+            sheet.extend(self.subject.file.conduction_findings(&asked));
             text += &table.conductance_text(self, against).map_err(of_model)?;
         }
         if let Some(friction) = self.friction {

@@ -97,6 +97,13 @@ impl Quantity {
         self.radius_factor().is_some()
     }
 
+    /// The key of the property of the interface that this quantity needs, for a stiffness or a
+    /// conductance of a joint.
+    #[must_use]
+    pub fn property(self) -> Option<&'static str> {
+        self.radius_factor().map(|factor| factor.field)
+    }
+
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
     pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
         match self.derivation() {
