@@ -49,7 +49,7 @@ pub struct Curve {
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
-    #[arg(conflicts_with_all = ["separations", "unit", "quantities", "plot"])]
+    #[arg(conflicts_with_all = ["separations", "unit", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
@@ -102,7 +102,9 @@ impl Curve {
             None => Beside::Nothing,
         };
         let (all, at_defaults, request) = (self.all, self.asked.is_nowhere(), request.clone());
-        let inquiry = Inquiry { beside, all, at_defaults, ..Inquiry::new(file, models, request) };
+        let films = self.asked.is_of_film();
+        let inquiry =
+            Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
         Ok(inquiry.answer(sheet, &Terminal::default())?)
     }
 
