@@ -124,3 +124,67 @@ impl Contact for Film {
         Ok(Evaluation::new(self.model.factor(quantity, film)?, ERROR))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_core::{Interface, Separation, Surface};
+
+    fn values(model: PatirCheng, quantities: &[Quantity], film: f64) -> Vec<f64> {
+        let surface = Surface::new(2e-5, 5e9, 4e-7);
+        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
+        let request = Request::new(quantities.iter().copied()).at([Separation::film_ratio(film)]);
+        let answer = model.solve(&scene, &request).unwrap();
+        answer.columns.iter().map(|column| column.values().unwrap()[0]).collect()
+    }
+
+    #[test]
+    fn both_surfaces_share_the_pressure_factors_and_differ_in_those_of_shear() {
+        use Quantity::{
+            FrictionShearFactor, PressureFlowFactorX, PressureFlowFactorY, ShearFlowFactor,
+        };
+        let all = [PressureFlowFactorX, PressureFlowFactorY, ShearFlowFactor, FrictionShearFactor];
+        let of = |peklenik_numbers, share_at_rest| {
+            let model = PatirCheng { peklenik_numbers, share_at_rest, ..PatirCheng::default() };
+            values(model, &all, 2.0)
+        };
+        let close =
+            |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-14, "{found} {wanted}");
+        let (moving, resting) = (of([3.0, 9.0], 0.0), of([3.0, 9.0], 1.0));
+        let both = of([3.0, 9.0], 0.25);
+        for k in 0..4 {
+            close(both[k], 0.75 * moving[k] + 0.25 * resting[k]);
+        }
+        let turned = of([1.0 / 3.0, 1.0], 0.0);
+        close(turned[0], moving[1]);
+        close(turned[1], moving[0]);
+        let alike = of([3.0, 3.0], 0.5);
+        close(alike[0], moving[0]);
+        assert!(alike[2].abs() < 1e-15 && alike[3].abs() < 1e-15, "{alike:?}");
+        close(of([3.0, 3.0], 1.0)[2], -moving[2]);
+    }
+
+    #[test]
+    fn loads_and_quantities_of_contact_are_refused() {
+        let surface = Surface::new(2e-5, 5e9, 4e-7);
+        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
+        let request = |quantity| Request::new([quantity]).at([At::Load(1.0)]);
+        let refused = PatirCheng::default().compile(&scene, &request(Quantity::Force)).unwrap_err();
+        assert!(
+            refused
+                .to_string()
+                .starts_with("patir-cheng cannot give force (available: pressure-flow")
+        );
+        let at_load =
+            PatirCheng::default().compile(&scene, &request(Quantity::ShearFlowFactor)).unwrap();
+        let refused = at_load.evaluate(Quantity::ShearFlowFactor, At::Load(1.0)).unwrap_err();
+        assert!(refused.to_string().ends_with("depends on the model of contact: use a film"));
+    }
+
+    #[test]
+    fn options_are_read_by_their_names() {
+        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
+        let model: PatirCheng = serde_json::from_str(text).unwrap();
+        assert_eq!(serde_json::to_string(&model).unwrap(), text);
+    }
+}

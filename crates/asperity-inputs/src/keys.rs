@@ -310,7 +310,9 @@ mod tests {
         let body = serde_json::to_value(Body::elastic(1e9, 0.3)).unwrap();
         declared("body", body, &["material"]);
         declared("interface", serde_json::to_value(Interface::new(1e9, 0.3, 1e9)).unwrap(), &[]);
-        let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };
+        let (hurst_exponent, friction_cut_off) = (Some(0.8), Some(0.01));
+        let options =
+            crate::ModelOptions { hurst_exponent, friction_cut_off, ..Default::default() };
         declared("options", serde_json::to_value(options).unwrap(), &[]);
     }
 

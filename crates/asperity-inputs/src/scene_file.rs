@@ -184,7 +184,9 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
     scene.mean_plane_offset = mean_plane_offset.or(offset);
-    scene.surface_height_std = file.measured.as_ref().map(|found| found.statistics.sq);
+    let measured = file.measured.as_ref().map(|found| found.statistics.sq);
+    let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
+    scene.surface_height_std = measured.or_else(given);
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.number(&joined(section, "peklenik_number"))?;
     }

@@ -215,6 +215,33 @@ mod tests {
     }
 
     #[test]
+    fn a_lay_has_its_correlation_lengths_and_its_angle() {
+        // Waves of lengths 40 and 100 as above: half of cos(2π x/40) + 1 is 1/2 at 10.
+        let wave = |turned: f64| {
+            let (sin, cos) = turned.to_radians().sin_cos();
+            let height = |k: usize| {
+                let (x, y) = ((k % 400) as f64, (k / 400) as f64);
+                let (u, v) = (cos * x + sin * y, cos * y - sin * x);
+                (TAU * u / 40.0).cos() + (TAU * v / 100.0).cos()
+            };
+            let heights = (0..400 * 400).map(height).collect();
+            Topography::new(heights, 400, [1e-6; 2]).unwrap()
+        };
+        let Lay { along_row, along_column, extremes, degrees } =
+            wave(0.0).with_periodic(true).lay().unwrap();
+        for (found, wanted) in [(along_row, 10e-6), (along_column, 25e-6)] {
+            assert!((found / wanted - 1.0).abs() < 2e-3, "{found}");
+        }
+        assert!((extremes[1] / 25e-6 - 1.0).abs() < 2e-3 && (degrees - 90.0).abs() < 1e-9);
+        // The long waves run along v, 30 degrees from the columns.
+        let oblique = wave(30.0).lay().unwrap();
+        assert!((oblique.degrees - 60.0).abs() < 4.0, "{oblique:?}");
+        let groove = |k: usize| (TAU * (k % 128) as f64 / 32.0).cos();
+        let grooves = Topography::new((0..128 * 64).map(groove).collect(), 128, [1e-6; 2]);
+        assert_eq!(grooves.unwrap().lay(), None);
+    }
+
+    #[test]
     fn grooves_have_no_longest_length_and_missing_points_do_not_matter() {
         let groove = |k: usize| (TAU * (k % 128) as f64 / 32.0).cos();
         let mut heights: Vec<f64> = (0..128 * 64).map(groove).collect();

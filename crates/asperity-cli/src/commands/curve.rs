@@ -2,6 +2,7 @@
 //! `pull-off`.
 
 use anyhow::{Context, Result};
+use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
 use asperity_inputs::SceneFile;
@@ -76,7 +77,9 @@ impl Curve {
         let ids = if compares { &[][..] } else { &self.asked.models };
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
-        let request = self.asked.request(&scene.file, &separations, &USUAL);
+        let flow = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
+        let usual = if ids == [FLOW] { flow.collect() } else { USUAL.to_vec() };
+        let request = self.asked.request(&scene.file, &separations, &usual);
         let (sheet, ()) =
             scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))

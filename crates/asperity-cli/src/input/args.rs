@@ -92,6 +92,10 @@ impl ModelArgs {
             warn_unit("separation", &list.value, list.unit(self.unit), height_std);
         }
         let at = self.at(scene, separations);
+        for list in &self.films {
+            let height_std = scene.scene.surface.asperity_height_std;
+            warn_unit("film", &list.0, SeparationUnit::Metres, height_std);
+        }
         let quantities = match (&self.quantities[..], &at[..], usual) {
             // At a load, the force is given.
             ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,

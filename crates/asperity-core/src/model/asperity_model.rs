@@ -72,7 +72,8 @@ impl dyn AsperityModel + '_ {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
             Derivation::FlowFactor => {
-                let what = format!("`{quantity}`, which depends on the film alone: use `{FLOW}`");
+                let what =
+                    format!("factors of flow, which follow from the film alone: use `{FLOW}`");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
             _ => None,

@@ -28,8 +28,8 @@ pub struct Scene {
     /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
-    /// Measured standard deviation of the surface heights \[m\]; by default that of an isotropic
-    /// Gaussian surface.
+    /// Measured or given standard deviation of the surface heights \[m\]; by default that of an
+    /// isotropic Gaussian surface.
     #[serde(default)]
     pub surface_height_std: Option<f64>,
 }
