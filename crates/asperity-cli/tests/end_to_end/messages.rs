@@ -172,7 +172,9 @@ fn the_list_of_models_has_every_source() {
     let of_asperities = "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap";
     assert_eq!(
         ids.join(" "),
-        format!("{of_asperities} persson persson-fudge dmt jkr jkr-separation ghaednia")
+        format!(
+            "{of_asperities} persson persson-fudge dmt jkr jkr-separation ghaednia patir-cheng"
+        )
     );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
     let table = bench.data("models");
