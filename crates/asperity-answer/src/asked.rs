@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use asperity::{
-    At, Contact, ContactError, ContactModel, Corrected, Evaluation, Finding, Findings, Model,
-    Quantity, Request, Separation, SeparationUnit, Severity, compile_compared, compile_known,
+    At, Contact, ContactError, ContactModel, Corrected, Datum, Evaluation, Finding, Findings,
+    Model, Quantity, Request, Separation, SeparationUnit, Severity, compile_compared,
+    compile_known,
 };
 use asperity_inputs::SceneFile;
 
@@ -30,6 +31,9 @@ pub struct Line {
     pub given: At,
     /// The separation \[σ_z, m\] from the plane of the scene, if there is one.
     pub separation: [Option<f64>; 2],
+    /// The film \[m\] and its ratio to the standard deviation of the surface heights, from the mean
+    /// plane of the surface, if there is one.
+    pub film: [Option<f64>; 2],
     /// One for each quantity of the request, or the reason why there is none.
     pub values: Vec<Result<Evaluation, ContactError>>,
 }
@@ -133,16 +137,21 @@ impl Asked {
                 }
             };
             let values = self.request.quantities.iter().map(value).collect();
-            Line { given, separation: self.separation(file, at), values }
+            let [separation, film] = self.separations(file, at);
+            Line { given, separation, film, values }
         });
         (lines.collect(), response.warnings)
     }
 
-    /// The separation at a place in σ_z and in metres, from the plane of the scene.
-    fn separation(&self, file: &SceneFile, at: At) -> [Option<f64>; 2] {
+    /// The separation at a place in σ_z and in metres, from the plane of the scene, and as a film.
+    fn separations(&self, file: &SceneFile, at: At) -> [[Option<f64>; 2]; 2] {
         let separation = self.contact.separation(at).ok();
-        [SeparationUnit::Sigma, SeparationUnit::Metres]
-            .map(|unit| measured(file, separation?, unit).ok())
+        let film = |unit| separation?.measured_in(unit, Datum::SurfaceMean, &file.scene).ok();
+        let (sigma, metres) = (SeparationUnit::Sigma, SeparationUnit::Metres);
+        [
+            [sigma, metres].map(|unit| measured(file, separation?, unit).ok()),
+            [metres, SeparationUnit::SurfaceStd].map(|unit| Some(film(unit)?.value)),
+        ]
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.

@@ -45,6 +45,7 @@ impl Conductance<'_> {
     /// The reason of a single model or correlation, and where none has a conductance.
     pub fn answer(&self, places: &[At], sheet: &mut Sheet) -> Result<(), AnswerError> {
         self.warn_units(sheet);
+        sheet.extend(self.file.conduction_findings(&[CONDUCTANCE]));
         let of_contacts = CONDUCTANCE.column();
         let heads = ["model", "load_N", "pressure_Pa", "relative_pressure", &of_contacts, "holds"];
         sheet.under(&[&heads]);

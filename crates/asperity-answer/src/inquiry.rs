@@ -27,6 +27,8 @@ pub struct Inquiry<'s> {
     pub beside: Beside,
     /// Whether every separation that carries a load has a row, instead of the largest alone.
     pub all: bool,
+    /// Whether the separations are films, which have columns of their own.
+    pub films: bool,
     /// Whether nobody has chosen the separations: findings are about a typical one then.
     pub at_defaults: bool,
 }
@@ -51,7 +53,8 @@ impl<'s> Inquiry<'s> {
     #[must_use]
     pub fn new(file: &'s SceneFile, models: Vec<NamedModel>, request: Request) -> Self {
         let beside = Beside::Nothing;
-        Self { file, models, request, beside, all: false, at_defaults: false }
+        let (all, films, at_defaults) = (false, false, false);
+        Self { file, models, request, beside, all, films, at_defaults }
     }
 
     /// Fills a sheet: model, load and pressure at loads, separation, and the quantities. Values
@@ -62,6 +65,7 @@ impl<'s> Inquiry<'s> {
     /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
+        sheet.extend(self.file.conduction_findings(&self.request.quantities));
         let (mut found, mut wanted) = (Found::default(), vec![]);
         if let Beside::Deviations(reference) = &self.beside {
             self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
@@ -98,7 +102,8 @@ impl<'s> Inquiry<'s> {
             _ if self.request.quantities.contains(&Quantity::Pressure) => &["load_N"],
             _ => &["load_N", "pressure_Pa"],
         };
-        [&["model"], loads, &["separation_over_sigma", "separation_m"]].concat()
+        let films: &[&str] = if self.films { &FILMS } else { &[] };
+        [&["model"], loads, films, &["separation_over_sigma", "separation_m"]].concat()
     }
 
     fn heads(&self) -> Vec<String> {
@@ -214,17 +219,22 @@ impl<'s> Inquiry<'s> {
 
     /// The cells of a line's place.
     pub(crate) fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
-        let loads = self.loads_at(line.given).chain(line.separation);
-        [Cell::from(id)].into_iter().chain(loads.map(Cell::from)).collect()
+        let films = if self.films { &line.film[..] } else { &[] };
+        let places = self.loads_at(line.given).chain(films.iter().copied()).chain(line.separation);
+        [Cell::from(id)].into_iter().chain(places.map(Cell::from)).collect()
     }
 
     /// Load and pressure, as far as the sheet has columns for them.
     pub(crate) fn loads_at(&self, at: At) -> impl Iterator<Item = Option<f64>> {
         let scene = &self.file.scene;
-        let loads = self.place_heads().len() - 3;
+        let films = if self.films { FILMS.len() } else { 0 };
+        let loads = self.place_heads().len() - 3 - films;
         [at.load(scene), at.pressure(scene)].into_iter().take(loads)
     }
 }
+
+/// The film and its ratio to the standard deviation of the surface heights.
+const FILMS: [&str; 2] = ["film_m", "lambda"];
 
 /// The ends of an interval.
 pub(crate) const ENDS: [&str; 2] = ["lower", "upper"];

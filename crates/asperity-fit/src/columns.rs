@@ -32,7 +32,8 @@ fn check(name: &str) -> Result<(), FitError> {
 }
 
 fn quantity(name: &str) -> Option<Quantity> {
-    Quantity::ALL.into_iter().find(|quantity| quantity.column() == name)
+    let mut of_contact = Quantity::ALL.into_iter().filter(|quantity| !quantity.is_flow_factor());
+    of_contact.find(|quantity| quantity.column() == name)
 }
 
 /// The columns of a table that a fit reads.

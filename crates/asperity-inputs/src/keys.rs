@@ -195,6 +195,7 @@ keys! {
         counterface("" "or { file = \"b.sur\", filter = 8e-4 }")
         heights("" "" form "Heights" "gaussian")
         asperities("" "or \"random\"" form "Asperities" "equal|random")
+        peklenik_number("" "lay: correlation length along x, of sliding, over that across; for patir-cheng")
         separation_from("" "or \"surface-mean\"")
         mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
     }
@@ -206,6 +207,7 @@ keys! {
         force("" "\"vertical\"")
         jg_hardness("" "\"cosine\"")
         af_flow_pressure("" "\"H\"")
+        friction_cut_off("" "of patir-cheng: the least gap that carries friction, over sigma")
         hurst_exponent("" "of a power-law spectrum for the gaps of persson: without a scan, or instead of it")
         asperities("" "")
     }
@@ -255,8 +257,10 @@ impl Key {
 
 /// The names of the keys of a section; those of the second surface describe one surface.
 pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
-    let of_pair =
-        |key: &Key| key.subject == Subject::Surface || ["files", "aligned"].contains(&key.name);
+    let of_pair = |key: &Key| match key.subject {
+        Subject::Surface => key.name != "peklenik_number",
+        _ => ["files", "aligned"].contains(&key.name),
+    };
     let is_here = |key: &&Key| match section {
         COUNTERFACE => key.section == "surface" && !of_pair(key),
         section => key.section == section,
@@ -306,7 +310,9 @@ mod tests {
         let body = serde_json::to_value(Body::elastic(1e9, 0.3)).unwrap();
         declared("body", body, &["material"]);
         declared("interface", serde_json::to_value(Interface::new(1e9, 0.3, 1e9)).unwrap(), &[]);
-        let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };
+        let (hurst_exponent, friction_cut_off) = (Some(0.8), Some(0.01));
+        let options =
+            crate::ModelOptions { hurst_exponent, friction_cut_off, ..Default::default() };
         declared("options", serde_json::to_value(options).unwrap(), &[]);
     }
 

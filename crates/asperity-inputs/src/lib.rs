@@ -8,6 +8,7 @@ mod check;
 mod document;
 mod error;
 mod evidence;
+mod film;
 mod fit;
 mod free;
 mod heights;

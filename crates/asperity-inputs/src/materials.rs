@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use asperity::{Body, nearest_name};
+use asperity::{Body, Finding, Findings, Quantity, nearest_name};
 use serde::Serialize;
 
-use crate::keys::BODY;
+use crate::SceneFile;
+use crate::keys::{BODY, Field};
 
 /// A material of the list: typical numbers at room temperature, for orientation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,6 +22,9 @@ pub struct Material {
     pub body: Body,
     /// Where the numbers were read.
     pub source: String,
+    /// Of a pure metal, how the ids of its alloys begin.
+    #[serde(skip)]
+    alloys: Vec<String>,
 }
 
 /// All materials, metals first.
@@ -58,7 +62,58 @@ fn material(row: &Record, sources: &Record) -> Option<Material> {
     let words = row.get("sources")?.split(' ').map(|word| sources.get(word).map(String::as_str));
     let source = words.collect::<Option<Vec<_>>>()?.join("; ");
     let [id, name] = ["id", "name"].map(|name| row.get(name).cloned().unwrap_or_default());
-    Some(Material { id, name, body, source })
+    let alloys = row.get("alloys")?.split_whitespace().map(String::from).collect();
+    Some(Material { id, name, body, source, alloys })
+}
+
+impl SceneFile {
+    /// What is known of the conduction of the materials of the bodies, where one of these
+    /// quantities needs it: that a material has no value, and which have one; and that the alloys
+    /// of a pure metal conduct less.
+    #[must_use]
+    pub fn conduction_findings(&self, quantities: &[Quantity]) -> Findings {
+        let mut found: Vec<Finding> = vec![];
+        for body in &self.bodies {
+            let material = materials().iter().find(|material| material.body == *body);
+            let needed = |key: &&Field<Body>| {
+                let conducts = ["thermal_conductivity", "electrical_resistivity"];
+                conducts.contains(&key.name)
+                    && quantities.iter().any(|quantity| quantity.property() == Some(key.name))
+            };
+            let needed = material
+                .into_iter()
+                .flat_map(|m| BODY.iter().filter(needed).map(move |key| (m, key)));
+            let new = needed.filter_map(|(material, key)| material.conduction(key));
+            found.extend(new.filter(|new| !found.contains(new)).collect::<Vec<_>>());
+        }
+        self.accepted(found.into_iter().collect())
+    }
+}
+
+impl Material {
+    /// What is known of one of its two properties of conduction.
+    fn conduction(&self, key: &Field<Body>) -> Option<Finding> {
+        let (id, name) = (&self.id, key.name);
+        let with_value =
+            || materials().iter().filter_map(|other| Some((other, (key.get)(&other.body)?)));
+        let Some(own) = (key.get)(&self.body) else {
+            let known: Vec<&str> = with_value().map(|(other, _)| &*other.id).collect();
+            let advice = format!("give `{name}` beside `{id}`, or use one of {}", known.join(", "));
+            let found = Finding::note("no-conductivity", name, f64::NAN);
+            return Some(found.fact(format!("the material `{id}` has no `{name}`")).advice(advice));
+        };
+        let is_alloy = |other: &Self| self.alloys.iter().any(|begins| other.id.starts_with(begins));
+        // A conductivity falls and a resistivity rises.
+        let less = |other: f64| (own / other).max(other / own);
+        let alloys = with_value().filter(|(other, _)| is_alloy(other));
+        let (worst, least) = alloys.max_by(|one, other| less(one.1).total_cmp(&less(other.1)))?;
+        let (times, worst) = (less(least), &worst.id);
+        let fact = format!(
+            "`{id}` is the pure metal, whose alloys conduct up to {times:.1} times less (`{worst}`)"
+        );
+        let found = Finding::note("pure-metal", name, own).fact(fact);
+        Some(found.advice("use the alloy of the body"))
+    }
 }
 
 /// The material of an id.
@@ -120,6 +175,39 @@ mod tests {
         assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
         assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
         assert_eq!(suggestion("unobtainium").1, "a material that `asperity list materials` lists");
+    }
+
+    #[test]
+    fn conduction_of_pure_metals_and_of_materials_without_it_is_noted_where_it_is_needed() {
+        let scene = |id: &str| {
+            let bodies = format!("[[body]]\nmaterial = \"{id}\"\n[[body]]\nmaterial = \"{id}\"");
+            let surface =
+                "asperity_radius = 1e-4\nasperity_density = 1e9\nasperity_height_std = 1e-6";
+            let text = format!("nominal_area = 1e-4\n{bodies}\n[surface]\n{surface}");
+            crate::parse(&text, std::path::Path::new(".")).unwrap()
+        };
+        let found = |id: &str, quantity| {
+            let found = scene(id).conduction_findings(&[Quantity::Force, quantity]);
+            found.iter().map(|found| (found.code, found.message())).collect::<Vec<_>>()
+        };
+        let (thermal, electrical) =
+            (Quantity::ThermalConductancePerArea, Quantity::ElectricalConductance);
+        let [(code, text)] = &found("aluminium", thermal)[..] else { panic!("once") };
+        assert_eq!(*code, "pure-metal");
+        assert!(text.contains("up to 2.0 times less (aluminium-2024-t3)"), "{text}");
+        assert!(
+            found("copper-hot-rolled", electrical)[0]
+                .1
+                .contains("3.6 times less (brass-c26000-hard)")
+        );
+        assert!(found("aluminium", Quantity::Tangent).is_empty());
+        for quiet in ["aluminium-6061-t6", "stainless-316", "inconel-718", "grey-iron-class-30"] {
+            assert!(found(quiet, thermal).is_empty() && found(quiet, electrical).is_empty());
+        }
+        let [(code, text)] = &found("steel-a36", electrical)[..] else { panic!("once") };
+        assert_eq!(*code, "no-conductivity");
+        assert!(text.contains("steel-a36 has no electrical_resistivity"), "{text}");
+        assert!(text.contains("titanium-6al-4v") && !text.contains("steel-100cr6"), "{text}");
     }
 
     #[test]

@@ -181,7 +181,7 @@ pub(crate) fn measured(
         let pixel_size = one.pixel_size.max(pixel);
         Ok::<_, SceneError>(Measured { statistics, pixel_size, long_wavelength: None })
     };
-    let mut rougher = None;
+    let (mut rougher, mut counter_variance) = (None, 0.0);
     let (measured, scan) = match (second, alignment, other) {
         (Some(second), Some(alignment), _) => {
             let (one, two) = (first.read(document)?, second.read(document)?);
@@ -190,11 +190,15 @@ pub(crate) fn measured(
         }
         (Some(second), None, _) => {
             let ((one, scan), (two, other)) = (alone(first)?, alone(second)?);
+            counter_variance = two.statistics.m0;
             rougher = Some(if one.statistics.m4 < two.statistics.m4 { other } else { scan });
             (sum(one, two.statistics, two.pixel_size)?, None)
         }
         (None, _, Some(moments)) => {
             let (one, scan) = alone(first)?;
+            // The scan may be that of the counterface.
+            let of_scan = one.statistics.m0;
+            counter_variance = if first.section == COUNTERFACE { of_scan } else { moments.m0 };
             rougher = (one.statistics.m4 > moments.m4).then_some(scan);
             (sum(one, Statistics::gaussian(moments), 0.0)?, None)
         }
@@ -232,6 +236,7 @@ pub(crate) fn measured(
     file.scan = scan.map(Arc::new);
     file.rougher = rougher.map(Arc::new);
     file.no_asperities = no_asperities;
+    file.counter_variance = counter_variance;
     Ok((file, notes))
 }
 

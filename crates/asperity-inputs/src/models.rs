@@ -1,5 +1,6 @@
 //! The models that a scene allows.
 
+use asperity::recommended::FLOW;
 use asperity::{ContactError, ContactModel, Model, Quantity, Request};
 use asperity_bem::Bem;
 
@@ -32,6 +33,7 @@ impl SceneFile {
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
+            FLOW => Ok(Model::known(self.flow(options)?)),
             Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;

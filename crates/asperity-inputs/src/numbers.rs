@@ -124,6 +124,7 @@ impl SceneFile {
         // A measurement is valid for its own surface only.
         let offset = self.scene.mean_plane_offset.filter(|_| same);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(offset);
+        scene.surface_height_std = self.scene.surface_height_std.filter(|_| same);
         let keep_bodies = self.with_pair(interface) == self.scene.interface;
         Ok(Self {
             scene,
@@ -133,6 +134,7 @@ impl SceneFile {
             roughness: self.roughness.filter(|_| same),
             odd_number: self.odd_number.clone().filter(|_| same),
             stated: vec![],
+            counter_variance: if same { self.counter_variance } else { 0.0 },
             warnings: Findings::default(),
             scan: self.scan.clone().filter(|_| same),
             ..self.clone()

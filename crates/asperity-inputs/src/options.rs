@@ -1,5 +1,6 @@
 //! Options of the models for scene files, keywords and command lines.
 
+use asperity::film::friction_factor;
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Displacement, FlowPressure,
     ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
@@ -53,6 +54,10 @@ pub struct ModelOptions {
     /// `persson-fudge`. With a scan, it replaces the scan's spectrum, with a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
+    /// The least gap over the standard deviation of the surface heights that `patir-cheng` takes
+    /// for fluid in its friction factor; 0.01 by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_cut_off: Option<f64>,
     /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
     /// may also have this key in `[surface]`.
     pub asperities: Asperities,
@@ -134,6 +139,9 @@ impl ModelOptions {
         self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
         if let Some(hurst) = self.hurst_exponent {
             Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
+        }
+        if let Some(cut_off) = self.friction_cut_off {
+            friction_factor(1.0, cut_off).map_err(document.refused(section))?;
         }
         if let Displacement::Given { zeta, xi } = self.displacement {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {

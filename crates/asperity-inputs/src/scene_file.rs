@@ -12,7 +12,7 @@ use asperity_topography::Topography;
 use crate::document::{Document, Files, HandedFiles};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
-use crate::keys::joined;
+use crate::keys::{COUNTERFACE, joined};
 use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
@@ -54,6 +54,10 @@ pub struct SceneFile {
     pub(crate) odd_number: Option<Finding>,
     /// The place of the hardness of the interface or of the first body.
     pub(crate) hardness_at: Option<Box<Place>>,
+    /// Of two surfaces, the mean square of the heights of the second \[m²\]; 0 of one.
+    pub(crate) counter_variance: f64,
+    /// The Peklenik number of each surface, where it is given.
+    pub(crate) peklenik_numbers: [Option<f64>; 2],
     /// The keys that were given with a unit.
     pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
@@ -180,6 +184,12 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
     scene.mean_plane_offset = mean_plane_offset.or(offset);
+    let measured = file.measured.as_ref().map(|found| found.statistics.sq);
+    let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
+    scene.surface_height_std = measured.or_else(given);
+    for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
+        *number = document.number(&joined(section, "peklenik_number"))?;
+    }
     scene.asperity().map_err(|error| {
         let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
         document.refused(if of_plane { "surface" } else { interface_section })(error)
@@ -246,6 +256,8 @@ impl From<Scene> for SceneFile {
             roughness: None,
             odd_number: None,
             hardness_at: None,
+            counter_variance: 0.0,
+            peklenik_numbers: [None; 2],
             stated: vec![],
             read: None,
             spectrum: Arc::default(),

@@ -108,8 +108,10 @@ pub(crate) fn surface(
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
+    let mut counter_variance = 0.0;
     let numbers = match (first, second) {
         (Some(first), Some(second)) => {
+            counter_variance = second.moments().m0;
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
             let roughness = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
             let surface = roughness.surface().map_err(document.refused("surface"))?;
@@ -129,6 +131,7 @@ pub(crate) fn surface(
     file.follows_from = numbers.follows_from;
     file.roughness = numbers.roughness;
     file.odd_number = numbers.odd;
+    file.counter_variance = counter_variance;
     Ok((file, notes))
 }
 

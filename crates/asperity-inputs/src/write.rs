@@ -240,6 +240,8 @@ impl SceneFile {
         if self.separation_from == Datum::SurfaceMean {
             keys.insert("separation_from".into(), "surface-mean".into());
         }
+        let lay = self.peklenik_numbers[0];
+        keys.extend(lay.map(|number| ("peklenik_number".into(), number.into())));
         let measured = self.measured.as_ref().filter(|_| !self.names_no_scan());
         let measured = measured.and_then(|measured| measured.statistics.mean_plane_offset);
         let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);

@@ -67,7 +67,9 @@ pub(crate) fn contact_table<'py>(
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
     let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
     warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
-    Ok((columns(py, &sheet)?, found.pressure_error, found.tangent_error, found.text))
+    let of_films = "format is \"film\": solve(film=...) returns these columns";
+    let [of_pressure, of_tangent] = found.errors.ok_or_else(|| value_error(of_films))?;
+    Ok((columns(py, &sheet)?, of_pressure, of_tangent, found.text))
 }
 
 /// Conductances per area [W/(m^2 K)] and relative pressures by a correlation at loads or pressures

@@ -17,9 +17,9 @@ NOTEBOOKS = sorted((HERE.parents[1] / "examples").glob("*.ipynb"))
 FIGURES = HERE.parents[3] / "figures"
 
 
-def test_there_are_six() -> None:
+def test_there_are_seven() -> None:
     names = ["bolted-joint-vibration", "paper-figure", "scan-to-stiffness"]
-    names += ["ultrasonic-roughness", "wheel-rail-uncertainty", "which-model"]
+    names += ["stribeck-bearing", "ultrasonic-roughness", "wheel-rail-uncertainty", "which-model"]
     assert [path.stem for path in NOTEBOOKS] == names
 
 

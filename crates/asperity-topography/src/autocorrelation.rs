@@ -8,6 +8,8 @@ use crate::spectrum::{forward, inverse};
 /// The value of the autocorrelation to which lengths are measured, as ISO 25178-3 sets it.
 /// \[recalled\]
 const DECAYED: f64 = 0.2;
+/// That of the correlation lengths of Peklenik. \[recalled\]
+const HALF: f64 = 0.5;
 /// The most points of a map that is transformed: 1 GiB of waves, as every side is doubled.
 const MOST: usize = 1 << 24;
 
@@ -23,6 +25,19 @@ pub struct Decay {
     pub str: Option<f64>,
 }
 
+/// Correlation lengths of the heights \[m\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lay {
+    /// Along a row.
+    pub along_row: f64,
+    /// Along a column.
+    pub along_column: f64,
+    /// The shortest and the longest of all directions.
+    pub extremes: [f64; 2],
+    /// The angle between the rows and the direction of the longest, 0 to 90 degrees.
+    pub degrees: f64,
+}
+
 impl Topography {
     /// Sal and Str of ISO 25178-2. Pairs of points with a missing one are left out, and every lag
     /// is averaged over its own pairs. The contour of 0.2 about lag 0 is interpolated linearly
@@ -31,32 +46,68 @@ impl Topography {
     /// `None` where the autocorrelation decays along no direction, and above 2²⁴ points.
     #[must_use]
     pub fn decay(&self) -> Option<Decay> {
+        let (contour, touches_edge) = self.contour(DECAYED)?;
+        let (shortest, longest) = extremes(&contour)?;
+        let str = (!touches_edge && !self.is_profile()).then(|| shortest.0 / longest.0);
+        Some(Decay { sal: shortest.0, str })
+    }
+
+    /// The lengths over which the autocorrelation falls to a half, as Peklenik's ratio takes them.
+    ///
+    /// `None` for a profile, where it does not fall so far within the scan, and above 2²⁴ points.
+    #[must_use]
+    pub fn lay(&self) -> Option<Lay> {
+        let (contour, touches_edge) = self.contour(HALF)?;
+        if touches_edge || self.is_profile() {
+            return None;
+        }
+        let on_axis = |axis: usize| {
+            let on =
+                contour.iter().filter(|point| point[1 - axis].abs() <= 0.0 && point[axis] > 0.0);
+            on.map(|point| point[axis]).reduce(f64::min)
+        };
+        let (shortest, longest) = extremes(&contour)?;
+        let degrees = longest.1[1].abs().atan2(longest.1[0].abs()).to_degrees();
+        let (along_row, along_column) = (on_axis(0)?, on_axis(1)?);
+        Some(Lay { along_row, along_column, extremes: [shortest.0, longest.0], degrees })
+    }
+
+    /// The contour of a value of the autocorrelation about lag 0 \[m\], along rows and columns, and
+    /// whether it reaches the largest lags; `None` above 2²⁴ points.
+    fn contour(&self, value: f64) -> Option<(Vec<[f64; 2]>, bool)> {
         if self.heights().len() > MOST {
             return None;
         }
         let lags = Lags::of(self)?;
         let [dx, dy] = self.pixel_size();
-        let (mut shortest, mut longest, mut touches_edge) = (f64::INFINITY, 0.0_f64, false);
-        for (v, u) in lags.inside() {
+        let (mut contour, mut touches_edge) = (vec![], false);
+        for (v, u) in lags.inside(value) {
             let here = lags.at(v, u)?;
             for (along, down) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
                 let Some(next) = lags.at(v + down, u + along) else {
                     touches_edge |= !(self.is_profile() && down != 0);
                     continue;
                 };
-                if next > DECAYED {
+                if next > value {
                     continue;
                 }
-                let part = (here - DECAYED) / (here - next);
+                let part = (here - value) / (here - next);
                 let x = (u as f64 + part * along as f64) * dx;
-                let y = (v as f64 + part * down as f64) * dy;
-                let length = x.hypot(y);
-                (shortest, longest) = (shortest.min(length), longest.max(length));
+                contour.push([x, (v as f64 + part * down as f64) * dy]);
             }
         }
-        let str = (!touches_edge && !self.is_profile()).then(|| shortest / longest);
-        shortest.is_finite().then_some(Decay { sal: shortest, str })
+        Some((contour, touches_edge))
     }
+}
+
+/// A point of a contour with its distance from lag 0.
+type Lag = (f64, [f64; 2]);
+
+/// The nearest and the farthest point of a contour.
+fn extremes(contour: &[[f64; 2]]) -> Option<(Lag, Lag)> {
+    let lags = || contour.iter().map(|point| (point[0].hypot(point[1]), *point));
+    let by = |one: &Lag, other: &Lag| one.0.total_cmp(&other.0);
+    Some((lags().min_by(by)?, lags().max_by(by)?))
 }
 
 /// The autocorrelation at lags of whole points, 1 at lag 0.
@@ -120,8 +171,8 @@ impl Lags {
         Some(self.values[place(v, self.shape[0]) * self.shape[1] + place(u, self.shape[1])])
     }
 
-    /// The lags about 0 at which the autocorrelation has not decayed.
-    fn inside(&self) -> Vec<(isize, isize)> {
+    /// The lags about 0 at which the autocorrelation has not decayed to this value.
+    fn inside(&self, least: f64) -> Vec<(isize, isize)> {
         let width = (2 * self.most[1] + 1) as usize;
         let mut seen = vec![false; (2 * self.most[0] + 1) as usize * width];
         let index =
@@ -131,7 +182,7 @@ impl Lags {
         while let Some(&(v, u)) = points.get(next) {
             next += 1;
             for (v, u) in [(v, u + 1), (v, u - 1), (v + 1, u), (v - 1, u)] {
-                if self.at(v, u).is_some_and(|value| value > DECAYED) && !seen[index(v, u)] {
+                if self.at(v, u).is_some_and(|value| value > least) && !seen[index(v, u)] {
                     seen[index(v, u)] = true;
                     points.push((v, u));
                 }
@@ -161,6 +212,33 @@ mod tests {
         let length = (-0.6_f64).acos() / TAU;
         assert!((found.sal / (40e-6 * length) - 1.0).abs() < 2e-3, "{found:?}");
         assert!((found.str.unwrap() - 0.4).abs() < 2e-3, "{found:?}");
+    }
+
+    #[test]
+    fn a_lay_has_its_correlation_lengths_and_its_angle() {
+        // Waves of lengths 40 and 100 as above: half of cos(2π x/40) + 1 is 1/2 at 10.
+        let wave = |turned: f64| {
+            let (sin, cos) = turned.to_radians().sin_cos();
+            let height = |k: usize| {
+                let (x, y) = ((k % 400) as f64, (k / 400) as f64);
+                let (u, v) = (cos * x + sin * y, cos * y - sin * x);
+                (TAU * u / 40.0).cos() + (TAU * v / 100.0).cos()
+            };
+            let heights = (0..400 * 400).map(height).collect();
+            Topography::new(heights, 400, [1e-6; 2]).unwrap()
+        };
+        let Lay { along_row, along_column, extremes, degrees } =
+            wave(0.0).with_periodic(true).lay().unwrap();
+        for (found, wanted) in [(along_row, 10e-6), (along_column, 25e-6)] {
+            assert!((found / wanted - 1.0).abs() < 2e-3, "{found}");
+        }
+        assert!((extremes[1] / 25e-6 - 1.0).abs() < 2e-3 && (degrees - 90.0).abs() < 1e-9);
+        // The long waves run along v, 30 degrees from the columns.
+        let oblique = wave(30.0).lay().unwrap();
+        assert!((oblique.degrees - 60.0).abs() < 4.0, "{oblique:?}");
+        let groove = |k: usize| (TAU * (k % 128) as f64 / 32.0).cos();
+        let grooves = Topography::new((0..128 * 64).map(groove).collect(), 128, [1e-6; 2]);
+        assert_eq!(grooves.unwrap().lay(), None);
     }
 
     #[test]

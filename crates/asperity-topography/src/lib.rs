@@ -23,7 +23,7 @@ mod unit;
 mod warning;
 mod write;
 
-pub use autocorrelation::Decay;
+pub use autocorrelation::{Decay, Lay};
 pub use error::TopographyError;
 pub use glance::{Glance, Reported, report};
 pub use hills::Peaks;

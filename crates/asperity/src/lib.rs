@@ -22,6 +22,7 @@ pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
+pub use asperity_film as film;
 #[cfg(feature = "fit")]
 pub use asperity_fit as fit;
 pub use asperity_gao::{

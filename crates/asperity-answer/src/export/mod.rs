@@ -3,6 +3,7 @@
 
 mod cubic;
 mod error_bound;
+mod film;
 mod interaction;
 mod kinks;
 mod table;
@@ -11,7 +12,7 @@ mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Described, Separation, SeparationUnit};
+use asperity::{At, Described, Quantity, Separation, SeparationUnit};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -30,6 +31,8 @@ pub enum TableFormat {
     Calculix,
     /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
     Ansys,
+    /// Pressure, area fraction and flow factors against the film, for a Reynolds code.
+    Film,
 }
 
 /// The variable of a table of conductance.
@@ -53,7 +56,7 @@ pub(crate) enum Interpolation {
 
 impl TableFormat {
     /// All formats.
-    pub const ALL: [Self; 4] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Ansys];
+    pub const ALL: [Self; 5] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Ansys, Self::Film];
 
     /// The name of the format, in lower case.
     #[must_use]
@@ -63,6 +66,7 @@ impl TableFormat {
             Self::Abaqus => "abaqus",
             Self::Calculix => "calculix",
             Self::Ansys => "ansys",
+            Self::Film => "film",
         }
     }
 
@@ -98,7 +102,10 @@ impl FromStr for TableFormat {
 
     fn from_str(name: &str) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|format| format.name() == name);
-        found.ok_or_else(|| "\"csv\", \"abaqus\", \"calculix\" or \"ansys\" was required".into())
+        found.ok_or_else(|| {
+            let names = Self::ALL.map(Self::name).join(", ");
+            format!("one of {names} was required")
+        })
     }
 }
 
@@ -151,10 +158,9 @@ pub struct Export<'a> {
 pub struct Exported {
     /// The table in its format and units.
     pub text: String,
-    /// Bound of the relative error of the pressure between the nodes.
-    pub pressure_error: f64,
-    /// Bound of the relative error of the tangent between the nodes.
-    pub tangent_error: f64,
+    /// Bounds of the relative errors of pressure and tangent between the nodes; none of a table of
+    /// films.
+    pub errors: Option<[f64; 2]>,
 }
 
 impl Export<'_> {
@@ -169,10 +175,15 @@ impl Export<'_> {
         self.format.check(self.conductance, self.friction)?;
         watch.progress("nodes");
         let of_model = |error: AnswerError| error.of_model(self.subject.id);
+        if self.format == TableFormat::Film {
+            return Ok(Exported { text: self.film_text(sheet).map_err(of_model)?, errors: None });
+        }
         let table = ContactTable::new(self).map_err(of_model)?;
         let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
         let mut text = table.text(self, &format!("asperity {version}, model {id}"))?;
         if let Some(against) = self.conductance {
+            let asked = [Quantity::ThermalConductancePerArea];
+            sheet.extend(self.subject.file.conduction_findings(&asked));
             text += &table.conductance_text(self, against).map_err(of_model)?;
         }
         if let Some(friction) = self.friction {
@@ -191,6 +202,6 @@ impl Export<'_> {
             );
             sheet.warn("interpolation-error", text);
         }
-        Ok(Exported { text, pressure_error, tangent_error })
+        Ok(Exported { text, errors: Some([pressure_error, tangent_error]) })
     }
 }

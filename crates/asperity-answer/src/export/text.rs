@@ -19,7 +19,7 @@ impl ContactTable {
     pub(crate) fn text(&self, export: &Export<'_>, title: &str) -> Outcome<String> {
         let (units, scene) = (export.units.units(), &export.subject.file.scene);
         let (form, sign) = match export.format {
-            TableFormat::Csv => (include_str!("forms/csv.txt"), "#"),
+            TableFormat::Csv | TableFormat::Film => (include_str!("forms/csv.txt"), "#"),
             TableFormat::Abaqus => (include_str!("forms/abaqus.txt"), "**"),
             TableFormat::Calculix => (include_str!("forms/calculix.txt"), "**"),
             TableFormat::Ansys => (include_str!("forms/ansys.txt"), "!"),
@@ -48,7 +48,7 @@ impl ContactTable {
             ],
         );
         match export.format {
-            TableFormat::Csv => {
+            TableFormat::Csv | TableFormat::Film => {
                 for node in &self.nodes {
                     let clearance = export.length(node.separation)?;
                     let (pressure, tangent) = (node.pressure / units.pascals, node.stiffness);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
-use asperity::{At, Interface, nearest_hint, nearest_name};
+use asperity::{At, Interface, Quantity, nearest_hint, nearest_name};
 use asperity_answer::{Conductance as Question, Gas};
 use asperity_inputs::likely_angle;
 use clap::{ArgGroup, Args};
@@ -87,13 +87,17 @@ impl Conductance {
         let interface = &mut scene.file.scene.interface;
         let Some(given) = self.conductivity else {
             if interface.thermal_conductivity.is_none() {
+                output::show(
+                    &scene.file.conduction_findings(&[Quantity::ThermalConductancePerArea]),
+                );
                 let how = "set it in the scene, or use --conductivity";
                 bail!("{}: thermal_conductivity is missing: {how}", scene.name)
             }
             return Ok(scene);
         };
         interface.thermal_conductivity = Some(given);
-        let found = interface.findings().into_iter();
+        scene.file.bodies.iter_mut().for_each(|body| body.thermal_conductivity = Some(given));
+        let found = scene.file.scene.interface.findings().into_iter();
         scene.report(found.filter(|found| found.field == "thermal_conductivity").collect());
         Ok(scene)
     }

@@ -2,6 +2,7 @@
 //! `pull-off`.
 
 use anyhow::{Context, Result};
+use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
 use asperity_inputs::SceneFile;
@@ -49,7 +50,7 @@ pub struct Curve {
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
-    #[arg(conflicts_with_all = ["separations", "unit", "quantities", "plot"])]
+    #[arg(conflicts_with_all = ["separations", "unit", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
@@ -76,7 +77,9 @@ impl Curve {
         let ids = if compares { &[][..] } else { &self.asked.models };
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
-        let request = self.asked.request(&scene.file, &separations, &USUAL);
+        let flow = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
+        let usual = if ids == [FLOW] { flow.collect() } else { USUAL.to_vec() };
+        let request = self.asked.request(&scene.file, &separations, &usual);
         let (sheet, ()) =
             scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
@@ -102,7 +105,9 @@ impl Curve {
             None => Beside::Nothing,
         };
         let (all, at_defaults, request) = (self.all, self.asked.is_nowhere(), request.clone());
-        let inquiry = Inquiry { beside, all, at_defaults, ..Inquiry::new(file, models, request) };
+        let films = self.asked.is_of_film();
+        let inquiry =
+            Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
         Ok(inquiry.answer(sheet, &Terminal::default())?)
     }
 

@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result};
-use asperity::{At, SeparationUnit, Tolerance};
+use asperity::{At, Separation, SeparationUnit, Tolerance};
 use asperity_answer::{AnswerError, ConductanceAgainst, Export, Sheet, TableFormat, UnitSystem};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
 use crate::input::args::{model_id, separation_unit};
-use crate::input::distances::{Length, warn_unit};
+use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range};
-use crate::input::numbers::{friction, load, pressure, share};
+use crate::input::numbers::{friction, load, number, pressure, share};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -37,7 +37,7 @@ pub struct ExportCommand {
     /// Unit of separations given without one: sigma (asperity_height_std) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separation")]
-    #[arg(conflicts_with_all = ["load", "pressure"])]
+    #[arg(conflicts_with_all = ["film", "lambda", "load", "pressure"])]
     unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
@@ -59,7 +59,7 @@ pub struct ExportCommand {
     output: Option<PathBuf>,
 }
 
-/// The range of the table, in one of three ways.
+/// The range of the table, in one of these ways.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Ends {
@@ -67,6 +67,12 @@ struct Ends {
     /// for example 0:3um
     #[arg(long, value_name = "A:B[:N]")]
     separation: Option<Length<Span>>,
+    /// Range of films between the mean planes of the surfaces, in m, or with a unit
+    #[arg(long, value_name = "A:B:N", value_parser = range(metre))]
+    film: Option<Span>,
+    /// Range of ratios of the film to the standard deviation of the surface heights
+    #[arg(long, value_name = "A:B:N", value_parser = range(number))]
+    lambda: Option<Span>,
     /// Range of loads, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B[:N[:log]]", value_parser = range(load))]
     load: Option<Span>,
@@ -82,6 +88,7 @@ fn form() -> impl TypedValueParser<Value = TableFormat> {
         "Pressure and overclosure, for straight lines",
         "Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure",
         "Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area",
+        "Pressure, area fraction and flow factors against the film, for a Reynolds code",
     ];
     let named =
         |(form, help): (TableFormat, &'static str)| PossibleValue::new(form.name()).help(help);
@@ -97,10 +104,16 @@ fn against() -> impl TypedValueParser<Value = ConductanceAgainst> {
 
 impl ExportCommand {
     pub fn run(self) -> Result<()> {
-        let Ends { separation, load, pressure } = self.ends;
-        let span =
-            separation.map(|s| s.value).or(load).or(pressure).context("a range was required")?;
-        if span.count.is_none() && self.max_error.is_none() {
+        let Ends { separation, film, lambda, load, pressure } = self.ends;
+        let span = separation
+            .map(|s| s.value)
+            .or(film)
+            .or(lambda)
+            .or(load)
+            .or(pressure)
+            .context("a range was required")?;
+        let by_error = self.max_error.is_some() && self.format != TableFormat::Film;
+        if span.count.is_none() && !by_error {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
@@ -112,10 +125,12 @@ impl ExportCommand {
             let ends = [span.first, span.last];
             warn_unit("separation", &ends, distances.unit(self.unit), height_std);
         }
-        let ends = [span.first, span.last].map(|value| match (separation, load) {
-            (Some(s), _) => scene.file.separation(value, s.unit(self.unit)).into(),
-            (_, Some(_)) => At::Load(value),
-            _ => At::Pressure(value),
+        let ends = [span.first, span.last].map(|value| match (separation, load, pressure) {
+            (Some(s), ..) => scene.file.separation(value, s.unit(self.unit)).into(),
+            (_, Some(_), _) => At::Load(value),
+            (.., Some(_)) => At::Pressure(value),
+            _ if film.is_some() => Separation::metres(value).from_surface_mean().into(),
+            _ => Separation::film_ratio(value).into(),
         });
         scene.report(scene.file.findings_at(&named.1, &ends));
         let export = Export {

@@ -97,8 +97,14 @@ fn like(word: &str) -> Result<Vec<Model>> {
     // Random asperities have the row of equal ones.
     let equal = wanted.strip_suffix("-random").filter(|_| wanted.parse::<Model>().is_ok());
     let wanted = equal.unwrap_or(&wanted);
-    let mut all =
-        [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat();
+    let mut all = [
+        Model::all(),
+        Model::whole_surface(),
+        Model::adhesive(),
+        Model::hardening(),
+        Model::flow(),
+    ]
+    .concat();
     let of_id = |model: &Model| {
         let rest = model.id().strip_prefix(wanted);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))

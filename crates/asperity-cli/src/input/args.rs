@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::Bem;
-use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
+use asperity::recommended::FLOW;
+use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{ArgAction, Args};
 
-use crate::input::distances::{Distances, warn_unit};
+use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
 use crate::output::table::{self, Format};
@@ -36,6 +37,15 @@ pub struct ModelArgs {
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
     unit: SeparationUnit,
+    /// Films between the mean planes of the surfaces: separations with the columns film_m and
+    /// lambda; in m, or with a unit, for example 0.1um:3um:50
+    #[arg(long = "film", value_name = "A:B:N[:log]|v,v", value_parser = all(metre))]
+    #[arg(action = ArgAction::Append, conflicts_with = "given")]
+    films: Vec<Numbers>,
+    /// The same as ratios lambda of the film to the standard deviation of the surface heights
+    #[arg(long = "lambda", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
+    #[arg(action = ArgAction::Append)]
+    ratios: Vec<Numbers>,
     /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
     /// (dmt, jkr)
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load_or_tension))]
@@ -82,6 +92,10 @@ impl ModelArgs {
             warn_unit("separation", &list.value, list.unit(self.unit), height_std);
         }
         let at = self.at(scene, separations);
+        for list in &self.films {
+            let height_std = scene.scene.surface.asperity_height_std;
+            warn_unit("film", &list.0, SeparationUnit::Metres, height_std);
+        }
         let quantities = match (&self.quantities[..], &at[..], usual) {
             // At a load, the force is given.
             ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,
@@ -93,7 +107,13 @@ impl ModelArgs {
 
     /// Whether neither separations nor loads are given.
     pub fn is_nowhere(&self) -> bool {
-        self.separations.is_empty() && self.loads.is_empty() && self.pressures.is_empty()
+        let plain = self.separations.is_empty() && !self.is_of_film();
+        plain && self.loads.is_empty() && self.pressures.is_empty()
+    }
+
+    /// Whether films are given.
+    pub fn is_of_film(&self) -> bool {
+        !(self.films.is_empty() && self.ratios.is_empty())
     }
 
     /// The separations or loads; `otherwise` is in units of sigma.
@@ -103,13 +123,25 @@ impl ModelArgs {
             let unit = list.unit(self.unit);
             list.value.iter().map(move |value| separation(*value, unit))
         });
-        let given: Vec<At> = separations.chain(loads(&self.loads, &self.pressures)).collect();
+        let films = films(&self.films, &self.ratios);
+        let given = separations.chain(films).chain(loads(&self.loads, &self.pressures));
+        let given: Vec<At> = given.collect();
         if given.is_empty() {
             otherwise.iter().map(|s| separation(*s, self.unit)).collect()
         } else {
             given
         }
     }
+}
+
+/// The places of films and of their ratios to the standard deviation of the surface heights.
+pub fn films<'n>(
+    films: impl IntoIterator<Item = &'n Numbers>,
+    ratios: impl IntoIterator<Item = &'n Numbers>,
+) -> impl Iterator<Item = At> {
+    let films = films.into_iter().flat_map(|list| &list.0).map(|film| Separation::metres(*film));
+    let ratios = ratios.into_iter().flat_map(|list| &list.0).copied().map(Separation::film_ratio);
+    films.map(Separation::from_surface_mean).chain(ratios).map(At::from)
 }
 
 /// The places of loads and of pressures.
@@ -171,14 +203,15 @@ impl DrawnArgs {
 }
 
 fn quantities_help() -> String {
-    let names = |circles: bool| {
-        let listed = Quantity::ALL.into_iter().filter(|q| q.needs_circles() == circles);
+    let names = |of: fn(Quantity) -> bool| {
+        let listed = Quantity::ALL.into_iter().filter(|q| of(*q));
         listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
     };
     format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}",
-        names(false),
-        names(true)
+        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {FLOW} {}",
+        names(|q| !q.needs_circles() && !q.is_flow_factor()),
+        names(Quantity::needs_circles),
+        names(Quantity::is_flow_factor),
     )
 }
 

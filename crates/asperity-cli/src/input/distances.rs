@@ -59,7 +59,7 @@ impl FromStr for Length<Span> {
 }
 
 /// A length in m, or with its unit.
-fn metre(text: &str) -> Result<f64, String> {
+pub fn metre(text: &str) -> Result<f64, String> {
     of_unit(text, "m")
 }
 

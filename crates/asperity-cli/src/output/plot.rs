@@ -16,6 +16,12 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
     let mut x = match request.at.first() {
         Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
         Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
+        Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => {
+            Axis::new("lambda", "film (σ)")
+        }
+        Some(At::Separation(_)) if table.column("film_m").is_some() => {
+            Axis::new("film_m", "film (µm)").times(1e6)
+        }
         Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => {
             Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6)
         }

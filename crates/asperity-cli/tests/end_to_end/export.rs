@@ -2,7 +2,7 @@
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, cells, column, conducting};
+use crate::bench::{Bench, NEGATIVE, cells, column, column_of, conducting};
 
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
@@ -321,4 +321,35 @@ fn nodes_may_have_equal_ratios_of_load() {
     }
     let refused = bench.run("export scene.toml --model ke --as csv --separation 1:3:9:log");
     assert!(refused.messages.contains("log is not allowed here"), "{}", refused.messages);
+}
+
+#[test]
+fn a_table_of_films_has_pressure_and_factors_and_the_numbers_that_codes_take() {
+    let bench = Bench::new();
+    let table = bench.data("export scene.toml --model ke --as film --lambda 0.25:4:16");
+    let curve = "--lambda 0.25:4:16 --quantity";
+    let of = |model: &str, quantity: &str| {
+        let curve = bench.data(&format!("curve scene.toml --model {model} {curve} {quantity}"));
+        assert_eq!(column(&curve, "lambda"), column(&table, "lambda"));
+        column(&curve, &quantity.replace('-', "_"))
+    };
+    assert_eq!(column(&table, "area_fraction"), of("ke", "area-fraction"));
+    let factor = "friction_flow_factor";
+    let filled: Vec<f64> = column_of(&table, factor).into_iter().flatten().collect();
+    // The first film is below the range of the fits.
+    assert_eq!(filled.len(), 15);
+    let again = bench.data(
+        "curve scene.toml --model patir-cheng --lambda 0.5:4:15 --quantity friction-flow-factor",
+    );
+    assert_eq!(filled, column(&again, factor));
+    let surface = bench.scene("scene.toml").scene.surface;
+    for number in [surface.asperity_density, surface.asperity_radius] {
+        assert!(table.contains(&asperity::short(number)), "{table}");
+    }
+    let in_mm =
+        bench.data("export scene.toml --model ke --as film --film 1um:3um:3 --units mm-N-MPa");
+    assert!((column(&in_mm, "film_mm")[2] / 3e-3 - 1.0).abs() < 1e-12);
+    let in_pascals = bench.data("curve scene.toml --model ke --film 1um:3um:3 --quantity pressure");
+    let (mega, pascals) = (column(&in_mm, "pressure_MPa"), column(&in_pascals, "pressure_Pa"));
+    assert!(mega.iter().zip(pascals).all(|(one, other)| (1e6 * one / other - 1.0).abs() < 1e-12));
 }

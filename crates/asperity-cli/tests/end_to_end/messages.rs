@@ -173,7 +173,8 @@ fn the_list_of_models_has_every_source() {
     assert_eq!(
         ids.join(" "),
         format!(
-            "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia"
+            "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia \
+             patir-cheng"
         )
     );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");

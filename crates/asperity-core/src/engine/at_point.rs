@@ -50,6 +50,8 @@ impl AtPoint<'_> {
             Derivation::Ratio(above, below) => self.ratio(quantity, (above, below), integrals),
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
+            // Refused where laws are made.
+            Derivation::FlowFactor => Err(ContactError::NotRequested { quantity }),
         }
     }
 

@@ -22,7 +22,7 @@ pub(crate) struct RadiusFactor {
     /// The factor, if the interface has the property.
     factor: fn(&Interface) -> Option<f64>,
     /// The property, as in scene files, and whose it may be.
-    field: &'static str,
+    pub(crate) field: &'static str,
     whose: &'static str,
 }
 

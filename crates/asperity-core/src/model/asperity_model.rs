@@ -1,6 +1,7 @@
 //! What to write for a model of one asperity: its laws.
 
 use crate::law::contact_radii;
+use crate::recommended::FLOW;
 use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 
@@ -70,6 +71,11 @@ impl dyn AsperityModel + '_ {
         let law = match quantity.derivation() {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
+            Derivation::FlowFactor => {
+                let what =
+                    format!("factors of flow, which follow from the film alone: use `{FLOW}`");
+                return Err(ContactError::Unsupported { model: self.id().into(), what });
+            }
             _ => None,
         };
         law.ok_or_else(|| ContactError::NoLaw { model: self.id().into(), quantity })

@@ -68,9 +68,10 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral(_) | Derivation::IntegralOrSlope(..) | Derivation::Slope(_) => {
-                self
-            }
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
+            | Derivation::Slope(_)
+            | Derivation::FlowFactor => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -90,11 +91,25 @@ impl Quantity {
         self.origin() == Self::ContactRadiusSum
     }
 
+    /// Whether this is a factor of the flow of a film, which depends on the film and the surfaces
+    /// alone, not on a model of contact.
+    #[must_use]
+    pub fn is_flow_factor(self) -> bool {
+        matches!(self.derivation(), Derivation::FlowFactor)
+    }
+
     /// Whether this is a stiffness or a conductance of a joint, per area or not: a multiple of the
     /// sum of the contact radii.
     #[must_use]
     pub fn is_of_joint(self) -> bool {
         self.radius_factor().is_some()
+    }
+
+    /// The key of the property of the interface that this quantity needs, for a stiffness or a
+    /// conductance of a joint.
+    #[must_use]
+    pub fn property(self) -> Option<&'static str> {
+        self.radius_factor().map(|factor| factor.field)
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
@@ -210,7 +225,9 @@ mod tests {
         let refused = |name: &str| name.parse::<Quantity>().unwrap_err().to_string();
         for name in ["separation", "mean_gap", "Separation_m"] {
             let text = refused(name);
-            assert!(text.ends_with("plastic-share (separations come with every answer, unasked)"));
+            assert!(text.ends_with(
+                "friction-pressure-factor (separations come with every answer, unasked)"
+            ));
             assert!(
                 text.starts_with(&format!("quantity {name:?} is not known: the quan")),
                 "{text}"

@@ -27,6 +27,8 @@ pub(crate) enum Derivation {
     Logarithm(Quantity),
     /// The share of a regime in the force.
     RegimeShare(Regime),
+    /// A factor of the flow of a film, which models of flow give.
+    FlowFactor,
 }
 
 /// An entry of the table.
@@ -215,5 +217,41 @@ quantities! {
         name: "plastic-share", symbol: "F_p/F", unit: "", label: "plastic share of the force",
         definition: "Share of the force on plastic asperities.",
         derivation: Derivation::RegimeShare(Regime::Plastic),
+    }
+    PressureFlowFactorX {
+        name: "pressure-flow-factor-x", symbol: "phi_x", unit: "", label: "pressure flow factor along x",
+        definition: "Mean flow along x, the direction of sliding, under a pressure gradient, over \
+            that between smooth surfaces at the same film.",
+        derivation: Derivation::FlowFactor,
+    }
+    PressureFlowFactorY {
+        name: "pressure-flow-factor-y", symbol: "phi_y", unit: "", label: "pressure flow factor along y",
+        definition: "Mean flow across the direction of sliding under a pressure gradient, over that \
+            between smooth surfaces at the same film.",
+        derivation: Derivation::FlowFactor,
+    }
+    ShearFlowFactor {
+        name: "shear-flow-factor", symbol: "phi_s", unit: "", label: "shear flow factor",
+        definition: "Additional flow that sliding rough surfaces carry, over half the sliding speed \
+            times sigma; positive if the first surface moves.",
+        derivation: Derivation::FlowFactor,
+    }
+    FrictionFlowFactor {
+        name: "friction-flow-factor", symbol: "phi_f", unit: "", label: "friction factor of the film",
+        definition: "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean \
+            shear stress over that of smooth surfaces.",
+        derivation: Derivation::FlowFactor,
+    }
+    FrictionShearFactor {
+        name: "friction-shear-factor", symbol: "phi_fs", unit: "", label: "friction shear factor",
+        definition: "Correction of the mean shear stress on the surfaces by their roughness, in \
+            (phi_f +- phi_fs) times viscosity times sliding speed over film.",
+        derivation: Derivation::FlowFactor,
+    }
+    FrictionPressureFactor {
+        name: "friction-pressure-factor", symbol: "phi_fp", unit: "", label: "friction pressure factor",
+        definition: "Factor of the mean shear stress by a pressure gradient, half the film times the \
+            gradient.",
+        derivation: Derivation::FlowFactor,
     }
 }

@@ -17,6 +17,20 @@ pub enum SeparationUnit {
     /// Metres.
     #[serde(rename = "m")]
     Metres,
+    /// Multiples of [`Scene::surface_height_std`]: the film ratio λ, from the mean plane of the
+    /// surface.
+    SurfaceStd,
+}
+
+impl SeparationUnit {
+    /// Its length on a scene \[m\].
+    fn length(self, scene: &Scene) -> f64 {
+        match self {
+            Self::Sigma => scene.surface.asperity_height_std,
+            Self::Metres => 1.0,
+            Self::SurfaceStd => scene.surface_height_std(),
+        }
+    }
 }
 
 /// The plane that a separation is measured from.
@@ -77,6 +91,13 @@ impl Separation {
         Self { value, unit: SeparationUnit::Metres, from: Datum::AsperityMean }
     }
 
+    /// The film ratio λ = h/σ of a film h between the mean planes of the surfaces, with the standard
+    /// deviation σ of the surface heights.
+    #[must_use]
+    pub fn film_ratio(value: f64) -> Self {
+        Self { value, unit: SeparationUnit::SurfaceStd, from: Datum::SurfaceMean }
+    }
+
     /// The same number, measured from the mean plane of the surface.
     #[must_use]
     pub fn from_surface_mean(self) -> Self {
@@ -94,23 +115,15 @@ impl Separation {
         from: Datum,
         scene: &Scene,
     ) -> Result<Self, ContactError> {
-        let sigma = scene.surface.asperity_height_std;
         let shift = match (self.from, from) {
             (Datum::SurfaceMean, Datum::AsperityMean) => -mean_plane_offset(scene)?,
             (Datum::AsperityMean, Datum::SurfaceMean) => mean_plane_offset(scene)?,
             _ => 0.0,
         };
         // In the unit given; exact if neither unit nor plane changes.
-        let value = match self.unit {
-            _ if shift == 0.0 => self.value,
-            SeparationUnit::Sigma => self.value + shift / sigma,
-            SeparationUnit::Metres => self.value + shift,
-        };
-        let value = match (self.unit, unit) {
-            (SeparationUnit::Sigma, SeparationUnit::Metres) => value * sigma,
-            (SeparationUnit::Metres, SeparationUnit::Sigma) => value / sigma,
-            _ => value,
-        };
+        let length = self.unit.length(scene);
+        let value = if shift == 0.0 { self.value } else { self.value + shift / length };
+        let value = if self.unit == unit { value } else { value * length / unit.length(scene) };
         Ok(Self { value, unit, from })
     }
 
@@ -132,7 +145,8 @@ impl Separation {
     fn converted(self, scene: &Scene) -> Result<SeparationInSigma, ContactError> {
         let sigma = scene.surface.asperity_height_std;
         let s = self.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, scene)?.value;
-        let mut rounding = f64::EPSILON * s.abs();
+        let by_surface = self.unit == SeparationUnit::SurfaceStd;
+        let mut rounding = f64::EPSILON * s.abs() * if by_surface { 3.0 } else { 1.0 };
         if self.from == Datum::SurfaceMean {
             // Either number may be larger than their difference.
             rounding += 2.0 * f64::EPSILON * (mean_plane_offset(scene)? / sigma).abs();
@@ -176,6 +190,9 @@ impl fmt::Display for Separation {
             }
             SeparationUnit::Metres if self.value == 0.0 => f.write_str("0 m")?,
             SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
+            SeparationUnit::SurfaceStd => {
+                write!(f, "{mark}{} surface_height_std{mark}", self.value)?
+            }
         }
         match self.from {
             Datum::AsperityMean => Ok(()),
@@ -302,13 +319,26 @@ mod tests {
             (SeparationUnit::Metres, Datum::AsperityMean),
             (SeparationUnit::Metres, Datum::SurfaceMean),
             (SeparationUnit::Sigma, Datum::SurfaceMean),
+            (SeparationUnit::SurfaceStd, Datum::SurfaceMean),
         ] {
             let there = Separation::sigmas(1.7).measured_in(unit, from, &scene).unwrap();
             let place = there.in_sigma(&scene).unwrap();
-            assert!((place.s - 1.7).abs() <= place.rounding && place.rounding < 2e-15);
+            assert!((place.s - 1.7).abs() <= place.rounding && place.rounding < 3e-15);
         }
         let gap = Separation::metres(1e-6 + offset).from_surface_mean();
         assert!((gap.in_sigma(&scene).unwrap().s - 2.0).abs() < 1e-14);
+        // Of an isotropic Gaussian surface, σ is the standard deviation of all heights.
+        let sigma = scene.surface.moments().m0.sqrt();
+        let ratio = Separation::film_ratio((1e-6 + offset) / sigma);
+        assert!((ratio.in_sigma(&scene).unwrap().s - 2.0).abs() < 1e-14);
+        assert_eq!(
+            ratio.to_string(),
+            format!("{} surface_height_std from the mean plane of the surface", ratio.value)
+        );
+        let measured = Scene { surface_height_std: Some(2.0 * sigma), ..scene.clone() };
+        let half =
+            ratio.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &measured).unwrap();
+        assert!((half.value / (2e-6 + 2.0 * offset) - 1.0).abs() < 1e-15);
         // A measured offset takes precedence over that of an isotropic Gaussian surface.
         let measured = Scene { mean_plane_offset: Some(0.25e-6), ..scene };
         let gap = Separation::metres(1e-6).from_surface_mean();

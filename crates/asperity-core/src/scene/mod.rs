@@ -28,6 +28,10 @@ pub struct Scene {
     /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
+    /// Measured or given standard deviation of the surface heights \[m\]; by default that of an
+    /// isotropic Gaussian surface.
+    #[serde(default)]
+    pub surface_height_std: Option<f64>,
 }
 
 impl Scene {
@@ -39,7 +43,14 @@ impl Scene {
     #[must_use]
     pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
         let heights = HeightDistribution::Gaussian;
-        Self { interface, surface, nominal_area, heights, mean_plane_offset: None }
+        Self {
+            interface,
+            surface,
+            nominal_area,
+            heights,
+            mean_plane_offset: None,
+            surface_height_std: None,
+        }
     }
 
     /// Checks every field; returns one asperity of the surface.
@@ -63,6 +74,13 @@ impl Scene {
     #[must_use]
     pub fn mean_plane_offset(&self) -> f64 {
         self.mean_plane_offset.unwrap_or_else(|| self.surface.mean_plane_offset())
+    }
+
+    /// σ \[m\]: the standard deviation of the surface heights (not of the asperities), of both
+    /// surfaces together; films are measured in it.
+    #[must_use]
+    pub fn surface_height_std(&self) -> f64 {
+        self.surface_height_std.unwrap_or_else(|| self.surface.moments().m0.sqrt())
     }
 
     /// η A_n, the number of asperities.

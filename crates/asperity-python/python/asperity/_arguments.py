@@ -107,6 +107,8 @@ AXES = {
     "m": "separation_m",
     "load": "load_N",
     "pressure": "pressure_Pa",
+    "film": "film_m",
+    "lambda_ratio": "lambda",
 }
 LOADS = ("load", "pressure")
 ERRORS = ("raise", "mask")
@@ -122,17 +124,25 @@ def checked_unit(separation_unit: str) -> str:
 
 
 def place(
-    separation: Any, load: Any, pressure: Any, separation_unit: str, name: str = "separation"
+    separation: Any,
+    load: Any,
+    pressure: Any,
+    separation_unit: str,
+    name: str = "separation",
+    **films: Any,
 ) -> tuple[str, Any]:
-    """The meaning of the given numbers, and the numbers; TypeError unless one of the three is given."""
+    """The meaning of the given numbers, and the numbers; TypeError unless one of them is given."""
     unit = checked_unit(separation_unit)
     in_metres = in_si(separation, "m")
     if in_metres is not separation:
         separation, unit = in_metres, "m"
     given = {unit: separation, "load": in_si(load, "N"), "pressure": in_si(pressure, "Pa")}
+    films = {axis: in_si(film, "m") for axis, film in films.items() if film is not None}
+    given |= films
     found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
     if len(found) != 1:
-        raise TypeError(f"exactly one of {name}, load and pressure was required")
+        names = ", ".join([name, "load", *films])
+        raise TypeError(f"exactly one of {names} and pressure was required")
     return found[0]
 
 

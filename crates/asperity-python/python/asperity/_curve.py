@@ -96,7 +96,7 @@ class Curve:
 
     def __getitem__(self, quantity: str) -> Floats:
         name = quantity.replace("_", "-")
-        if name == self._rows.axis and name not in self._columns:
+        if name.replace("-", "_") == self._rows.axis and name not in self._columns:
             return self._rows.given
         if name not in self._columns:
             asked = ", ".join(self._columns)
@@ -157,6 +157,7 @@ class Curve:
         """Columns, with labels for axes."""
         axis = self._rows.axis
         place = {"load": "load (N)", "pressure": "pressure (Pa)", "m": "separation (m)"}
+        place |= {"film": "film (m)", "lambda_ratio": "film / surface_height_std"}
         names = _asperity.quantities(self._columns).items()
         labels = {AXES[axis]: place.get(axis, "separation / asperity_height_std")}
         for name, head in names:
@@ -236,9 +237,9 @@ class Curve:
     def __repr__(self) -> str:
         rows = self._rows
         numbers = rows.given
-        axis, unit = {"load": ("load", "N"), "pressure": ("pressure", "Pa")}.get(
-            rows.axis, ("separation", rows.axis)
-        )
+        known = {"load": ("load", "N"), "pressure": ("pressure", "Pa"), "film": ("film", "m")}
+        known["lambda_ratio"] = ("film", "surface_height_std")
+        axis, unit = known.get(rows.axis, ("separation", rows.axis))
         where = f"{numbers.size} {axis}{'s' if numbers.size != 1 else ''}"
         if numbers.size > 1:
             where += f" from {numbers.min():g} to {numbers.max():g}"

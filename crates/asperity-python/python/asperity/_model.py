@@ -151,6 +151,8 @@ class Model(Engine):
         *,
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
+        film: npt.ArrayLike | None = None,
+        lambda_ratio: npt.ArrayLike | None = None,
         errors: str = "raise",
         corrected: bool = False,
     ) -> Curve:
@@ -169,7 +171,7 @@ class Model(Engine):
             vibrations) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
             [W/K], "electrical-conductance" [S], both with "-per-area" over the nominal area,
             "mean-pressure" [Pa], "ln-force", "ln-area", "elastic-share", "elastic-plastic-share" and
-            "plastic-share".
+            "plastic-share"; of "patir-cheng", the factors of flow at films.
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.
         separation_unit : "asperity_height_std" or "m"
@@ -179,6 +181,9 @@ class Model(Engine):
             values are those at the largest, the first that approaching bodies reach.
         pressure : array_like, optional
             Mean pressures on the nominal area [Pa], in the place of separations.
+        film, lambda_ratio : array_like, optional
+            In the place of separations: films [m] between the mean planes of the surfaces, and their
+            ratios to the standard deviation of the surface heights.
         errors : "raise" or "mask"
             The treatment of a refused row, as with a load that no separation carries: it raises; or
             its values are masked, and ``Curve.failures`` has the reason.
@@ -198,7 +203,8 @@ class Model(Engine):
         array([[7.68e-07],
                [7.15e-07]])
         """
-        rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+        films = {"film": film, "lambda_ratio": lambda_ratio}
+        rows = Rows(scene, *place(separation, load, pressure, separation_unit, **films))
         checked_errors(errors)
         if corrected:
             return CorrectedCurve.of(self, rows, rtol, separation_unit, quantities, errors)

@@ -84,7 +84,12 @@ pub(crate) fn check_rows(asked: &Asked) -> Findings {
     let Asked { rows, model, .. } = asked;
     match rows.one_file() {
         // The smallest and the largest number suffice: there may be millions of rows.
-        Some(file) => check_scene(asked.engine(), model, file, rows.ends().map(|row| rows.at(row))),
+        Some(file) => {
+            let places = rows.ends().map(|row| rows.at(row));
+            let mut found = check_scene(asked.engine(), model, file, places);
+            found.extend(file.conduction_findings(&asked.request.quantities));
+            found
+        }
         None => check_scenes(rows, model.validity().asperities),
     }
 }

@@ -72,7 +72,7 @@ pub(crate) fn separations<'py>(
     }
     let (found, failed) = if rows.one_scene().is_some() {
         asked.each(py, ROWS_PER_TASK, stop, |contact, row| {
-            of(contact, row, contact.separation_at(load(contact, rows.at(row))?)?)
+            of(contact, row, contact.separation(rows.at(row))?)
         })?
     } else {
         let sweep = Sweep::new(&asked.model, &asked.request.quantities, asked.request.tolerance);

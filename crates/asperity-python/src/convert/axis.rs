@@ -10,6 +10,8 @@ use crate::convert::{value_error, warn_unless};
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Axis {
     Separation(SeparationUnit),
+    /// A film, from the mean plane of the surface.
+    Film(SeparationUnit),
     Load,
     Pressure,
 }
@@ -24,6 +26,8 @@ impl<'py> FromPyObject<'_, 'py> for Axis {
         match name.extract::<&str>()? {
             "asperity_height_std" => Ok(Self::Separation(SeparationUnit::Sigma)),
             "m" => Ok(METRES),
+            "film" => Ok(Self::Film(SeparationUnit::Metres)),
+            "lambda_ratio" => Ok(Self::Film(SeparationUnit::SurfaceStd)),
             "load" => Ok(Self::Load),
             "pressure" => Ok(Self::Pressure),
             other => Err(value_error(format!(
@@ -37,7 +41,7 @@ impl Axis {
     /// The SI unit of its numbers in texts.
     pub(crate) fn si(self) -> &'static str {
         match self {
-            Self::Separation(_) => "m",
+            Self::Separation(_) | Self::Film(_) => "m",
             Self::Load => "N",
             Self::Pressure => "Pa",
         }
@@ -57,6 +61,7 @@ impl Axis {
     pub(crate) fn at(self, value: f64, from: Datum) -> At {
         match self {
             Self::Separation(unit) => Separation { value, unit, from }.into(),
+            Self::Film(unit) => Separation { value, unit, from: Datum::SurfaceMean }.into(),
             Self::Load => At::Load(value),
             Self::Pressure => At::Pressure(value),
         }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
+use asperity::recommended::FLOW;
 use asperity::{Citation, ContactError, Model, Quantity, testkit};
 use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -135,7 +136,11 @@ impl Engine {
 
     /// Whether the model is boundary elements, which exist on a scan only.
     fn is_bem(&self) -> bool {
-        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(Bem::ID))
+        self.is_named(Bem::ID)
+    }
+
+    fn is_named(&self, wanted: &str) -> bool {
+        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(wanted))
     }
 
     /// The model without a scene; none for boundary elements.
@@ -186,10 +191,13 @@ impl Engine {
         if let [file] = files {
             return self.on(file);
         }
-        if self.is_bem() {
-            let text =
-                format!("{} scenes were given: bem needs a single scene with a scan", files.len());
-            return Err(value_error(text));
+        // These take more from a surface than the numbers of a scene.
+        for (id, what) in [(Bem::ID, "with a scan"), (FLOW, "and its lay")] {
+            if self.is_named(id) {
+                let count = files.len();
+                let text = format!("{count} scenes were given: {id} needs a single scene {what}");
+                return Err(value_error(text));
+            }
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {

@@ -12,6 +12,7 @@ use serde::de::DeserializeOwned;
 
 use options::{Configurable, Random};
 
+use crate::film::PatirCheng;
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Finding,
@@ -140,12 +141,19 @@ impl Model {
         vec![Self::known(Ghaednia)]
     }
 
+    /// Factors of the flow between rough surfaces: they have values at films, none of contact.
+    /// Commands use them only by name.
+    #[must_use]
+    pub fn flow() -> Vec<Self> {
+        vec![Self::known(PatirCheng::default())]
+    }
+
     /// Every model that has a name here.
     #[must_use]
     pub fn named() -> Vec<Self> {
         let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
         let hardening = Self::hardening().iter().map(Self::random).collect();
-        [equal.concat(), Self::all_random(), hardening].concat()
+        [equal.concat(), Self::flow(), Self::all_random(), hardening].concat()
     }
 }
 
@@ -251,7 +259,8 @@ mod tests {
     #[test]
     fn every_variant_states_how_it_differs_and_no_other_model_does() {
         for model in Model::named() {
-            let parts = model.id().split('-').skip(1).count();
+            let named = crate::recommended::FLOW;
+            let parts = model.id().replace(named, "").split('-').skip(1).count();
             assert_eq!(model.variant().len(), parts, "{model}");
         }
         let cosine: Model = "jg-cosine-random".parse().unwrap();

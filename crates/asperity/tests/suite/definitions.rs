@@ -1,7 +1,8 @@
 //! The page of definitions has every quantity, with the unit and the models that the code has.
 
 use asperity::{
-    At, ContactError, ContactModel, Described, Interface, Model, Quantity, Request, Scene, Surface,
+    At, ContactError, ContactModel, Datum, Described, Interface, Model, Quantity, Request, Scene,
+    Separation, SeparationUnit, Surface,
 };
 
 const PAGE: &str = include_str!("../../DEFINITIONS.md");
@@ -40,9 +41,16 @@ fn scene() -> Scene {
     Scene::new(interface, surface, 3e-5)
 }
 
+/// A film for factors of flow.
+const FILM: At = At::Separation(Separation {
+    value: 3.0,
+    unit: SeparationUnit::SurfaceStd,
+    from: Datum::SurfaceMean,
+});
+
 /// Whether a model has a quantity, apart from inputs that are missing.
 fn has(model: &Model, scene: &Scene, quantity: Quantity) -> bool {
-    let at = At::Load(1.0);
+    let at = if quantity.is_flow_factor() { FILM } else { At::Load(1.0) };
     let found = model.contact(scene, &Request::new([quantity]).at([at]));
     match found.and_then(|contact| contact.evaluate(quantity, at)) {
         Ok(_) | Err(ContactError::Missing { .. }) => true,
@@ -64,6 +72,7 @@ fn every_quantity_names_the_models_that_have_it() {
         (inclined, &["all", "asperities"]),
         (elastic, &["all", "persson"]),
         (yielding, &["all", "persson-plastic"]),
+        (Model::flow(), &["flow"]),
     ];
     for quantity in Quantity::ALL {
         let row = row(quantity);

@@ -1,0 +1,190 @@
+#![doc = include_str!("../README.md")]
+
+mod factors;
+
+use asperity_core::recommended::FLOW;
+use asperity_core::{
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Provenance,
+    Quantity, Request, Scene, SeparationUnit, Validity,
+};
+use serde::{Deserialize, Serialize};
+
+pub use factors::{
+    friction_factor, friction_pressure_factor, friction_shear_factor, pressure_flow_factor,
+    shear_flow_factor,
+};
+
+/// Bound on the relative error of a factor, which is rounding.
+const ERROR: f64 = 1e-12;
+
+/// The flow factors of Patir and Cheng.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PatirCheng {
+    /// γ of each surface: the correlation length along x over that along y, 1/9 to 9.
+    pub peklenik_numbers: [f64; 2],
+    /// (σ₂/σ)²: the share of the second surface, which rests, in the mean square of all heights;
+    /// 0 for one rough surface, which moves.
+    pub share_at_rest: f64,
+    /// The least gap over σ that carries fluid friction, 1e-6 to 0.1.
+    pub friction_cut_off: f64,
+}
+
+impl Default for PatirCheng {
+    fn default() -> Self {
+        Self { peklenik_numbers: [1.0; 2], share_at_rest: 0.0, friction_cut_off: 0.01 }
+    }
+}
+
+const SOURCE: Citation = Citation {
+    id: FLOW,
+    name: "Patir & Cheng",
+    authors: "Patir & Cheng",
+    year: 1978,
+    title: "An average flow model for determining effects of three-dimensional roughness on partial hydrodynamic lubrication",
+    provenance: Provenance::Seen,
+};
+
+impl Described for PatirCheng {
+    fn citation(&self) -> &Citation {
+        &SOURCE
+    }
+
+    fn validity(&self) -> Validity {
+        Validity {
+            asperities: false,
+            hertz_limit: None,
+            valid_for: "flow factors of Gaussian surfaces at films of 0.5 to some sigma; no force",
+            ..Validity::default()
+        }
+    }
+}
+
+impl PatirCheng {
+    /// A factor at H: pressure factors add by the shares of both surfaces in the mean square of all
+    /// heights, which is exact for thick films; those of shear are the difference.
+    fn factor(&self, quantity: Quantity, film: f64) -> Result<f64, ContactError> {
+        let across = |film, gamma: f64| pressure_flow_factor(film, 1.0 / gamma);
+        let (of, sign): (&dyn Fn(f64, f64) -> Result<f64, ContactError>, f64) = match quantity {
+            Quantity::PressureFlowFactorX => (&pressure_flow_factor, 1.0),
+            Quantity::PressureFlowFactorY => (&across, 1.0),
+            Quantity::ShearFlowFactor => (&shear_flow_factor, -1.0),
+            Quantity::FrictionShearFactor => (&friction_shear_factor, -1.0),
+            Quantity::FrictionPressureFactor => (&friction_pressure_factor, 1.0),
+            _ => return friction_factor(film, self.friction_cut_off),
+        };
+        let resting = self.share_at_rest;
+        let shares = [(1.0 - resting, 1.0), (resting, sign)].into_iter().zip(self.peklenik_numbers);
+        let rough = shares.filter(|((share, _), _)| *share > 0.0);
+        rough.map(|((share, sign), gamma)| Ok(sign * share * of(film, gamma)?)).sum()
+    }
+}
+
+impl ContactModel for PatirCheng {
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        scene.asperity()?;
+        let (model, scene) = (*self, scene.clone());
+        let contact = Film { model, scene, quantities: request.quantities.clone() };
+        for quantity in &contact.quantities {
+            contact.check_asked(*quantity, Quantity::is_flow_factor)?;
+        }
+        Ok(Box::new(contact))
+    }
+}
+
+/// The factors on a scene.
+#[derive(Debug)]
+struct Film {
+    model: PatirCheng,
+    scene: Scene,
+    quantities: Vec<Quantity>,
+}
+
+impl Contact for Film {
+    fn model(&self) -> &str {
+        self.model.id()
+    }
+
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        self.check_asked(quantity, Quantity::is_flow_factor)?;
+        let At::Separation(separation) = at else {
+            let what = "factors at a load, which depends on the model of contact: use a film";
+            return Err(self.unsupported(what));
+        };
+        let (unit, from) = (SeparationUnit::SurfaceStd, Datum::SurfaceMean);
+        let film = separation.measured_in(unit, from, &self.scene)?.value;
+        Ok(Evaluation::new(self.model.factor(quantity, film)?, ERROR))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_core::{Interface, Separation, Surface};
+
+    fn values(model: PatirCheng, quantities: &[Quantity], film: f64) -> Vec<f64> {
+        let surface = Surface::new(2e-5, 5e9, 4e-7);
+        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
+        let request = Request::new(quantities.iter().copied()).at([Separation::film_ratio(film)]);
+        let answer = model.solve(&scene, &request).unwrap();
+        answer.columns.iter().map(|column| column.values().unwrap()[0]).collect()
+    }
+
+    #[test]
+    fn both_surfaces_share_the_pressure_factors_and_differ_in_those_of_shear() {
+        use Quantity::{
+            FrictionShearFactor, PressureFlowFactorX, PressureFlowFactorY, ShearFlowFactor,
+        };
+        let all = [PressureFlowFactorX, PressureFlowFactorY, ShearFlowFactor, FrictionShearFactor];
+        let of = |peklenik_numbers, share_at_rest| {
+            let model = PatirCheng { peklenik_numbers, share_at_rest, ..PatirCheng::default() };
+            values(model, &all, 2.0)
+        };
+        let close =
+            |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-14, "{found} {wanted}");
+        let (moving, resting) = (of([3.0, 9.0], 0.0), of([3.0, 9.0], 1.0));
+        let both = of([3.0, 9.0], 0.25);
+        for k in 0..4 {
+            close(both[k], 0.75 * moving[k] + 0.25 * resting[k]);
+        }
+        let turned = of([1.0 / 3.0, 1.0], 0.0);
+        close(turned[0], moving[1]);
+        close(turned[1], moving[0]);
+        let alike = of([3.0, 3.0], 0.5);
+        close(alike[0], moving[0]);
+        assert!(alike[2].abs() < 1e-15 && alike[3].abs() < 1e-15, "{alike:?}");
+        close(of([3.0, 3.0], 1.0)[2], -moving[2]);
+    }
+
+    #[test]
+    fn loads_and_quantities_of_contact_are_refused() {
+        let surface = Surface::new(2e-5, 5e9, 4e-7);
+        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
+        let request = |quantity| Request::new([quantity]).at([At::Load(1.0)]);
+        let refused = PatirCheng::default().compile(&scene, &request(Quantity::Force)).unwrap_err();
+        assert!(
+            refused
+                .to_string()
+                .starts_with("patir-cheng cannot give force (available: pressure-flow")
+        );
+        let at_load =
+            PatirCheng::default().compile(&scene, &request(Quantity::ShearFlowFactor)).unwrap();
+        let refused = at_load.evaluate(Quantity::ShearFlowFactor, At::Load(1.0)).unwrap_err();
+        assert!(refused.to_string().ends_with("depends on the model of contact: use a film"));
+    }
+
+    #[test]
+    fn options_are_read_by_their_names() {
+        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
+        let model: PatirCheng = serde_json::from_str(text).unwrap();
+        assert_eq!(serde_json::to_string(&model).unwrap(), text);
+    }
+}

@@ -1,0 +1,129 @@
+//! The lay of the surfaces of a scene, for the factors of flow.
+
+use asperity::film::PatirCheng;
+use asperity_topography::{Lay, Topography};
+
+use crate::keys::COUNTERFACE;
+use crate::{ModelOptions, Place, SceneError, SceneFile};
+
+/// The largest angle between the lay of a scan and its rows or columns.
+const OBLIQUE: f64 = 10.0;
+/// The ratio of correlation lengths below which a scan has no lay.
+const ISOTROPIC: f64 = 1.5;
+
+impl SceneFile {
+    /// The factors of flow between the surfaces: the first moves, and a single one faces a smooth
+    /// counterface. A Peklenik number that is not given is that of the scan, or 1.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] for a scan without one, and for one with an oblique lay.
+    pub fn flow(&self, options: &ModelOptions) -> Result<PatirCheng, SceneError> {
+        let share_at_rest = self.counter_variance / self.scene.surface_height_std().powi(2);
+        let [moving, resting] = self.peklenik_numbers;
+        let refused = |reason: String| {
+            let at = Place::field(format!("surface.{PEKLENIK}")).into();
+            Err(SceneError::Refused { at, reason })
+        };
+        let moving = match (moving, self.scan.as_deref()) {
+            (Some(given), _) => given,
+            (None, Some(scan)) => match peklenik_number(scan) {
+                Ok(measured) => measured,
+                Err(reason) => return refused(reason),
+            },
+            (None, None) if self.measured.is_some() => {
+                let both = format!("it is measured of one scan only; set {PEKLENIK} in [surface]");
+                return refused(format!("{both} and [{COUNTERFACE}]"));
+            }
+            (None, None) => 1.0,
+        };
+        let friction_cut_off =
+            options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
+        Ok(PatirCheng {
+            peklenik_numbers: [moving, resting.unwrap_or(1.0)],
+            share_at_rest,
+            friction_cut_off,
+        })
+    }
+}
+
+const PEKLENIK: &str = "peklenik_number";
+
+/// That of a scan, with x along its rows.
+fn peklenik_number(scan: &Topography) -> Result<f64, String> {
+    let Some(Lay { along_row, along_column, extremes: [shortest, longest], degrees }) = scan.lay()
+    else {
+        let edge = "the correlation of the heights does not fall to a half within the scan";
+        return Err(format!("{edge}; set {PEKLENIK} in [surface]"));
+    };
+    match longest > ISOTROPIC * shortest && degrees.min(90.0 - degrees) > OBLIQUE {
+        true => Err(format!(
+            "the lay of the scan is {degrees:.0} degrees from its rows; turn the scan, or set {PEKLENIK} in [surface]"
+        )),
+        false => Ok(along_row / along_column),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    const HEAD: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n[surface]\n";
+
+    fn flow(surface: &str, folder: &Path) -> Result<PatirCheng, String> {
+        let file = crate::parse(&format!("{HEAD}{surface}"), folder).map_err(|e| e.to_string())?;
+        // As a model, too.
+        let model = file.model("patir-cheng").map(|model| model.options());
+        let flow = file.flow(&file.options).map_err(|error| error.to_string());
+        assert_eq!(model.is_ok(), flow.is_ok());
+        flow
+    }
+
+    #[test]
+    fn numbers_of_both_surfaces_have_their_lay_and_their_share() {
+        let one = "asperity_radius = 2e-5\nasperity_density = 5e9\nsurface_height_std = 4e-7\n";
+        let alone = flow(one, Path::new(".")).unwrap();
+        assert_eq!(alone, PatirCheng::default());
+        let two = "peklenik_number = 3\ncounterface = { sq = 3e-7, spd = 3e10, spc = 2e5, peklenik_number = 0.5 }\n[options]\nfriction_cut_off = 1e-3";
+        let both = flow(&format!("{one}{two}"), Path::new(".")).unwrap();
+        assert_eq!((both.peklenik_numbers, both.friction_cut_off), ([3.0, 0.5], 1e-3));
+        // 3²/(3² + 4²).
+        assert!((both.share_at_rest - 0.36).abs() < 1e-6, "{both:?}");
+        let refused = flow(&format!("{one}[options]\nfriction_cut_off = 1"), Path::new("."));
+        assert!(refused.unwrap_err().contains("friction_cut_off is 1.0: 1e-6 to 0.1 was required"));
+    }
+
+    #[test]
+    fn a_scan_has_its_own_lay_unless_it_is_oblique() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, turned: f64| {
+            let (sin, cos) = f64::to_radians(turned).sin_cos();
+            let height = |x: f64, y: f64| {
+                let (u, v) = (cos * x + sin * y, cos * y - sin * x);
+                1e-7 * ((u / 2.0 + 0.3).sin() + (u / 3.3).sin() + (v / 7.0).sin() + (v / 5.1).cos())
+            };
+            let line = |y: u16| {
+                let row = (0..160_u16).map(|x| height(x.into(), y.into()).to_string());
+                row.collect::<Vec<_>>().join(" ")
+            };
+            let text = (0..160).map(line).collect::<Vec<_>>().join("\n");
+            std::fs::write(folder.path().join(name), text).unwrap();
+        };
+        write("along.txt", 0.0);
+        write("oblique.txt", 35.0);
+        let scan = |name: &str, more: &str| {
+            let keys = format!("file = \"{name}\"\nunit = \"m\"\npixel_size = 1e-6\n{more}");
+            flow(&keys, folder.path())
+        };
+        let number = scan("along.txt", "").unwrap().peklenik_numbers[0];
+        assert!(number > 0.2 && number < 0.6, "{number}");
+        let refused = scan("oblique.txt", "").unwrap_err();
+        assert!(
+            refused.starts_with("surface.peklenik_number: the lay of the scan is 5"),
+            "{refused}"
+        );
+        let given = scan("oblique.txt", "peklenik_number = 2").unwrap();
+        assert_eq!(given.peklenik_numbers.map(f64::to_bits), [2.0, 1.0].map(f64::to_bits));
+    }
+}

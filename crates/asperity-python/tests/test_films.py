@@ -1,0 +1,66 @@
+"""Films between the mean planes, their ratio to the rms height, and the factors of flow."""
+
+from __future__ import annotations
+
+import asperity
+import numpy as np
+import pytest
+
+SCENE = """
+nominal_area = 1e-4
+[interface]
+equivalent_modulus = 1e11
+poissons_ratio = 0.3
+hardness = 2e9
+[surface]
+surface_height_std = 4e-7
+asperity_radius = 2e-5
+asperity_density = 6e9
+"""
+
+
+def test_films_are_separations_from_the_mean_plane() -> None:
+    scene = asperity.Scene.parse(SCENE)
+    planes = asperity.Scene.parse(SCENE + 'separation_from = "surface-mean"\n')
+    model = asperity.model("ke")
+    film = np.array([4e-7, 8e-7, 1.2e-6])
+    by_film = model.solve(scene, film=film, quantities=("pressure", "area-fraction"))
+    by_ratio = model.solve(scene, lambda_ratio=[1, 2, 3], quantities="pressure")
+    by_plane = model.solve(planes, film, separation_unit="m", quantities="pressure")
+    np.testing.assert_allclose(by_film.pressure, by_plane.pressure, rtol=1e-12)
+    np.testing.assert_allclose(by_ratio.pressure, by_plane.pressure, rtol=1e-9)
+    np.testing.assert_allclose(by_film.film, film)
+    np.testing.assert_allclose(by_ratio.lambda_ratio, [1, 2, 3])
+    back = model.solve(scene, by_film.separation, quantities="pressure")
+    np.testing.assert_allclose(back.pressure, by_film.pressure, rtol=1e-9)
+    texts = model.solve(scene, film=["0.4 um", "0.8 um"], quantities="pressure")
+    np.testing.assert_allclose(texts.pressure, by_film.pressure[:2], rtol=1e-12)
+    assert "3 films from 1 to 3 surface_height_std" in repr(by_ratio)
+
+
+def test_factors_of_flow_follow_the_lay_of_the_scene() -> None:
+    along = asperity.Scene.parse(SCENE + "peklenik_number = 6\n")
+    names = ["pressure-flow-factor-x", "pressure-flow-factor-y", "friction-flow-factor"]
+    curve = asperity.model("patir-cheng").solve(along, lambda_ratio=[2.0, 4.0], quantities=names)
+    # 1 + 0.520 H^-1.5 along the lay, 1 - 1.38 exp(-0.42 H) across it.
+    ratio = np.array([2.0, 4.0])
+    np.testing.assert_allclose(curve["pressure-flow-factor-x"], 1 + 0.52 * ratio**-1.5)
+    np.testing.assert_allclose(curve["pressure-flow-factor-y"], 1 - 1.38 * np.exp(-0.42 * ratio))
+    again = asperity.Scene.parse(along.to_toml())
+    kept = asperity.model("patir-cheng").solve(again, lambda_ratio=ratio, quantities=names)
+    np.testing.assert_array_equal(kept["friction-flow-factor"], curve["friction-flow-factor"])
+
+
+def test_what_has_no_factor_is_refused() -> None:
+    scene = asperity.Scene.parse(SCENE)
+    flow = asperity.model("patir-cheng")
+    with pytest.raises(ValueError, match=r"film over surface_height_std is 0\.4"):
+        flow.solve(scene, lambda_ratio=0.4, quantities="shear-flow-factor")
+    with pytest.raises(ValueError, match="patir-cheng cannot give force"):
+        flow.solve(scene, lambda_ratio=2)
+    with pytest.raises(ValueError, match="ke cannot give factors of flow"):
+        asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
+    with pytest.raises(ValueError, match="2 scenes were given: patir-cheng needs a single scene"):
+        flow.solve([scene, scene], lambda_ratio=2, quantities="shear-flow-factor")
+    with pytest.raises(TypeError, match="exactly one of separation, load, film and pressure"):
+        flow.solve(scene, 2, film=1e-6)
