@@ -55,6 +55,7 @@ pub use model::asperity_model::AsperityModel;
 pub use model::contact::Contact;
 pub use model::contact_model::ContactModel;
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity};
+pub use model::variant::{IsVariant, Variant};
 pub use request::quantity_table::Quantity;
 pub use request::separation::{At, Datum, Separation, SeparationUnit};
 pub use request::tolerance::Tolerance;
@@ -66,6 +67,7 @@ pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::body::{Body, HARDNESS_OVER_YIELD, hardness_of_vickers};
 pub use scene::interface::Interface;
+pub use scene::pair::Pair;
 pub use scene::surface::{ProfileMoments, Surface};
 pub use text::{nearest_hint, nearest_name, shortest_digits};
 #[doc(hidden)]

@@ -111,8 +111,9 @@ impl Check {
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(contact, place, contacts))
-            && let Ok(law) =
-                model.law(&scene.asperity()?, Quantity::Force, Tolerance::new(TOLERANCE)?)
+            && let Some(laws) = model.asperity_model()
+            && let laws = laws.of_one_contact().unwrap_or(laws)
+            && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
             && let Some(deep) = Interferences::of(contact, &law, place)?
         {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);

@@ -47,7 +47,7 @@ impl Facts {
     /// # Errors
     /// [`ContactError::OtherAsperity`] if its laws would be others.
     pub(crate) fn on(self: &Arc<Self>, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
-        if scene.asperity()? != self.laws.asperity {
+        if !self.laws.are_of(&scene.asperity()?) {
             return Err(ContactError::OtherAsperity);
         }
         contact_radii::check(&self.quantities, &scene.interface)?;

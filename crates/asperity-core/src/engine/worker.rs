@@ -64,7 +64,8 @@ impl<'s> Worker<'s> {
             answers.push(now.and_then(|laws| {
                 let neighbours = [before.as_deref(), after.map(|laws| &**laws)];
                 let shared = (&mut self.shapes, neighbours);
-                answer(&mut CaseIntegrals::sharing(shared, &case.scene, &laws)?, case.at)
+                let scene = model.averaged_over(&case.scene)?;
+                answer(&mut CaseIntegrals::sharing(shared, &scene, &laws)?, case.at)
             }));
             before = last;
         }
@@ -79,7 +80,7 @@ impl<'s> Worker<'s> {
         last: Option<Rc<Laws>>,
     ) -> Result<Rc<Laws>, ContactError> {
         let Sweep { quantities, tolerance, .. } = self.sweep;
-        let asperity = case.scene.asperity()?;
+        let asperity = model.averaged_over(&case.scene)?.asperity()?;
         let by_load = any_load(&[case.at]);
         match last.filter(|last| last.serve(&asperity, by_load)) {
             Some(last) => Ok(last),

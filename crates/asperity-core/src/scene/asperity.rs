@@ -4,7 +4,7 @@ use crate::error::{positive, require};
 use crate::recommended::ELASTIC;
 use crate::{ContactError, Interface};
 
-/// One asperity, with every input resolved. It does not depend on the surface.
+/// One asperity, with every input resolved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asperity {
     /// E \[Pa\].
@@ -25,6 +25,9 @@ pub struct Asperity {
     pub work_of_adhesion: Option<f64>,
     /// R \[m\].
     pub radius: f64,
+    /// η of its surface \[1/m²\], if it is one of a surface: only for laws whose
+    /// [`Validity::density`](crate::Validity::density) is set.
+    pub density: Option<f64>,
 }
 
 impl Asperity {
@@ -44,6 +47,7 @@ impl Asperity {
             pressure_factor,
             work_of_adhesion: interface.work_of_adhesion,
             radius: positive("asperity_radius", radius)?,
+            density: None,
         })
     }
 

@@ -3,12 +3,13 @@
 pub(crate) mod asperity;
 pub(crate) mod body;
 pub(crate) mod interface;
+pub(crate) mod pair;
 pub(crate) mod surface;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{positive, require};
-use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
+use crate::{Asperity, ContactError, HeightDistribution, Interface, Pair, Surface};
 
 /// Two bodies, their equivalent rough surface and its nominal area.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -28,6 +29,10 @@ pub struct Scene {
     /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
+    /// The asperities of the two rough surfaces in contact, each by itself, for which `surface`
+    /// stands; only models of pairs use them. By default both are like `surface`.
+    #[serde(default)]
+    pub pair: Option<Pair>,
 }
 
 impl Scene {
@@ -39,7 +44,7 @@ impl Scene {
     #[must_use]
     pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
         let heights = HeightDistribution::Gaussian;
-        Self { interface, surface, nominal_area, heights, mean_plane_offset: None }
+        Self { interface, surface, nominal_area, heights, mean_plane_offset: None, pair: None }
     }
 
     /// Checks every field; returns one asperity of the surface.
@@ -48,7 +53,8 @@ impl Scene {
     /// [`ContactError`] naming the field, the value and what was required.
     pub fn asperity(&self) -> Result<Asperity, ContactError> {
         self.check_surface()?;
-        Asperity::new(&self.interface, self.surface.asperity_radius)
+        let one = Asperity::new(&self.interface, self.surface.asperity_radius)?;
+        Ok(Asperity { density: Some(self.surface.asperity_density), ..one })
     }
 
     /// Checks every field but the interface.

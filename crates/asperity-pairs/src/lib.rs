@@ -1,0 +1,9 @@
+#![doc = include_str!("../README.md")]
+
+mod contacts;
+mod integral;
+mod model;
+#[cfg(test)]
+mod tests;
+
+pub use model::AsperityPairs;
