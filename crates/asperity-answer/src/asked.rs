@@ -142,12 +142,12 @@ impl Asked {
     fn separation(&self, file: &SceneFile, at: At) -> [Option<f64>; 2] {
         let separation = self.contact.separation(at).ok();
         [SeparationUnit::Sigma, SeparationUnit::Metres]
-            .map(|unit| measured(file, separation?, unit).ok())
+            .map(|unit| measured(file, self.contact.scene(), separation?, unit).ok())
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.
     fn places(&self, file: &SceneFile, at: At) -> Vec<(At, At)> {
-        let (scene, from) = (&file.scene, file.separation_from);
+        let (scene, from) = (self.contact.scene(), file.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
         let load = at.load(scene).filter(|_| self.all);
         match load.map(|load| self.contact.separations_at(load)) {

@@ -63,7 +63,13 @@ impl<'s> Inquiry<'s> {
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
         let (mut found, mut wanted) = (Found::default(), vec![]);
-        if let Beside::Deviations(reference) = &self.beside {
+        let reference = match &self.beside {
+            Beside::Deviations(reference) => Some(reference),
+            _ => None,
+        };
+        let models = self.models.iter().chain(reference).map(|(_, model)| model);
+        sheet.extend(self.file.accepted(self.file.other_joint(models).into_iter().collect()));
+        if let Some(reference) = reference {
             self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
             found.answered = false;
         }

@@ -41,7 +41,7 @@ pub fn pull_off(
         let (force, at) = (found.force.value(), found.separation);
         note_reduction(sheet, id, force, scene);
         let [sigma, metres] =
-            [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| measured(file, at, unit));
+            [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| measured(file, scene, at, unit));
         sheet.add(&[id], [force, force / scene.nominal_area, sigma?, metres?]);
     }
     Ok(())

@@ -1,7 +1,9 @@
 //! The model nearest to boundary elements, or the simplest valid one near a reference, and how far
 //! each is.
 
-use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request};
+use asperity::{
+    Asperities, At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request,
+};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
@@ -128,8 +130,11 @@ fn row(
     let asperities = match (validity.asperities, validity.angles) {
         (false, _) => "none",
         (true, true) => "at angles",
-        (true, false) if found.model.equal().id() != found.model.id() => "random",
-        (true, false) => "upright",
+        (true, false) => match found.model.asperities() {
+            Asperities::Random => "random",
+            Asperities::Pairs => "pairs",
+            _ => "upright",
+        },
     };
     let mut row = vec![found.model.id().into(), asperities.into()];
     row.push((found.regimes as f64).into());

@@ -2,8 +2,8 @@
 
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
-    At, ContactError, Finding, Findings, Model, Separation, SeparationUnit, Severity, Tolerance,
-    short,
+    At, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
+    Tolerance, short,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
@@ -32,13 +32,14 @@ pub(crate) type LawFindings = Vec<(Finding, UnloadingLaw)>;
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
 
-/// A separation from the plane of the scene, in this unit.
+/// A separation of a contact on a scene from the plane of the file, in this unit.
 pub(crate) fn measured(
     file: &SceneFile,
+    scene: &Scene,
     at: Separation,
     unit: SeparationUnit,
 ) -> Result<f64, ContactError> {
-    Ok(at.measured_in(unit, file.separation_from, &file.scene)?.value)
+    Ok(at.measured_in(unit, file.separation_from, scene)?.value)
 }
 
 impl Sheet {
@@ -65,7 +66,7 @@ impl Subject<'_> {
 
     /// A separation from the plane of the scene, in this unit.
     pub(crate) fn place(&self, at: Separation, unit: SeparationUnit) -> Result<f64, ContactError> {
-        measured(self.file, at, unit)
+        measured(self.file, &self.file.scene, at, unit)
     }
 
     /// Joints of these unloading laws.

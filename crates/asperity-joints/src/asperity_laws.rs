@@ -78,6 +78,9 @@ impl AsperityLaws {
         let one = model
             .asperity_model()
             .ok_or_else(|| unsupported("these need a model of asperities of one radius, such as ke with asperities = \"equal\" in [surface]"))?;
+        if one.of_one_contact().is_some() {
+            return Err(unsupported("contacts of an asperity beside its top are loaded only"));
+        }
         let force = tabulated(one.force(&asperity, tolerance)?);
         let area = tabulated(one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();

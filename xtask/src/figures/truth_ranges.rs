@@ -37,7 +37,7 @@ pub fn models() -> Vec<Model> {
     let whole = PerssonVariance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
     let compared = |model: &Model| COMPARED.split(' ').any(|id| id == model.id());
-    let of_asperities = Model::all().into_iter().chain(Model::all_random());
+    let of_asperities = Model::all().into_iter().chain(Model::all_on(Asperities::Random));
     of_asperities.filter(compared).chain(whole).collect()
 }
 

@@ -187,7 +187,7 @@ mod tests {
             assert!(found.refused.is_empty());
             assert_eq!(
                 (found.models.len(), answered + found.refused.len()),
-                (Model::all().len(), Model::all_random().len())
+                (Model::all().len(), Model::all_on(Asperities::Random).len())
             );
         }
     }

@@ -31,8 +31,9 @@ impl Check {
     /// # Errors
     /// [`ContactError`] with the reason why the scene, the model or the place is refused.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
-        let mut check = scene.check()?;
+        scene.check()?;
         let contact = model.compile(scene, &judging()?)?;
+        let mut check = scene.check_of(contact.scene())?;
         let answer = Self::of_answer(model, &*contact, at, true)?;
         check.keep_for(model);
         check.numbers.extend(answer.numbers);

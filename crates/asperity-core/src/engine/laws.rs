@@ -33,6 +33,7 @@ impl Laws {
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
         let Validity { adhesive, density, .. } = model.validity();
+        let asperity = asperity.seen_by(density);
         let mut found = Self {
             asperity,
             density,
@@ -104,8 +105,7 @@ impl Laws {
 
     /// Whether they are the laws of this asperity.
     pub(crate) fn are_of(&self, asperity: &Asperity) -> bool {
-        let density = if self.density { self.asperity.density } else { asperity.density };
-        Asperity { density, ..self.asperity } == *asperity
+        self.asperity == asperity.seen_by(self.density)
     }
 }
 

@@ -63,8 +63,8 @@ pub struct Validity {
     /// The model treats asperities as independent; false for theories of the whole surface, which
     /// hold for areas of any size.
     pub asperities: bool,
-    /// Laws depend on the density of the surface ([`Asperity::density`](crate::Asperity)); others
-    /// are shared by surfaces of different densities.
+    /// Laws depend on [`Asperity::density`](crate::Asperity::density); the others are shared by
+    /// surfaces of different densities.
     pub density: bool,
     /// Contacts are inclined: normals are distributed over angles.
     pub angles: bool,

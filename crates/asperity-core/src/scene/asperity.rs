@@ -25,8 +25,8 @@ pub struct Asperity {
     pub work_of_adhesion: Option<f64>,
     /// R \[m\].
     pub radius: f64,
-    /// η of its surface \[1/m²\], if it is one of a surface: only for laws whose
-    /// [`Validity::density`](crate::Validity::density) is set.
+    /// η of its surface \[1/m²\]; `None` for an asperity by itself, and for the laws of models that
+    /// do not declare to depend on it ([`Validity::density`](crate::Validity::density)).
     pub density: Option<f64>,
 }
 
@@ -49,6 +49,11 @@ impl Asperity {
             radius: positive("asperity_radius", radius)?,
             density: None,
         })
+    }
+
+    /// The asperity as laws see it that depend on the density, or not.
+    pub(crate) fn seen_by(self, density: bool) -> Self {
+        Self { density: self.density.filter(|_| density), ..self }
     }
 
     /// w_c = (π S H/(2E))² R \[m\], the interference at which yielding begins. \[seen\]

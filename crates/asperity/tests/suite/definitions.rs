@@ -58,7 +58,7 @@ fn every_quantity_names_the_models_that_have_it() {
         Model::all().into_iter().partition(|model| model.validity().angles);
     let groups = [
         ([upright, Model::adhesive()].concat(), &["all", "asperities", "upright"][..]),
-        (Model::all_random(), &["all", "asperities"]),
+        (Model::all_on(Asperities::Random), &["all", "asperities"]),
         (inclined, &["all", "asperities"]),
         (Model::whole_surface(), &["all", "persson"]),
     ];
