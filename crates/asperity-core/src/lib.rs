@@ -50,7 +50,7 @@ pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
 pub use heights::{HeightDistribution, Heights, OtherHeights};
 pub use law::formula::{Formula, FunctionKey, Power};
-pub use law::{Law, Part, Regime, testkit};
+pub use law::{Law, Part, Regime, ShareParts, testkit};
 pub use model::asperity_model::AsperityModel;
 pub use model::contact::Contact;
 pub use model::contact_model::ContactModel;

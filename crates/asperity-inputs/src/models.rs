@@ -95,9 +95,12 @@ impl SceneFile {
         let fact = format!(
             "`{pairs}` presses two surfaces with these asperities on each other, `{one}` one such surface on a flat"
         );
-        let found = Finding::note("other-joint", "asperity_radius", self.scene.surface.asperity_radius)
-            .fact(fact)
-            .advice("describe the second surface by `counterface` to compare them on one joint");
+        let found =
+            Finding::note("other-joint", "asperity_radius", self.scene.surface.asperity_radius)
+                .fact(fact)
+                .advice(
+                    "describe the second surface by `counterface` to compare them on one joint",
+                );
         (!same).then_some(found)
     }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface, TabulatedHeights,
-    positive,
+    Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface,
+    TabulatedHeights, positive,
 };
 
 use crate::SceneFile;

@@ -1,9 +1,9 @@
 //! Options of the models for scene files, keywords and command lines.
 
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Displacement, FlowPressure,
-    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
-    Stick,
+    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Displacement,
+    FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model,
+    Persson, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};

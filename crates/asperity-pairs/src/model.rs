@@ -22,8 +22,7 @@ impl AsperityPairs {
     /// The laws of `model` between two rough surfaces: `ke` becomes `ke-pairs`.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
-        let differs =
-            "between two rough surfaces, whose asperities meet beside their tops, as by Greenwood & Tripp (1970)";
+        let differs = "between two rough surfaces, whose asperities meet beside their tops, as by Greenwood & Tripp (1970)";
         let what = "contacts between the asperities of two rough surfaces";
         let mut variant = Variant::new(model, "pairs", differs, what);
         variant.validity.density = true;
@@ -44,8 +43,9 @@ impl AsperityPairs {
         })?;
         // 2π η (β₁ + β₂), with β₁ = β₂ = 2R.
         let contacts = 8.0 * PI * density * asperity.radius;
-        let law = integral(&one(self.0.laws(&HeightDistribution::Gaussian)?)?);
-        Ok(Law { value_unit: contacts * law.value_unit, ..law })
+        let mut law = integral(one(self.0.laws(&HeightDistribution::Gaussian)?)?);
+        law.value_unit *= contacts;
+        Ok(law)
     }
 }
 

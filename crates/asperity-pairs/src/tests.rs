@@ -90,8 +90,9 @@ fn two_unlike_surfaces_have_those_of_the_double_integral() {
 #[test]
 fn greenwood_and_tripp_have_a_closed_form() {
     let scene = scene("mild");
-    let Surface { asperity_radius: beta, asperity_density: eta, asperity_height_std: sigma, .. } =
-        scene.surface;
+    let Surface {
+        asperity_radius: beta, asperity_density: eta, asperity_height_std: sigma, ..
+    } = scene.surface;
     let (e, area) = (scene.interface.equivalent_modulus, scene.nominal_area);
     let rough = (eta * beta * sigma).powi(2);
     let quantities = [Quantity::Pressure, Quantity::AreaFraction, Quantity::Contacts];

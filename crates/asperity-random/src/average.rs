@@ -49,10 +49,9 @@ impl Average<'_> {
                     return vec![part];
                 }
                 let half = |range: Range<f64>| {
-                    let name = format!("{} {range:?}", part.name).into();
                     let kinks = part.kinks.iter().copied();
                     let kinks = kinks.filter(|x| range.start < *x && *x < range.end).collect();
-                    Part { name, range, kinks, ..part.clone() }
+                    Part { range, kinks, ..part.clone() }
                 };
                 vec![half(part.range.start..x), half(x..part.range.end)]
             };

@@ -1,8 +1,8 @@
 //! A law of one asperity on a random surface, as a contact model.
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant,
-    Part, QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
+    At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant, Part,
+    QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
     Variant,
 };
 

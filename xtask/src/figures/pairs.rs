@@ -70,8 +70,10 @@ pub fn table() -> Result<Table> {
 pub fn style(_: &str) -> Result<Figure> {
     let x = Axis::new("lambda", "separation over σ, λ").range(0.5, 4.0);
     let curves = named(&CURVES);
-    let pressure = panel(&x, Axis::new("pressure", "scaled pressure").range(1e-6, 1.0).log(), &curves);
-    let ratio = panel(&x, Axis::new("ratio", "over Greenwood & Tripp").range(0.1, 10.0).log(), &curves);
+    let pressure =
+        panel(&x, Axis::new("pressure", "scaled pressure").range(1e-6, 1.0).log(), &curves);
+    let ratio =
+        panel(&x, Axis::new("ratio", "over Greenwood & Tripp").range(0.1, 10.0).log(), &curves);
     let pressure = of("panel", "pressure", "pressure", pressure);
     Ok(beside(2, [pressure, of("panel", "ratio", "over Greenwood & Tripp", ratio)]))
 }

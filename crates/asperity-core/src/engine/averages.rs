@@ -192,10 +192,9 @@ pub(crate) fn shares<'s>(
         if value == 0.0 { 0.0 } else { value / total.value }
     };
     let mut shares: Vec<Share> = vec![];
-    for (part, integral) in law.parts.iter().zip(&integrals) {
+    for (part, integral) in law.share_parts().iter().zip(&integrals) {
         let (name, regime, share) = (part.name.clone(), part.regime, share(integral));
-        // The law of a pair has two parts of one name for most of those of its contacts.
-        match shares.last_mut().filter(|last| last.name == name) {
+        match shares.last_mut().filter(|last| law.shares.is_some() && last.name == name) {
             Some(last) => last.share += share,
             None => shares.push(Share { name, regime, share }),
         }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::evidence::{Counted, Lacking, UNLIKE_PAIRS, compile, compile_known};
 use crate::recommended::BEM;
 use crate::{
-    Asperities, At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
+    Asperities, At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model,
+    Quantity, Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
 };
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over

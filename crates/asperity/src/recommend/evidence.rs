@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::evidence::{Counted, UNLIKE_PAIRS};
 use crate::{
-    Asperities, At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
-    Quantity, Ratio, Request, SurfaceShape,
+    Asperities, At, Compared, Contact, ContactError, ContactModel, Described, Evidence,
+    ExpectedContact, Model, Quantity, Ratio, Request, SurfaceShape,
 };
 
 /// Most separations and loads that are compared with boundary elements.

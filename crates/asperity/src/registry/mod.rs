@@ -13,9 +13,9 @@ use serde::{Deserialize, Serialize};
 use options::{Configurable, Rearranged};
 
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation, Contact,
-    ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Finding,
-    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
+    Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
+    Finding, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
     Validity, ZhaoMaiettaChang, nearest_name,
 };
