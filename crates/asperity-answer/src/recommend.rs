@@ -57,7 +57,9 @@ impl Recommend<'_> {
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
         let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();
-        let models = models.map(|(_, model)| model).collect();
+        let models: Vec<Model> = models.map(|(_, model)| model).collect();
+        let other = file.other_joint(models.iter().chain([&reference]));
+        sheet.extend(file.accepted(other.into_iter().collect()));
         let advice = file
             .recommend_among(models, request, &reference, *within)
             .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;

@@ -91,7 +91,6 @@ impl SceneFile {
             if is_pairs { &mut of_pairs } else { &mut of_one }.get_or_insert(model.id());
         }
         let (pairs, one) = of_pairs.zip(of_one)?;
-        let same = self.scene.pair.is_some_and(|pair| pair.surfaces[0] != self.scene.surface);
         let fact = format!(
             "`{pairs}` presses two surfaces with these asperities on each other, `{one}` one such surface on a flat"
         );
@@ -101,7 +100,12 @@ impl SceneFile {
                 .advice(
                     "describe the second surface by `counterface` to compare them on one joint",
                 );
-        (!same).then_some(found)
+        (!self.has_counterface()).then_some(found)
+    }
+
+    /// Whether the surface of the scene stands for two that are known.
+    fn has_counterface(&self) -> bool {
+        self.scene.pair.is_some_and(|pair| pair.surfaces[0] != self.scene.surface)
     }
 
     /// Why the scene has no asperities for a model.
@@ -111,14 +115,19 @@ impl SceneFile {
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
-    /// with those of random asperities and of the whole surface; and those that the scene does not
+    /// with those of random asperities and of the whole surface where these have the same joint; and those that the scene does not
     /// allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.models();
         let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
         let request = Request::new([Quantity::Area]);
-        for other in [Model::all_on(Asperities::Random), Model::whole_surface()].concat() {
+        // Of one surface on a flat, which is another joint than two without a counterface.
+        let others = match self.options.asperities {
+            Asperities::Pairs if !self.has_counterface() => vec![],
+            _ => [Model::all_on(Asperities::Random), Model::whole_surface()].concat(),
+        };
+        for other in others {
             let known = models.iter().any(|model| model.id() == other.id());
             if known || left_out.iter().any(|model| model.id == other.id()) {
                 continue;

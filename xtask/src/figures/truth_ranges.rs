@@ -1,6 +1,8 @@
 //! `figures/truth.md`: the range of each model's deviations.
 
-use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
+use asperity::{
+    Asperities, Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance,
+};
 
 use crate::table::{markdown_head, markdown_row};
 

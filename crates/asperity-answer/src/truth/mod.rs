@@ -144,7 +144,7 @@ fn state(contact: &dyn Contact, pressure: f64) -> (ContactState, Option<ContactE
 #[cfg(test)]
 mod tests {
     use asperity::bem::RandomSurface;
-    use asperity::{Described, Interface, Surface};
+    use asperity::{Asperities, Described, Interface, Surface};
 
     use super::*;
 

@@ -313,6 +313,22 @@ mod tests {
     }
 
     #[test]
+    fn a_model_of_your_own_has_laws_on_other_asperities() {
+        use crate::{Interface, Quantity, Request, Scene, Surface};
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        let request = Request::new([Quantity::Force]).at([1.0]);
+        let force = |model: &Model| {
+            model.solve(&scene, &request).unwrap().values(Quantity::Force).unwrap()[0]
+        };
+        let own = Model::new(GreenwoodWilliamson).pairs();
+        assert_eq!((own.id(), own.asperities()), ("gw-pairs", Asperities::Pairs));
+        let known: Model = "GT".parse().unwrap();
+        assert!((force(&own) / force(&known) - 1.0).abs() < 1e-15);
+        assert_eq!(known.equal().id(), "gw");
+        assert!(own.options().is_none() && known.options().is_some());
+    }
+
+    #[test]
     fn the_models_that_messages_recommend_are_what_they_are_recommended_for() {
         use crate::recommended::{
             DMT, ELASTIC, FULL_CONTACT, JKR, JKR_SEPARATION, WHOLE_SURFACE, YIELDING,

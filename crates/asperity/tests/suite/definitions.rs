@@ -1,7 +1,8 @@
 //! The page of definitions has every quantity, with the unit and the models that the code has.
 
 use asperity::{
-    At, ContactError, ContactModel, Described, Interface, Model, Quantity, Request, Scene, Surface,
+    Asperities, At, ContactError, ContactModel, Described, Interface, Model, Quantity, Request,
+    Scene, Surface,
 };
 
 const PAGE: &str = include_str!("../../DEFINITIONS.md");
@@ -59,6 +60,7 @@ fn every_quantity_names_the_models_that_have_it() {
     let groups = [
         ([upright, Model::adhesive()].concat(), &["all", "asperities", "upright"][..]),
         (Model::all_on(Asperities::Random), &["all", "asperities"]),
+        (Model::all_on(Asperities::Pairs), &["all", "asperities", "upright"]),
         (inclined, &["all", "asperities"]),
         (Model::whole_surface(), &["all", "persson"]),
     ];
