@@ -51,7 +51,7 @@ pub use heights::weibull::WeibullHeights;
 pub use heights::{HeightDistribution, Heights, OtherHeights};
 pub use law::formula::{Formula, FunctionKey, Power};
 pub use law::{Law, Part, Regime, ShareParts, testkit};
-pub use model::asperity_model::AsperityModel;
+pub use model::asperity_model::{AsperityModel, OneContact, SumOfContacts};
 pub use model::contact::Contact;
 pub use model::contact_model::ContactModel;
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity};

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, ContactError, ContactModel, Described, HeightDistribution, IsVariant,
-    Law, Scene, Tolerance, Variant,
+    Asperity, AsperityModel, ContactError, ContactModel, HeightDistribution, IsVariant, Law,
+    OneContact, Scene, Tolerance, Variant,
 };
 
 use crate::contacts::of_contacts;
@@ -31,22 +31,26 @@ impl AsperityPairs {
         Self(variant)
     }
 
-    /// The law of an asperity from one of each of its contacts.
     fn law(
         &self,
         asperity: &Asperity,
         one: impl Fn(&dyn AsperityModel) -> Result<Law, ContactError>,
     ) -> Result<Law, ContactError> {
-        let density = asperity.density.ok_or_else(|| ContactError::Missing {
-            field: "asperity_density",
-            reason: format!("`{}` needs it", self.id()),
-        })?;
-        // 2π η (β₁ + β₂), with β₁ = β₂ = 2R.
-        let contacts = 8.0 * PI * density * asperity.radius;
-        let mut law = integral(one(self.0.laws(&HeightDistribution::Gaussian)?)?);
-        law.value_unit *= contacts;
-        Ok(law)
+        sum(one(self.0.laws(&HeightDistribution::Gaussian)?)?, asperity)
     }
+}
+
+/// The law of an asperity from that of one of its contacts.
+fn sum(one: Law, asperity: &Asperity) -> Result<Law, ContactError> {
+    let density = asperity.density.ok_or_else(|| ContactError::Missing {
+        field: "asperity_density",
+        reason: "models of pairs need it".into(),
+    })?;
+    // 2π η (β₁ + β₂), with β₁ = β₂ = 2R.
+    let contacts = 8.0 * PI * density * asperity.radius;
+    let mut law = integral(one);
+    law.value_unit *= contacts;
+    Ok(law)
 }
 
 impl IsVariant for AsperityPairs {
@@ -61,8 +65,8 @@ impl AsperityModel for AsperityPairs {
         Ok(Cow::Owned(of_contacts(scene)?))
     }
 
-    fn of_one_contact(&self) -> Option<&dyn AsperityModel> {
-        self.0.model().asperity_model()
+    fn of_one_contact(&self) -> Option<OneContact<'_>> {
+        Some(OneContact { model: self.0.model().asperity_model()?, sum })
     }
 
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {

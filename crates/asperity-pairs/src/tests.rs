@@ -12,6 +12,7 @@ use asperity_core::{
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 use asperity_jg::JacksonGreen;
+use asperity_joints::{Joint, UnloadingLaw};
 use asperity_ke::KogutEtsion;
 use asperity_quadrature::gauss_kronrod;
 use asperity_zmc::ZhaoMaiettaChang;
@@ -184,6 +185,44 @@ fn shares_are_those_of_the_contacts_and_loads_are_inverted() {
     assert!((there.value - d).abs() < 1e-12, "{there}");
 }
 
+/// After a retreat u, each contact has F (1 - u/δ)^(3/2) of its force, δ = 3F/(4 E a).
+#[test]
+fn contacts_unload_one_by_one() {
+    let scene = scene("at-paper");
+    let (ke, d, u) = (model("ke"), 1.0, 2e-7);
+    let joint = Joint::new(&ke, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap();
+    let opening = joint.unloading(At::sigmas(d)).unwrap();
+    let request = Request::new([Quantity::Force, Quantity::Contacts]);
+    let closed = ke.compile(&scene, &request).unwrap();
+    let at = |quantity| closed.evaluate(quantity, d).unwrap().value();
+    let same = |a: f64, b: f64, within: f64| assert!((a / b - 1.0).abs() < within, "{a} {b}");
+    same(opening.force(0.0).unwrap().value(), at(Quantity::Force), 1e-9);
+    same(opening.contacts(0.0).unwrap().value(), at(Quantity::Contacts), 1e-9);
+    let asperity = closed.scene().asperity().unwrap();
+    let tolerance = Tolerance::default();
+    let force = KogutEtsion.force(&asperity, tolerance).unwrap();
+    let area = KogutEtsion.area(&asperity, tolerance).unwrap();
+    let critical = asperity.critical_interference().unwrap();
+    let sum = |remaining: &dyn Fn(f64) -> f64| {
+        let nearer = |w: f64| {
+            let s = d + w / scene.surface.asperity_height_std;
+            remaining(w) * 0.5 * libm::erfc(s / 2f64.sqrt())
+        };
+        // The first contact that is left has w near u.
+        let ends = [0.0, u, 1.1 * u, 1.5 * u, 110.0 * critical, 7e-6];
+        gauss_kronrod(nearer, &ends, 1e-9, 200_000).unwrap().value
+    };
+    let loaded = |w: f64| force.value(w).unwrap();
+    let left = |w: f64| {
+        let radius = (area.value(w).unwrap() / PI).sqrt();
+        let recovered = 0.75 * loaded(w) / (asperity.equivalent_modulus * radius);
+        loaded(w) * (1.0 - u / recovered).max(0.0).powf(1.5)
+    };
+    let wanted = at(Quantity::Force) * sum(&left) / sum(&loaded);
+    same(opening.force(u).unwrap().value(), wanted, 1e-6);
+    assert!(wanted < 0.5 * at(Quantity::Force));
+}
+
 #[test]
 fn a_sweep_and_other_densities_have_the_same_values() {
     let scenes = [scene("at-paper"), scene("mild"), unlike("mild")];
@@ -216,7 +255,10 @@ fn what_is_refused_has_its_reason() {
     assert!(refused(&model("gw"), &scene).contains("heights must be Gaussian"));
     let alone = Asperity::new(&scene.interface, 1e-4).unwrap();
     let message = model("gw").force(&alone, Tolerance::default()).unwrap_err().to_string();
-    assert!(message.starts_with("asperity_density is missing: gw-pairs needs it"), "{message}");
+    assert!(
+        message.starts_with("asperity_density is missing: models of pairs need it"),
+        "{message}"
+    );
     // No such law has a negative value, a kink that is not declared, or a jump.
     let asperity = unlike("mild").asperity().unwrap();
     for id in ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"] {

@@ -32,8 +32,10 @@ fn one_key_of_the_scene_selects_pairs() {
     assert!(all.messages.contains(printed), "{}", all.messages);
     let checked = bench.data("check pairs.toml --model ke --load 100 --format csv");
     assert!(checked.contains("real area of contact, by ke-pairs"), "{checked}");
-    let unloaded = bench.run("unload pairs.toml --model ke --load 100");
-    assert!(unloaded.messages.contains("are loaded only"), "{}", unloaded.messages);
+    let unloaded = bench.data("unload pairs.toml --model ke --load 100 --retreat 0 --format csv");
+    assert!((column(&unloaded, "force_N")[0] / 100.0 - 1.0).abs() < 1e-9, "{unloaded}");
+    let slips = bench.run("slip pairs.toml --model ke --load 100 --friction 0.2 --amplitude 1e-7");
+    assert!(slips.messages.contains("which counts under friction"), "{}", slips.messages);
     let corrected = bench.run("curve pairs.toml --model ke --load 100 --corrected");
     assert!(corrected.messages.contains("pressed by a flat"), "{}", corrected.messages);
 }

@@ -6,6 +6,18 @@ use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Scene, Tolerance};
 
+/// The laws of one contact of an asperity that has several.
+#[derive(Debug, Clone, Copy)]
+pub struct OneContact<'m> {
+    /// The model of the contact.
+    pub model: &'m dyn AsperityModel,
+    /// From a law of the contact to that of the asperity.
+    pub sum: SumOfContacts,
+}
+
+/// See [`OneContact::sum`].
+pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
+
 /// A model of one asperity, to be written: its averages over the heights, as a
 /// [`ContactModel`](crate::ContactModel), come with it.
 ///
@@ -26,7 +38,7 @@ pub trait AsperityModel: Described {
     }
 
     /// The laws of one contact, where those that are averaged are sums over several.
-    fn of_one_contact(&self) -> Option<&dyn AsperityModel> {
+    fn of_one_contact(&self) -> Option<OneContact<'_>> {
         None
     }
 
