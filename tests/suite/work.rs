@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex};
 
 use asperity::{
     AngleDensity, Asperity, AsperityModel, At, Case, Check, Citation, Contact, ContactError,
-    ContactModel, Described, Formula, HeightDistribution, Law, ObliqueContact, Power, Provenance,
-    Quantity, Request, Scene, Sweep, Tolerance, angle_average,
+    ContactModel, Described, Formula, HeightDistribution, Law, Model, ObliqueContact, Power,
+    Provenance, Quantity, Request, Scene, Sweep, Tolerance, angle_average,
 };
 
 use crate::scenes::{named, with_index};
@@ -293,4 +293,27 @@ fn another_asperity_is_refused() {
     bad.nominal_area = -1.0;
     assert!(compiled.on(&bad).unwrap_err().to_string().starts_with("nominal_area is -1.0"));
     assert!(compiled.on(&scene).is_ok());
+}
+
+/// A value between two rough surfaces samples a function of its law as often as one surface does,
+/// once more for its integral.
+#[test]
+fn the_law_of_pairs_samples_a_function_about_as_often() {
+    let counts = |scene: &Scene, alone: bool| {
+        [false, true].map(|pairs| {
+            let spy = Spy::default();
+            let own = Model::new(spy.clone());
+            let model = if pairs { own.pairs() } else { own };
+            let request = Request::new([Quantity::Force]).at([1.0]);
+            let contact =
+                if alone { model.contact(scene, &request) } else { model.compile(scene, &request) };
+            contact.unwrap().evaluate(Quantity::Force, 1.0).unwrap();
+            spy.samples()
+        })
+    };
+    let found = [(true, 0.5), (true, 2.0), (false, 0.5), (false, 2.0)]
+        .map(|(alone, index)| counts(&with_index(index), alone));
+    for [one, pairs] in found {
+        assert!(pairs > 0 && pairs <= 2 * one, "{found:?}");
+    }
 }

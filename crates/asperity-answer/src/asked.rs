@@ -146,17 +146,19 @@ impl Asked {
     /// The separation at a place in σ_z and in metres, from the plane of the scene, and as a film.
     fn separations(&self, file: &SceneFile, at: At) -> [[Option<f64>; 2]; 2] {
         let separation = self.contact.separation(at).ok();
-        let film = |unit| separation?.measured_in(unit, Datum::SurfaceMean, &file.scene).ok();
+        let film =
+            |unit| separation?.measured_in(unit, Datum::SurfaceMean, self.contact.scene()).ok();
         let (sigma, metres) = (SeparationUnit::Sigma, SeparationUnit::Metres);
         [
-            [sigma, metres].map(|unit| measured(file, separation?, unit).ok()),
+            [sigma, metres]
+                .map(|unit| measured(file, self.contact.scene(), separation?, unit).ok()),
             [metres, SeparationUnit::SurfaceStd].map(|unit| Some(film(unit)?.value)),
         ]
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.
     fn places(&self, file: &SceneFile, at: At) -> Vec<(At, At)> {
-        let (scene, from) = (&file.scene, file.separation_from);
+        let (scene, from) = (self.contact.scene(), file.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
         let load = at.load(scene).filter(|_| self.all);
         match load.map(|load| self.contact.separations_at(load)) {

@@ -24,7 +24,7 @@ impl Inquiry<'_> {
         let corrected = asked.corrected(self.file, own);
         let (mut blanks, mut lighter, mut least, mut any) = (Blanks::default(), vec![], 0, false);
         let length = |separation: Option<Separation>, unit| {
-            Cell::from(separation.and_then(|s| measured(self.file, s, unit).ok()))
+            Cell::from(separation.and_then(|s| measured(self.file, &self.file.scene, s, unit).ok()))
         };
         // The id stands in front of every message.
         let words = |reason: &ContactError| match reason {

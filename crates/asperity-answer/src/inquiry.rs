@@ -67,7 +67,13 @@ impl<'s> Inquiry<'s> {
         sheet.heads = self.heads();
         sheet.extend(self.file.conduction_findings(&self.request.quantities));
         let (mut found, mut wanted) = (Found::default(), vec![]);
-        if let Beside::Deviations(reference) = &self.beside {
+        let reference = match &self.beside {
+            Beside::Deviations(reference) => Some(reference),
+            _ => None,
+        };
+        let models = self.models.iter().chain(reference).map(|(_, model)| model);
+        sheet.extend(self.file.accepted(self.file.other_joint(models).into_iter().collect()));
+        if let Some(reference) = reference {
             self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
             found.answered = false;
         }

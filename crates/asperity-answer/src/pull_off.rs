@@ -40,8 +40,8 @@ pub fn pull_off(
         sheet.report(file, file.findings_at(model, &[found.separation.into()]));
         let (force, at) = (found.force.value(), found.separation);
         note_reduction(sheet, id, force, scene);
-        let [sigma, metres] =
-            [SeparationUnit::Sigma, SeparationUnit::Metres].map(|unit| measured(file, at, unit));
+        let [sigma, metres] = [SeparationUnit::Sigma, SeparationUnit::Metres]
+            .map(|unit| measured(file, scene, at, unit));
         sheet.add(&[id], [force, force / scene.nominal_area, sigma?, metres?]);
     }
     Ok(())

@@ -1,7 +1,9 @@
 //! The model nearest to boundary elements, or the simplest valid one near a reference, and how far
 //! each is.
 
-use asperity::{At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request};
+use asperity::{
+    Asperities, At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request,
+};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
@@ -55,7 +57,9 @@ impl Recommend<'_> {
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
         let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();
-        let models = models.map(|(_, model)| model).collect();
+        let models: Vec<Model> = models.map(|(_, model)| model).collect();
+        let other = file.other_joint(models.iter().chain([&reference]));
+        sheet.extend(file.accepted(other.into_iter().collect()));
         let advice = file
             .recommend_among(models, request, &reference, *within)
             .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;
@@ -128,8 +132,11 @@ fn row(
     let asperities = match (validity.asperities, validity.angles) {
         (false, _) => "none",
         (true, true) => "at angles",
-        (true, false) if found.model.equal().id() != found.model.id() => "random",
-        (true, false) => "upright",
+        (true, false) => match found.model.asperities() {
+            Asperities::Random => "random",
+            Asperities::Pairs => "pairs",
+            _ => "upright",
+        },
     };
     let mut row = vec![found.model.id().into(), asperities.into()];
     row.push((found.regimes as f64).into());

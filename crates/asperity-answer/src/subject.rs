@@ -1,9 +1,11 @@
 //! What a sheet is about: a model on a scene, with the names that messages have for both.
 
+use std::borrow::Cow;
+
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
-    At, ContactError, Finding, Findings, Model, Separation, SeparationUnit, Severity, Tolerance,
-    short,
+    At, ContactError, ContactModel, Finding, Findings, Model, Scene, Separation, SeparationUnit,
+    Severity, Tolerance, short,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
@@ -32,13 +34,14 @@ pub(crate) type LawFindings = Vec<(Finding, UnloadingLaw)>;
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
 
-/// A separation from the plane of the scene, in this unit.
+/// A separation of a contact on a scene from the plane of the file, in this unit.
 pub(crate) fn measured(
     file: &SceneFile,
+    scene: &Scene,
     at: Separation,
     unit: SeparationUnit,
 ) -> Result<f64, ContactError> {
-    Ok(at.measured_in(unit, file.separation_from, &file.scene)?.value)
+    Ok(at.measured_in(unit, file.separation_from, scene)?.value)
 }
 
 impl Sheet {
@@ -63,9 +66,15 @@ impl Subject<'_> {
         sheet.findings.push(warning("blank", text).from_origin(self.name));
     }
 
+    /// The scene over whose heights the model averages.
+    pub(crate) fn scene(&self) -> Result<Cow<'_, Scene>, ContactError> {
+        let scene = &self.file.scene;
+        self.model.asperity_model().map_or(Ok(Cow::Borrowed(scene)), |one| one.averaged_over(scene))
+    }
+
     /// A separation from the plane of the scene, in this unit.
     pub(crate) fn place(&self, at: Separation, unit: SeparationUnit) -> Result<f64, ContactError> {
-        measured(self.file, at, unit)
+        measured(self.file, &*self.scene()?, at, unit)
     }
 
     /// Joints of these unloading laws.

@@ -1,7 +1,7 @@
 //! A joint that opens from its closest approach.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Evaluation, Finding, SeparationUnit, linspace};
+use asperity::{At, ContactError, Evaluation, Finding, Scene, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
@@ -50,7 +50,7 @@ pub fn unloading(
             openings.push(opening);
         }
         let retreats = match retreats {
-            Some(given) => metres(sheet, subject, given),
+            Some(given) => metres(sheet, &*subject.scene()?, given),
             None => match last.ok_or("the end of contact was not found; give --retreat")? {
                 0.0 => vec![0.0],
                 end => linspace(0.0, end, POINTS),
@@ -65,12 +65,8 @@ pub fn unloading(
 }
 
 /// Retreats in metres, with a warning of those that look like another unit.
-pub(crate) fn metres(
-    sheet: &mut Sheet,
-    subject: &Subject<'_>,
-    (values, unit): Retreats<'_>,
-) -> Vec<f64> {
-    let sigma = subject.file.scene.surface.asperity_height_std;
+pub(crate) fn metres(sheet: &mut Sheet, scene: &Scene, (values, unit): Retreats<'_>) -> Vec<f64> {
+    let sigma = scene.surface.asperity_height_std;
     sheet.findings.extend(unit_warning("retreat", values, unit, sigma));
     let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
     values.iter().map(|value| metres * value).collect()

@@ -31,7 +31,7 @@ fn separations() -> Vec<f64> {
 
 fn evaluations(c: &mut Criterion) -> Outcome<()> {
     let separations = separations();
-    for id in ["gw", "gw-random", "ke", "ke-random", "jg", "gao", "at"] {
+    for id in ["gw", "gw-random", "ke", "ke-random", "ke-pairs", "jg", "jg-pairs", "gao", "at"] {
         for quantity in [Quantity::Force, Quantity::Tangent] {
             let compiled = id.parse::<Model>()?.compile(&scene()?, &request(quantity)?)?;
             let mut k = 0;
@@ -90,13 +90,19 @@ fn classical(c: &mut Criterion) -> Outcome<()> {
 fn whole_answers(c: &mut Criterion) -> Outcome<()> {
     let (scene, request) = (scene()?, request(Quantity::Force)?);
     let curve = request.clone().at(linspace(0.0, 4.0, 401));
-    let ke: Model = "ke".parse()?;
-    c.bench_function("compile and one value/ke", |b| {
-        b.iter(|| ke.compile(&scene, &request)?.evaluate(Quantity::Force, 1.0));
-    });
-    c.bench_function("curve of 401/ke", |b| b.iter(|| ke.solve(&scene, &curve)));
-    let compiled = ke.compile(&scene, &request)?;
-    c.bench_function("inverse/ke", |b| b.iter(|| compiled.separations_at(black_box(37.0))));
+    for id in ["ke", "ke-pairs", "jg", "jg-pairs"] {
+        let model: Model = id.parse()?;
+        c.bench_function(&format!("compile and one value/{id}"), |b| {
+            b.iter(|| model.compile(&scene, &request)?.evaluate(Quantity::Force, 1.0));
+        });
+        let one = request.clone().at([1.0]);
+        c.bench_function(&format!("one value/{id}"), |b| b.iter(|| model.solve(&scene, &one)));
+        c.bench_function(&format!("curve of 401/{id}"), |b| b.iter(|| model.solve(&scene, &curve)));
+        let compiled = model.compile(&scene, &request)?;
+        c.bench_function(&format!("inverse/{id}"), |b| {
+            b.iter(|| compiled.separations_at(black_box(37.0)));
+        });
+    }
     let gao: Model = "gao".parse()?;
     let mut slow = c.benchmark_group("law and curve of 401");
     slow.sample_size(10);
@@ -138,7 +144,14 @@ fn drawn(c: &mut Criterion) -> Outcome<()> {
     let scene = scene()?;
     let mut group = c.benchmark_group("drawn");
     group.sample_size(10);
-    for (id, rows) in [("ke", 4096u32), ("jg", 1024), ("gao", 16), ("at", 16)] {
+    for (id, rows) in [
+        ("ke", 4096u32),
+        ("ke-pairs", 4096),
+        ("jg", 1024),
+        ("jg-pairs", 1024),
+        ("gao", 16),
+        ("at", 16),
+    ] {
         let model: Model = id.parse()?;
         let all = || Sweep::new(&model, &[Quantity::Force], Tolerance::default());
         let cases: Vec<Case> = (0..rows)

@@ -194,7 +194,7 @@ keys! {
     "surface" Surface {
         counterface("" "or { file = \"b.sur\", filter = 8e-4 }")
         heights("" "" form "Heights" "gaussian")
-        asperities("" "or \"random\"" form "Asperities" "equal|random")
+        asperities("" "or \"random\", \"pairs\"" form "Asperities" "equal|random|pairs")
         peklenik_number("" "lay: correlation length along x, of sliding, over that across; for patir-cheng")
         separation_from("" "or \"surface-mean\"")
         mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")

@@ -34,6 +34,7 @@ mod template;
 mod text_file;
 mod write;
 
+pub use asperity::Asperities;
 pub use check::Measured;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
@@ -49,7 +50,7 @@ pub use measured_keys::MeasuredKeys;
 pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use numbers::{Roughness, Way, interface_of};
-pub use options::{Asperities, ModelOptions};
+pub use options::ModelOptions;
 pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};

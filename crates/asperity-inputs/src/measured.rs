@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{ContactError, Finding, ProfileMoments, Scene, Surface, TabulatedHeights};
+use asperity::{ContactError, Finding, Pair, ProfileMoments, Scene, Surface, TabulatedHeights};
 use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
@@ -182,6 +182,11 @@ pub(crate) fn measured(
         Ok::<_, SceneError>(Measured { statistics, pixel_size, long_wavelength: None })
     };
     let (mut rougher, mut counter_variance) = (None, 0.0);
+    let each = |one: &Statistics, two: Option<Surface>| match (one.surface(), two) {
+        (Ok(one), Some(two)) => Ok(Pair::new(one, two)),
+        _ => Err("models of pairs need the asperities of each surface, and one has none"),
+    };
+    let mut facing = Err("models of pairs need two independent surfaces, not aligned scans");
     let (measured, scan) = match (second, alignment, other) {
         (Some(second), Some(alignment), _) => {
             let (one, two) = (first.read(document)?, second.read(document)?);
@@ -192,6 +197,7 @@ pub(crate) fn measured(
             let ((one, scan), (two, other)) = (alone(first)?, alone(second)?);
             counter_variance = two.statistics.m0;
             rougher = Some(if one.statistics.m4 < two.statistics.m4 { other } else { scan });
+            facing = each(&one.statistics, two.statistics.surface().ok());
             (sum(one, two.statistics, two.pixel_size)?, None)
         }
         (None, _, Some(moments)) => {
@@ -200,11 +206,14 @@ pub(crate) fn measured(
             let of_scan = one.statistics.m0;
             counter_variance = if first.section == COUNTERFACE { of_scan } else { moments.m0 };
             rougher = (one.statistics.m4 > moments.m4).then_some(scan);
+            facing = each(&one.statistics, Surface::from_moments(&moments).ok());
             (sum(one, Statistics::gaussian(moments), 0.0)?, None)
         }
         (None, _, None) => {
             let scan = first.read(document)?;
-            (first.measure(document, &scan)?, Some(scan))
+            let one = first.measure(document, &scan)?;
+            facing = each(&one.statistics, one.statistics.surface().ok());
+            (one, Some(scan))
         }
     };
     let statistics = &measured.statistics;
@@ -231,6 +240,7 @@ pub(crate) fn measured(
     });
     let mut file = SceneFile::from(pair);
     file.scene.surface = surface;
+    (file.scene.pair, file.no_pair) = (facing.ok(), facing.err());
     file.table = heights.transpose()?;
     file.measured = Some(measured);
     file.scan = scan.map(Arc::new);

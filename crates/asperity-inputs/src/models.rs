@@ -1,10 +1,10 @@
 //! The models that a scene allows.
 
 use asperity::recommended::FLOW;
-use asperity::{ContactError, ContactModel, Model, Quantity, Request};
+use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 
-use crate::{Asperities, ModelOptions, Place, SceneError, SceneFile};
+use crate::{ModelOptions, Place, SceneError, SceneFile};
 
 /// A model that cannot be used for a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,12 +37,12 @@ impl SceneFile {
             Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;
-                match &self.no_asperities {
-                    Some(reason) if model.validity().asperities => {
+                match self.no_asperities_for(&model) {
+                    Some(reason) => {
                         let at = Place::field("surface.file").into();
-                        Err(SceneError::Refused { at, reason: reason.clone() })
+                        Err(SceneError::Refused { at, reason: reason.into() })
                     }
-                    _ => Ok(model),
+                    None => Ok(model),
                 }
             }
         }
@@ -75,24 +75,61 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        if let Some(reason) = self.no_asperities.as_ref().filter(|_| model.validity().asperities) {
-            return Some(ContactError::Refused {
-                model: model.id().into(),
-                reason: reason.clone(),
-            });
+        if let Some(reason) = self.no_asperities_for(model) {
+            let (model, reason) = (model.id().into(), reason.into());
+            return Some(ContactError::Refused { model, reason });
         }
         model.compile(&self.scene, &Request::new([Quantity::Force])).err()
     }
 
+    /// A note that models of pairs, among these, stand for another joint than models of one surface
+    /// do: two surfaces with the asperities of the scene where those have one on a flat. With a
+    /// counterface the joint is the same.
+    #[must_use]
+    pub fn other_joint<'m>(&self, models: impl Iterator<Item = &'m Model>) -> Option<Finding> {
+        let (mut of_pairs, mut of_one) = (None, None);
+        for model in models {
+            let is_pairs = model.asperities() == Asperities::Pairs;
+            if is_pairs { &mut of_pairs } else { &mut of_one }.get_or_insert(model.id());
+        }
+        let (pairs, one) = of_pairs.zip(of_one)?;
+        let fact = format!(
+            "`{pairs}` presses two surfaces with these asperities on each other, `{one}` one such surface on a flat"
+        );
+        let found =
+            Finding::note("other-joint", "asperity_radius", self.scene.surface.asperity_radius)
+                .fact(fact)
+                .advice(
+                    "describe the second surface by `counterface` to compare them on one joint",
+                );
+        (!self.has_counterface()).then_some(found)
+    }
+
+    /// Whether the surface of the scene stands for two that are known.
+    fn has_counterface(&self) -> bool {
+        self.scene.pair.is_some_and(|pair| pair.surfaces[0] != self.scene.surface)
+    }
+
+    /// Why the scene has no asperities for a model.
+    fn no_asperities_for(&self, model: &Model) -> Option<&str> {
+        let none = self.no_asperities.as_deref().filter(|_| model.validity().asperities);
+        none.or(self.no_pair.filter(|_| model.asperities() == Asperities::Pairs))
+    }
+
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
-    /// with those of random asperities and of the whole surface; and those that the scene does not
+    /// with those of random asperities and of the whole surface where these have the same joint; and those that the scene does not
     /// allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.models();
         let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
         let request = Request::new([Quantity::Area]);
-        for other in [Model::all_random(), Model::whole_surface()].concat() {
+        // Of one surface on a flat, which is another joint than two without a counterface.
+        let others = match self.options.asperities {
+            Asperities::Pairs if !self.has_counterface() => vec![],
+            _ => [Model::all_on(Asperities::Random), Model::whole_surface()].concat(),
+        };
+        for other in others {
             let known = models.iter().any(|model| model.id() == other.id());
             if known || left_out.iter().any(|model| model.id == other.id()) {
                 continue;

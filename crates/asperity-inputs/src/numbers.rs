@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Body, ContactError, Findings, Interface, ProfileMoments, Scene, Surface, TabulatedHeights,
-    positive,
+    Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface,
+    TabulatedHeights, positive,
 };
 
 use crate::SceneFile;
@@ -123,6 +123,11 @@ impl SceneFile {
         let same = surface == self.scene.surface;
         // A measurement is valid for its own surface only.
         let offset = self.scene.mean_plane_offset.filter(|_| same);
+        let pair = |pair: Pair| match same {
+            true => pair,
+            false => pair.scaled(&self.scene.surface, &surface),
+        };
+        scene.pair = self.scene.pair.map(pair);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(offset);
         scene.surface_height_std = self.scene.surface_height_std.filter(|_| same);
         let keep_bodies = self.with_pair(interface) == self.scene.interface;
@@ -139,6 +144,24 @@ impl SceneFile {
             scan: self.scan.clone().filter(|_| same),
             ..self.clone()
         })
+    }
+
+    /// Takes these numbers for those from which the asperities of the scene follow: they describe
+    /// one surface, and another like it.
+    pub fn describe_by(&mut self, roughness: Option<Roughness>) {
+        self.roughness = roughness;
+        let surface = self.scene.surface;
+        self.scene.pair = roughness.map(|_| Pair::new(surface, surface));
+    }
+
+    /// Sets the height of the mean of the asperities above the mean plane \[m\]: of one of two like
+    /// surfaces, or of both together.
+    pub fn set_mean_plane_offset(&mut self, offset: Option<f64>) {
+        self.scene.mean_plane_offset = offset;
+        if let Some(pair) = &mut self.scene.pair {
+            let surfaces = if pair.surfaces[0] == pair.surfaces[1] { 2.0 } else { 1.0 };
+            pair.mean_plane_offset = offset.map(|offset| surfaces * offset);
+        }
     }
 
     /// An interface with the properties of this pair that do not follow from the bodies.

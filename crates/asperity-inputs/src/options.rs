@@ -2,9 +2,9 @@
 
 use asperity::film::friction_factor;
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Displacement, FlowPressure,
-    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
-    Stick,
+    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Displacement,
+    FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model,
+    Persson, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -58,22 +58,9 @@ pub struct ModelOptions {
     /// for fluid in its friction factor; 0.01 by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction_cut_off: Option<f64>,
-    /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
-    /// may also have this key in `[surface]`.
+    /// The asperities for which ids stand (those of `ke-random` and `ke-pairs` are fixed); a scene
+    /// file may also have this key in `[surface]`.
     pub asperities: Asperities,
-}
-
-/// The distribution of the asperity radii.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Asperities {
-    /// All asperities have one radius.
-    #[default]
-    Equal,
-    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
-    /// moments of the asperities: see [`Model::random`].
-    Random,
 }
 
 /// The spelling of `angle_density`.
@@ -191,18 +178,16 @@ impl ModelOptions {
                 None => known.equal().clone(),
             },
         };
-        let named_so = known.equal().id() != known.id();
-        Ok(if named_so { model.random() } else { self.on_surface(model) })
+        Ok(match known.asperities() {
+            Asperities::Equal => self.on_surface(model),
+            others => model.on(others),
+        })
     }
 
-    /// The model on equal or random asperities, by these options; theories of the whole surface
-    /// have no asperities.
+    /// The model on the asperities of these options; theories of the whole surface have none.
     #[must_use]
     pub fn on_surface(&self, model: Model) -> Model {
-        match self.asperities {
-            Asperities::Random if model.validity().asperities => model.random(),
-            _ => model,
-        }
+        if model.validity().asperities { model.on(self.asperities) } else { model }
     }
 
     /// Every model with these options, each once: if `jg_hardness` or `at_reading` give `jg` or

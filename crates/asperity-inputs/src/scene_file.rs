@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Scene, Separation,
+    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene, Separation,
     SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
@@ -46,6 +46,8 @@ pub struct SceneFile {
     pub(crate) rougher: Option<Arc<Topography>>,
     /// The reason why the scan has no asperities, in a scene from [`load_scan`].
     pub(crate) no_asperities: Option<String>,
+    /// Why models of pairs do not know each of its two surfaces.
+    pub(crate) no_pair: Option<&'static str>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
@@ -183,13 +185,14 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         let needed = "one of the two: the offset follows from measured heights";
         return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
-    scene.mean_plane_offset = mean_plane_offset.or(offset);
+    file.set_mean_plane_offset(mean_plane_offset.or(offset));
     let measured = file.measured.as_ref().map(|found| found.statistics.sq);
     let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
-    scene.surface_height_std = measured.or_else(given);
+    file.scene.surface_height_std = measured.or_else(given);
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.number(&joined(section, "peklenik_number"))?;
     }
+    let (scene, table) = (&file.scene, file.table.as_ref());
     scene.asperity().map_err(|error| {
         let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
         document.refused(if of_plane { "surface" } else { interface_section })(error)
@@ -252,6 +255,7 @@ impl From<Scene> for SceneFile {
             scan: None,
             rougher: None,
             no_asperities: None,
+            no_pair: None,
             follows_from: &[],
             roughness: None,
             odd_number: None,
@@ -289,7 +293,8 @@ impl SceneFile {
     /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
     #[must_use]
     pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
-        let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
+        let mut scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
+        scene.pair = Some(Pair::new(surface, surface));
         let (options, separation_from) = (self.options, self.separation_from);
         Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
     }

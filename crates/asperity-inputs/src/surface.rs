@@ -1,6 +1,6 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use asperity::{ContactError, Finding, Interface, ProfileMoments, Scene, Surface, short};
+use asperity::{ContactError, Finding, Interface, Pair, ProfileMoments, Scene, Surface, short};
 
 use crate::document::Document;
 use crate::heights::HeightsKey;
@@ -74,6 +74,9 @@ fn way(
 /// A surface described by numbers.
 struct Numbers {
     surface: Surface,
+    /// Each of the surfaces in contact; of one alone, another like it, unless its heights are those
+    /// of both.
+    pair: Option<Pair>,
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
     follows_from: &'static [&'static str],
@@ -117,7 +120,8 @@ pub(crate) fn surface(
             let surface = roughness.surface().map_err(document.refused("surface"))?;
             let follows_from = roughness.way.keys();
             let odd = first.odd.or(second.odd);
-            Numbers { surface, follows_from, roughness: Some(roughness), odd }
+            let pair = Some(Pair::new(first.surface, second.surface));
+            Numbers { surface, pair, follows_from, roughness: Some(roughness), odd }
         }
         (Some(only), None) if !is_pair => only,
         (first, second) => {
@@ -127,7 +131,7 @@ pub(crate) fn surface(
         }
     };
     let mut file = SceneFile::from(pair);
-    file.scene.surface = numbers.surface;
+    (file.scene.surface, file.scene.pair) = (numbers.surface, numbers.pair);
     file.follows_from = numbers.follows_from;
     file.roughness = numbers.roughness;
     file.odd_number = numbers.odd;
@@ -194,7 +198,8 @@ fn numbers(
         Finding::warning("unusual-size", key, value).fact(fact)
     });
     let follows_from = if is_asperities { &[] } else { way };
-    let numbers = Numbers { surface, roughness, follows_from, odd };
+    let pair = (!way.contains(&STD)).then(|| Pair::new(surface, surface));
+    let numbers = Numbers { surface, pair, roughness, follows_from, odd };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Law, QuadratureError, Tolerance, positive,
+    Asperity, ContactError, ContactModel, Law, OneContact, QuadratureError, SumOfContacts,
+    Tolerance, positive,
 };
 
 use crate::UnloadingLaw;
@@ -39,6 +40,8 @@ pub(crate) struct AsperityLaws {
     pub(crate) unloading: UnloadingLaw,
     /// w_c \[m\]; infinite where nothing yields.
     pub(crate) critical: f64,
+    /// From a law of these contacts to that of an asperity that has several.
+    pub(crate) sum: Option<SumOfContacts>,
     /// Interferences of the extrema of δ \[m\].
     turns: Vec<f64>,
 }
@@ -78,11 +81,16 @@ impl AsperityLaws {
         let one = model
             .asperity_model()
             .ok_or_else(|| unsupported("these need a model of asperities of one radius, such as ke with asperities = \"equal\" in [surface]"))?;
+        let (one, sum) = match one.of_one_contact() {
+            Some(OneContact { model, sum }) => (model, Some(sum)),
+            None => (one, None),
+        };
         let force = tabulated(one.force(&asperity, tolerance)?);
         let area = tabulated(one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
         let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
-        let mut loading = Self { force, area, asperity, unloading, critical, turns: vec![] };
+        let turns = vec![];
+        let mut loading = Self { force, area, asperity, unloading, critical, sum, turns };
         if yields {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {

@@ -1,5 +1,6 @@
 //! A joint: a model's contact on a scene, closed and opened.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use asperity_core::{
@@ -37,7 +38,11 @@ impl Joint {
         law: UnloadingLaw,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let loading = AsperityLaws::new(model, scene.asperity()?, law, tolerance)?;
+        let averaged = match model.asperity_model() {
+            Some(one) => one.averaged_over(scene)?,
+            None => Cow::Borrowed(scene),
+        };
+        let loading = AsperityLaws::new(model, averaged.asperity()?, law, tolerance)?;
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
             source: *model.citation(),

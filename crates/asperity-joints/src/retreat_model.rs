@@ -75,6 +75,10 @@ impl<'u> RetreatModel<'u> {
             law =
                 law.elastic((low - first) / unit..(high - first) / unit, Formula::sampled(sampler));
         }
+        let law = match loading.sum {
+            Some(sum) => sum(law, &loading.asperity)?,
+            None => law,
+        };
         Ok(Self { source, name, first, law })
     }
 }

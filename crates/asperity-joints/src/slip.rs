@@ -49,6 +49,11 @@ impl PartialSlip {
     /// an equivalent shear modulus.
     pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
         let friction = coefficient_of_friction(friction)?;
+        if normal.sums_contacts() {
+            let what = "partial slip: contacts beside the tops of asperities are inclined, which counts under friction; use gao or at";
+            let (model, what) = (normal.name().into(), what.into());
+            return Err(ContactError::Unsupported { model, what });
+        }
         let asperity = normal.scene().asperity()?;
         let shear = asperity.shear_modulus(&format!("partial slip by {}", normal.name()))?;
         let retreat_per_shift = 4.0 * shear / (friction * asperity.equivalent_modulus);

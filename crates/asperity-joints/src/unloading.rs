@@ -242,6 +242,11 @@ impl Unloading {
         self.place
     }
 
+    /// Whether an asperity has several contacts.
+    pub(crate) fn sums_contacts(&self) -> bool {
+        self.joint.loading().sum.is_some()
+    }
+
     pub(crate) fn name(&self) -> &str {
         self.joint.name()
     }

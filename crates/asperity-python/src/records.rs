@@ -55,7 +55,7 @@ impl Record for Asperity {
     const CLASS: &'static str = "Asperity";
     const NUMBERS: &'static [Field<Self>] = fields! {
         equivalent_modulus equivalent_shear_modulus poissons_ratio hardness yield_strength
-        pressure_factor radius work_of_adhesion tangent_modulus
+        pressure_factor radius work_of_adhesion tangent_modulus density
     };
     const BLANK: fn() -> Self = || Self {
         equivalent_modulus: 0.0,
@@ -67,6 +67,7 @@ impl Record for Asperity {
         pressure_factor: 0.0,
         work_of_adhesion: None,
         radius: 0.0,
+        density: None,
     };
     const CHECK: fn(&Self) -> Result<(), ContactError> = |_| Ok(());
 }

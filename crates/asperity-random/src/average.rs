@@ -5,17 +5,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Finding, Formula, Law, Part,
-    Tolerance, Validity,
+    Asperity, AsperityModel, ContactError, Described, Formula, IsVariant, Law, Part, Tolerance,
+    Variant,
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
-
-/// What to do where a random surface is refused.
-pub(crate) const EQUAL: &str =
-    "set asperities = \"equal\" in [surface] and use a model without -random";
 
 /// Tolerance of the tables relative to the envelope of the law; rounding errors are just below.
 const TOLERANCE: f64 = 2e-13;
@@ -30,28 +26,16 @@ const THIN: f64 = 1e-4;
 #[derive(Debug)]
 pub(crate) struct Average<'m> {
     pub(crate) model: &'m dyn AsperityModel,
-    pub(crate) id: &'m str,
+    pub(crate) variant: &'m Variant,
     pub(crate) population: Population,
     /// Interferences \[m\] at which parts of the force are cut in two, so that each has a share of
     /// its own.
     pub(crate) cuts: &'m [f64],
 }
 
-impl Described for Average<'_> {
-    fn citation(&self) -> &Citation {
-        self.model.citation()
-    }
-
-    fn id(&self) -> &str {
-        self.id
-    }
-
-    fn validity(&self) -> Validity {
-        self.model.validity()
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.model.notes()
+impl IsVariant for Average<'_> {
+    fn of(&self) -> &Variant {
+        self.variant
     }
 }
 
@@ -132,8 +116,9 @@ impl AsperityModel for Average<'_> {
 
     fn contact_radius(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         // The root of the average area is not the average of the contact radii.
-        let what = format!("contact radii, which need asperities of one radius; {EQUAL}");
-        Err(ContactError::Unsupported { model: self.id.into(), what })
+        let advice = self.variant.advice();
+        let what = format!("contact radii, which need asperities of one radius; {advice}");
+        Err(ContactError::Unsupported { model: self.id().into(), what })
     }
 }
 

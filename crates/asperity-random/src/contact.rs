@@ -1,20 +1,16 @@
 //! A law of one asperity on a random surface, as a contact model.
 
-use std::sync::Arc;
-
 use asperity_core::{
-    AsperityModel, At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation,
-    Finding, HeightDistribution, Part, QuadratureError, Quantity, Request, Scene, Separation,
-    SeparationUnit, Share, Tolerance, Validity,
+    At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant, Part,
+    QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
+    Variant,
 };
 
-use crate::average::{Average, EQUAL};
+use crate::average::Average;
 use crate::population::Population;
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;
-/// The ending of the ids.
-pub const SUFFIX: &str = "-random";
 /// Relative rounding error of the ends of parts.
 const ROUNDING: f64 = 1e-12;
 
@@ -23,40 +19,22 @@ const ROUNDING: f64 = 1e-12;
 /// It is not an [`AsperityModel`](asperity_core::AsperityModel), because the law that it averages
 /// over heights is not the law of one radius.
 #[derive(Debug, Clone)]
-pub struct RandomAsperities {
-    model: Arc<dyn ContactModel>,
-    id: String,
-    name: String,
-}
+pub struct RandomAsperities(Variant);
 
 impl RandomAsperities {
     /// The averaged laws of `model`: `ke` becomes `ke-random`.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
-        let (id, name) = (format!("{}{SUFFIX}", model.id()), format!("{} random", model.name()));
-        Self { model: Arc::new(model), id, name }
+        let differs =
+            "averaged over asperities whose heights and radii differ, as on a random surface";
+        let what = "averages over the asperities of a random surface";
+        Self(Variant::new(model, "random", differs, what))
     }
+}
 
-    fn refused(&self, reason: &str) -> ContactError {
-        let what = format!("averages over the asperities of a random surface: {reason}");
-        ContactError::Unsupported { model: self.model.id().into(), what }
-    }
-
-    /// The model and the asperities that it averages over.
-    fn accepted(&self, scene: &Scene) -> Result<(&dyn AsperityModel, Population), ContactError> {
-        let Some(model) = self.model.asperity_model() else {
-            return Err(self.refused("it has no law of one asperity"));
-        };
-        if model.validity().adhesive {
-            return Err(self.refused(&format!("adhesion changes with the radius; {EQUAL}")));
-        }
-        if model.validity().angles {
-            return Err(self.refused(&format!("contacts are inclined; {EQUAL}")));
-        }
-        if !matches!(scene.heights, HeightDistribution::Gaussian) {
-            return Err(self.refused(&format!("heights must be Gaussian; {EQUAL}")));
-        }
-        Ok((model, Population::new(scene)?))
+impl IsVariant for RandomAsperities {
+    fn of(&self) -> &Variant {
+        &self.0
     }
 }
 
@@ -72,41 +50,14 @@ fn compiled(
     average.compile(&average.population.scene(scene), &asked)
 }
 
-impl Described for RandomAsperities {
-    fn citation(&self) -> &Citation {
-        self.model.citation()
-    }
-
-    fn id(&self) -> &str {
-        &self.id
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn variant(&self) -> Vec<&'static str> {
-        let random =
-            "averaged over asperities whose heights and radii differ, as on a random surface";
-        [self.model.variant(), vec![random]].concat()
-    }
-
-    fn validity(&self) -> Validity {
-        self.model.validity()
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.model.notes()
-    }
-}
-
 impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        let (model, population) = self.accepted(scene)?;
-        let average = Average { model, id: &self.id, population, cuts: &[] };
+        let (model, variant) = (self.0.laws(&scene.heights)?, &self.0);
+        let population = Population::new(scene)?;
+        let average = Average { model, variant, population, cuts: &[] };
         let averaged = compiled(&average, scene, request)?;
-        let (model, tolerance) = (self.clone(), request.tolerance);
-        Ok(Box::new(OnScene { averaged, model, scene: scene.clone(), population, tolerance }))
+        let (variant, tolerance) = (variant.clone(), request.tolerance);
+        Ok(Box::new(OnScene { averaged, variant, scene: scene.clone(), population, tolerance }))
     }
 }
 
@@ -114,7 +65,7 @@ impl ContactModel for RandomAsperities {
 #[derive(Debug)]
 struct OnScene {
     averaged: Box<dyn Contact>,
-    model: RandomAsperities,
+    variant: Variant,
     scene: Scene,
     population: Population,
     tolerance: Tolerance,
@@ -209,12 +160,12 @@ impl Contact for OnScene {
     }
 
     fn shares_beyond(&self, at: At, multiples: &[f64]) -> Result<Option<Vec<f64>>, ContactError> {
-        let (model, population) = self.model.accepted(&self.scene)?;
+        let (model, population) = (self.variant.laws(&self.scene.heights)?, self.population);
         // w_c is proportional to the radius, and each law of an asperity a function of w over it.
         let asperity = population.scene(&self.scene).asperity()?;
         let critical = asperity.critical_interference()?;
         let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
-        let average = Average { model, id: &self.model.id, population, cuts: &cuts };
+        let average = Average { model, variant: &self.variant, population, cuts: &cuts };
         let request = Request::new([Quantity::Force]).at([at]);
         let averaged = compiled(&average, &self.scene, &request)?;
         let shares = averaged.shares_at(Quantity::Force, self.own(at)?).map_err(self.at(at))?;

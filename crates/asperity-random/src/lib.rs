@@ -7,4 +7,4 @@ mod population;
 #[cfg(test)]
 mod tests;
 
-pub use contact::{FARTHEST, RandomAsperities, SUFFIX};
+pub use contact::{FARTHEST, RandomAsperities};

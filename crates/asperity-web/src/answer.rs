@@ -72,7 +72,8 @@ pub(crate) fn row(
     let (lines, warnings) = asked.lines(file, &[at]);
     let separation = || -> Result<f64, ContactError> {
         let found = asked.contact().separation(at)?;
-        Ok(found.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene)?.value)
+        let scene = asked.contact().scene();
+        Ok(found.measured_in(SeparationUnit::Metres, file.separation_from, scene)?.value)
     };
     let mut cells = vec![cell(SEPARATION, "m", separation().map_err(|e| e.marked()))];
     let values = lines.iter().flat_map(|line| &line.values);

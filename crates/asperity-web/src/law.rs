@@ -21,7 +21,7 @@ const ROOM: f64 = 2.2;
 /// The page of the guide about a model, with its equations.
 fn guide(id: &str) -> String {
     let chapter = match id.split('-').collect::<Vec<_>>()[..] {
-        [.., "random"] => "random",
+        [.., arrangement @ ("random" | "pairs")] => arrangement,
         ["dmt" | "jkr", ..] => "adhesion",
         [first, ..] => first,
         [] => "models",
@@ -34,7 +34,8 @@ fn guide(id: &str) -> String {
 /// law has a kink or a jump, the range, and the asperity.
 pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
     let model = file.model(id)?;
-    let Some(asperity_model) = model.asperity_model() else {
+    let Some(asperity_model) = model.asperity_model().filter(|m| m.of_one_contact().is_none())
+    else {
         let name = model_name(&model);
         return Err(Refusal::new(format!("{name} has no law of a single asperity")));
     };

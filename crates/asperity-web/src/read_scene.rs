@@ -59,8 +59,9 @@ fn models(file: &SceneFile) -> Value {
             "about": model_sentence(model),
             // Averages over contact angles take seconds to prepare.
             "slow": model.validity().angles,
-            // Theories of the whole surface have no law of one asperity.
-            "whole": model.asperity_model().is_none(),
+            // Theories of the whole surface have no law of one asperity, and variants another.
+            "whole": model.asperity_model().is_none_or(|m| m.of_one_contact().is_some()),
+            "equal": model.equal().id(),
             "reason": reason,
         })
     };

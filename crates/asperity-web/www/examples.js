@@ -22,7 +22,7 @@ const asperities = value("surface.asperities", "equal");
 const equal = {
   ...asperities,
   act: () => {
-    state.models = state.models.map((id) => id.replace(/-random$/, ""));
+    state.models = state.models.map((id) => id.replace(/-(random|pairs)$/, ""));
     return asperities.act();
   },
 };

@@ -57,6 +57,6 @@ export const ask = (desk, call, keys) => desk.ask(page.text, call, keys);
 // Whether the scene has models that answer.
 export const answers = () => Boolean(page.shown && !page.shown.error);
 export const isSlow = (id) => page.shown.models.some((model) => model.id === id && model.slow);
-const allowed = (id) => page.shown?.models.some((model) => model.id === id && !model.reason);
-// The chosen models that the scene allows; asperities of different radii have variants of their own.
-export const chosen = () => [...new Set(state.models.map((id) => [id, `${id}-random`].find(allowed)).filter(Boolean))];
+const allowed = (key, id) => page.shown?.models.find((model) => model[key] === id && !model.reason)?.id;
+// The chosen models that the scene allows; other asperities than equal ones have variants of their own.
+export const chosen = () => [...new Set(state.models.map((id) => allowed("id", id) ?? allowed("equal", id)).filter(Boolean))];

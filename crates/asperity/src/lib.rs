@@ -34,6 +34,7 @@ pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;
 pub use asperity_ke::KogutEtsion;
+pub use asperity_pairs::AsperityPairs;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
@@ -51,4 +52,4 @@ pub use recommend::{
     Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
     usual_reference,
 };
-pub use registry::Model;
+pub use registry::{Asperities, Model};

@@ -8,6 +8,7 @@ mod joints;
 mod laws;
 pub mod measured;
 pub(crate) mod models;
+mod pairs;
 pub(crate) mod paper;
 pub mod report_csv;
 pub mod truth;
@@ -34,7 +35,7 @@ fn truth_table(which: usize) -> Result<Table> {
 }
 
 /// All figures: those of the paper first.
-pub const FIGURES: [FigureSpec; 19] = [
+pub const FIGURES: [FigureSpec; 20] = [
     ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
     ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
     ("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
@@ -51,6 +52,7 @@ pub const FIGURES: [FigureSpec; 19] = [
     ("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
     ("conductance-models", joints::conductance, joints::conductance_figure),
     ("conductance-metals", joints::metals, joints::metals_figure),
+    ("pairs-fits", pairs::table, pairs::style),
     (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
     (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),
     (TRUTH[2].0, || truth_table(2), |csv| truth::style(csv, &TRUTH[2])),

@@ -1,6 +1,8 @@
 //! `figures/truth.md`: the range of each model's deviations.
 
-use asperity::{Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance};
+use asperity::{
+    Asperities, Compared, Described, Evidence, EvidenceCase, Model, Persson, PerssonVariance,
+};
 
 use crate::table::{markdown_head, markdown_row};
 
@@ -37,7 +39,7 @@ pub fn models() -> Vec<Model> {
     let whole = PerssonVariance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
     let compared = |model: &Model| COMPARED.split(' ').any(|id| id == model.id());
-    let of_asperities = Model::all().into_iter().chain(Model::all_random());
+    let of_asperities = Model::all().into_iter().chain(Model::all_on(Asperities::Random));
     of_asperities.filter(compared).chain(whole).collect()
 }
 

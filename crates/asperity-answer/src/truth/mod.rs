@@ -144,7 +144,7 @@ fn state(contact: &dyn Contact, pressure: f64) -> (ContactState, Option<ContactE
 #[cfg(test)]
 mod tests {
     use asperity::bem::RandomSurface;
-    use asperity::{Described, Interface, Surface};
+    use asperity::{Asperities, Described, Interface, Surface};
 
     use super::*;
 
@@ -187,7 +187,7 @@ mod tests {
             assert!(found.refused.is_empty());
             assert_eq!(
                 (found.models.len(), answered + found.refused.len()),
-                (Model::all().len(), Model::all_random().len())
+                (Model::all().len(), Model::all_on(Asperities::Random).len())
             );
         }
     }

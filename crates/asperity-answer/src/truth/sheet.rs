@@ -38,6 +38,9 @@ pub fn truth(
     sheet.under(&[&["load_N", "pressure_Pa", "model"], &numbers, &["boundary"]]);
     let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
     let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
+    let of_scan = Model::new(bem.clone());
+    let other = file.other_joint(models.iter().chain([&of_scan]));
+    sheet.extend(file.accepted(other.into_iter().collect()));
     let solved = Truths::solve(file, bem, &models, pressures, refine, watch)?;
     let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));

@@ -94,9 +94,9 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
 /// or year.
 fn like(word: &str) -> Result<Vec<Model>> {
     let wanted = word.trim().to_lowercase();
-    // Random asperities have the row of equal ones.
-    let equal = wanted.strip_suffix("-random").filter(|_| wanted.parse::<Model>().is_ok());
-    let wanted = equal.unwrap_or(&wanted);
+    // Other asperities have the row of equal ones.
+    let known: Option<Model> = wanted.parse().ok();
+    let wanted = known.as_ref().map_or(&*wanted, |model| model.equal().id());
     let mut all = [
         Model::all(),
         Model::whole_surface(),
@@ -118,7 +118,7 @@ fn like(word: &str) -> Result<Vec<Model>> {
     all.retain(|model| if any { of_id(model) } else { has_word(model) });
     ensure!(
         !all.is_empty(),
-        "no model has the id {word:?}, or this word in its name, authors or year; `asperity list models` lists all but bem and those with -random"
+        "no model has the id {word:?}, or this word in its name, authors or year; `asperity list models` lists all but bem and those with -random or -pairs"
     );
     Ok(all)
 }

@@ -18,6 +18,7 @@ mod generate;
 mod help;
 mod joints;
 mod messages;
+mod pairs;
 mod random;
 mod readme;
 mod slip;

@@ -31,8 +31,9 @@ impl Check {
     /// # Errors
     /// [`ContactError`] with the reason why the scene, the model or the place is refused.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
-        let mut check = scene.check()?;
+        scene.check()?;
         let contact = model.compile(scene, &judging()?)?;
+        let mut check = scene.check_of(contact.scene())?;
         let answer = Self::of_answer(model, &*contact, at, true)?;
         check.keep_for(model);
         check.numbers.extend(answer.numbers);
@@ -111,8 +112,9 @@ impl Check {
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(contact, place, contacts))
-            && let Ok(law) =
-                model.law(&scene.asperity()?, Quantity::Force, Tolerance::new(TOLERANCE)?)
+            && let Some(laws) = model.asperity_model()
+            && let laws = laws.of_one_contact().map_or(laws, |one| one.model)
+            && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
             && let Some(deep) = Interferences::of(contact, &law, place)?
         {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);

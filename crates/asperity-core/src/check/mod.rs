@@ -102,7 +102,13 @@ impl Scene {
     /// # Errors
     /// [`ContactError`] for an invalid input, for example a negative length.
     pub fn check(&self) -> Result<Check, ContactError> {
-        let asperity = self.asperity()?;
+        self.check_of(self)
+    }
+
+    /// The same with the critical interference of the contacts of another scene, which those of a
+    /// model may have.
+    pub(crate) fn check_of(&self, contacts: &Self) -> Result<Check, ContactError> {
+        let asperity = contacts.asperity()?;
         let surface = &self.surface;
         let mut check = Check::default();
         let (r, sigma) = (surface.asperity_radius, surface.asperity_height_std);
@@ -119,7 +125,7 @@ impl Scene {
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
                 check.add_number("critical_interference", w, "m", "w_c = (pi S H/(2 E))^2 R");
                 check.add_number("critical_force", f, "N", "F_c = (2/3) pi R w_c S H");
-                let index = (sigma / w).sqrt();
+                let index = (contacts.surface.asperity_height_std / w).sqrt();
                 let meaning = "psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy";
                 check.add_number("plasticity_index", index, "", meaning);
             }

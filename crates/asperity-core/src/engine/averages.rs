@@ -191,12 +191,15 @@ pub(crate) fn shares<'s>(
         let value = part.value * (part.ln_scale - total.ln_scale).exp();
         if value == 0.0 { 0.0 } else { value / total.value }
     };
-    let shares = law.parts.iter().zip(&integrals).map(|(part, integral)| Share {
-        name: part.name.clone(),
-        regime: part.regime,
-        share: share(integral),
-    });
-    Ok(shares.collect())
+    let mut shares: Vec<Share> = vec![];
+    for (part, integral) in law.share_parts().iter().zip(&integrals) {
+        let (name, regime, share) = (part.name.clone(), part.regime, share(integral));
+        match shares.last_mut().filter(|last| law.shares.is_some() && last.name == name) {
+            Some(last) => last.share += share,
+            None => shares.push(Share { name, regime, share }),
+        }
+    }
+    Ok(shares)
 }
 
 /// The integrals of parts, each of which may fail.

@@ -140,11 +140,11 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     ) -> Result<Vec<Moments>, ContactError> {
         let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
         let LawIntegrals { law, units, sources, .. } = self.law(base)?;
-        if sources.is_empty() {
+        if sources.is_empty() || law.shares.is_some() {
             let alone = |part: &Part| {
                 HeightIntegral::new(part.density(), law, scene, tolerance).once(s, slope)
             };
-            return all_parts(law.parts.iter().map(alone), base, at);
+            return all_parts(law.share_parts().iter().map(alone), base, at);
         }
         let s = units.onset.shifted(s);
         let parts = law.parts.iter().zip(sources).map(|(part, source)| {

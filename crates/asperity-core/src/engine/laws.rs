@@ -11,6 +11,8 @@ use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tol
 #[derive(Debug)]
 pub(crate) struct Laws {
     pub(crate) asperity: Asperity,
+    /// Whether they depend on the density of the surface.
+    density: bool,
     /// Whether the model has a law for the stiffness; false if no stiffness is asked for.
     pub(crate) own_stiffness: bool,
     /// Whether loads may be tensions.
@@ -30,9 +32,11 @@ impl Laws {
         by_load: bool,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let Validity { adhesive, .. } = model.validity();
+        let Validity { adhesive, density, .. } = model.validity();
+        let asperity = asperity.seen_by(density);
         let mut found = Self {
             asperity,
+            density,
             own_stiffness: false,
             adhesive,
             laws: vec![],
@@ -96,7 +100,12 @@ impl Laws {
 
     /// Whether they belong to this asperity and suffice.
     pub(crate) fn serve(&self, asperity: &Asperity, by_load: bool) -> bool {
-        self.asperity == *asperity && (self.by_load || !by_load)
+        self.are_of(asperity) && (self.by_load || !by_load)
+    }
+
+    /// Whether they are the laws of this asperity.
+    pub(crate) fn are_of(&self, asperity: &Asperity) -> bool {
+        self.asperity == asperity.seen_by(self.density)
     }
 }
 

@@ -47,7 +47,7 @@ impl Facts {
     /// # Errors
     /// [`ContactError::OtherAsperity`] if its laws would be others.
     pub(crate) fn on(self: &Arc<Self>, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
-        if scene.asperity()? != self.laws.asperity {
+        if !self.laws.are_of(&scene.asperity()?) {
             return Err(ContactError::OtherAsperity);
         }
         contact_radii::check(&self.quantities, &scene.interface)?;
@@ -159,7 +159,8 @@ impl<'p> Averages<'p> for &'p Prepared {
         let Channel { law, parts, .. } = self.channel(base)?;
         let tolerance = self.facts.laws.tolerance.relative();
         let of_parts = || {
-            let densities = law.parts.iter().map(|part| part.density());
+            let parts = law.share_parts();
+            let densities = parts.iter().map(|part| part.density());
             densities.map(|alone| HeightIntegral::new(alone, law, &self.scene, tolerance)).collect()
         };
         let parts = parts.get_or_init(of_parts).iter();

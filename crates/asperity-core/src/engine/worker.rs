@@ -1,5 +1,6 @@
 //! The cases of a sweep on one thread: unchanged laws are kept, shapes that recur are shared.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::engine::averages::separation_at;
@@ -7,7 +8,9 @@ use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::laws::{Laws, any_load};
 use crate::engine::row_integrals::RowIntegrals;
 use crate::engine::shapes::RecentShapes;
-use crate::{AsperityModel, At, Case, Contact, ContactError, Evaluation, Quantity, Request, Sweep};
+use crate::{
+    AsperityModel, At, Case, Contact, ContactError, Evaluation, Quantity, Request, Scene, Sweep,
+};
 
 /// One thread's view of a sweep.
 pub(crate) struct Worker<'s> {
@@ -54,36 +57,41 @@ impl<'s> Worker<'s> {
         answer: impl Fn(&mut CaseIntegrals<'_>, At) -> Result<T, ContactError>,
     ) -> Vec<Result<T, ContactError>> {
         let mut before: Option<Rc<Laws>> = None;
-        let mut next = cases.first().map(|case| self.laws(model, case, None));
+        let mut next = cases.first().map(|case| self.averaged(model, case, None));
         let mut answers = Vec::with_capacity(cases.len());
         for (k, case) in cases.iter().enumerate() {
             let Some(now) = next.take() else { break };
-            let last = now.as_ref().ok().cloned();
-            next = cases.get(k + 1).map(|case| self.laws(model, case, last.clone()));
+            let last = now.as_ref().ok().map(|(_, laws)| laws.clone());
+            next = cases.get(k + 1).map(|case| self.averaged(model, case, last.clone()));
             let after = next.as_ref().and_then(|next| next.as_ref().ok());
-            answers.push(now.and_then(|laws| {
-                let neighbours = [before.as_deref(), after.map(|laws| &**laws)];
+            answers.push(now.and_then(|(scene, laws)| {
+                let neighbours = [before.as_deref(), after.map(|(_, laws)| &**laws)];
                 let shared = (&mut self.shapes, neighbours);
-                answer(&mut CaseIntegrals::sharing(shared, &case.scene, &laws)?, case.at)
+                answer(&mut CaseIntegrals::sharing(shared, &scene, &laws)?, case.at)
             }));
             before = last;
         }
         answers
     }
 
-    /// The laws of a case: those of the last one, if the asperity is the same.
-    fn laws(
+    /// The scene of a case over whose heights laws are averaged, and these: those of the last case,
+    /// if the asperity is the same.
+    fn averaged<'c>(
         &self,
         model: &dyn AsperityModel,
-        case: &Case,
+        case: &'c Case,
         last: Option<Rc<Laws>>,
-    ) -> Result<Rc<Laws>, ContactError> {
+    ) -> Result<(Cow<'c, Scene>, Rc<Laws>), ContactError> {
         let Sweep { quantities, tolerance, .. } = self.sweep;
-        let asperity = case.scene.asperity()?;
+        let scene = model.averaged_over(&case.scene)?;
+        let asperity = scene.asperity()?;
         let by_load = any_load(&[case.at]);
         match last.filter(|last| last.serve(&asperity, by_load)) {
-            Some(last) => Ok(last),
-            None => Laws::new(model, asperity, quantities, by_load, *tolerance).map(Rc::new),
+            Some(last) => Ok((scene, last)),
+            None => {
+                let laws = Laws::new(model, asperity, quantities, by_load, *tolerance)?;
+                Ok((scene, Rc::new(laws)))
+            }
         }
     }
 

@@ -76,6 +76,18 @@ pub struct Law {
     pub onset: f64,
     /// The parts; their ranges may overlap, as those of lateral models do.
     pub parts: Vec<Part>,
+    /// How shares of regimes are counted, where not by `parts`.
+    pub shares: Option<ShareParts>,
+}
+
+/// Parts that sum to a law and are made where shares are asked for; those of one name that follow
+/// each other are one share.
+#[derive(Debug, Clone)]
+pub struct ShareParts {
+    /// The law that they are made of.
+    pub of: Arc<Law>,
+    /// What makes them, in the units of the law that has them.
+    pub parts: fn(&Law) -> Vec<Part>,
 }
 
 impl Law {
@@ -84,7 +96,7 @@ impl Law {
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
         // Most laws have at most four.
         let parts = Vec::with_capacity(4);
-        Self { interference_unit, value_unit, onset: 0.0, parts }
+        Self { interference_unit, value_unit, onset: 0.0, parts, shares: None }
     }
 
     /// Measures x from this interference, in interference units; the law is 0 below it.
@@ -162,7 +174,7 @@ impl Law {
             Part { sign: 1.0, form, ..part.clone() }
         };
         let parts = self.parts.iter().map(mapped).collect();
-        Some(Self { value_unit, parts, ..*self })
+        Some(Self { value_unit, parts, shares: None, ..*self })
     }
 
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Formula>) -> Self {
@@ -211,8 +223,17 @@ impl Law {
         Ok(total)
     }
 
+    /// The parts by which shares of regimes are counted.
+    pub(crate) fn share_parts(&self) -> Cow<'_, [Part]> {
+        match &self.shares {
+            Some(ShareParts { of, parts }) => Cow::Owned(parts(of)),
+            None => Cow::Borrowed(&self.parts),
+        }
+    }
+
     /// True if a part is subtracted.
-    pub(crate) fn is_signed(&self) -> bool {
+    #[must_use]
+    pub fn is_signed(&self) -> bool {
         self.parts.iter().any(|part| part.sign < 0.0)
     }
 

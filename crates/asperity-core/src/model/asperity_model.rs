@@ -1,9 +1,23 @@
 //! What to write for a model of one asperity: its laws.
 
+use std::borrow::Cow;
+
 use crate::law::contact_radii;
 use crate::recommended::FLOW;
 use crate::request::quantity_table::Derivation;
-use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
+use crate::{Asperity, ContactError, Described, Law, Quantity, Scene, Tolerance};
+
+/// The laws of one contact of an asperity that has several.
+#[derive(Debug, Clone, Copy)]
+pub struct OneContact<'m> {
+    /// The model of the contact.
+    pub model: &'m dyn AsperityModel,
+    /// From a law of the contact to that of the asperity.
+    pub sum: SumOfContacts,
+}
+
+/// See [`OneContact::sum`].
+pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
 
 /// A model of one asperity, to be written: its averages over the heights, as a
 /// [`ContactModel`](crate::ContactModel), come with it.
@@ -18,6 +32,17 @@ use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 /// input.
 #[allow(clippy::missing_errors_doc, reason = "those of all laws are above")]
 pub trait AsperityModel: Described {
+    /// The scene over whose heights the laws are averaged: the given one, but for models of pairs,
+    /// whose heights are the sums of those of two surfaces.
+    fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
+        Ok(Cow::Borrowed(scene))
+    }
+
+    /// The laws of one contact, where those that are averaged are sums over several.
+    fn of_one_contact(&self) -> Option<OneContact<'_>> {
+        None
+    }
+
     /// The law of the normal force \[N\].
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
 

@@ -66,12 +66,16 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        Ok(Box::new(Prepared::new(Facts::new(self, scene, request)?, scene)?))
+        let scene = self.averaged_over(scene)?;
+        Ok(Box::new(Prepared::new(Facts::new(self, &scene, request)?, &scene)?))
     }
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         match is_short(request, scene) {
-            true => Ok(Box::new(Alone::new(Facts::new(self, scene, request)?, scene)?)),
+            true => {
+                let scene = self.averaged_over(scene)?;
+                Ok(Box::new(Alone::new(Facts::new(self, &scene, request)?, &scene)?))
+            }
             false => self.compile(scene, request),
         }
     }

@@ -63,6 +63,9 @@ pub struct Validity {
     /// The model treats asperities as independent; false for theories of the whole surface, which
     /// hold for areas of any size.
     pub asperities: bool,
+    /// Laws depend on [`Asperity::density`](crate::Asperity::density); the others are shared by
+    /// surfaces of different densities.
+    pub density: bool,
     /// Contacts are inclined: normals are distributed over angles.
     pub angles: bool,
     /// The surfaces adhere: forces may be negative, and jump at the onset of contact.
@@ -95,6 +98,7 @@ impl Default for Validity {
             force_monotone: true,
             hertz_limit: Some(1.0),
             asperities: true,
+            density: false,
             angles: false,
             adhesive: false,
             tabor: None,

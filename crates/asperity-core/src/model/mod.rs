@@ -4,3 +4,4 @@ pub(crate) mod asperity_model;
 pub(crate) mod contact;
 pub(crate) mod contact_model;
 pub(crate) mod described;
+pub(crate) mod variant;

@@ -4,7 +4,7 @@ use crate::error::{positive, require};
 use crate::recommended::ELASTIC;
 use crate::{ContactError, Interface};
 
-/// One asperity, with every input resolved. It does not depend on the surface.
+/// One asperity, with every input resolved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asperity {
     /// E \[Pa\].
@@ -25,6 +25,9 @@ pub struct Asperity {
     pub work_of_adhesion: Option<f64>,
     /// R \[m\].
     pub radius: f64,
+    /// η of its surface \[1/m²\]; `None` for an asperity by itself, and for the laws of models that
+    /// do not declare to depend on it ([`Validity::density`](crate::Validity::density)).
+    pub density: Option<f64>,
 }
 
 impl Asperity {
@@ -44,7 +47,13 @@ impl Asperity {
             pressure_factor,
             work_of_adhesion: interface.work_of_adhesion,
             radius: positive("asperity_radius", radius)?,
+            density: None,
         })
+    }
+
+    /// The asperity as laws see it that depend on the density, or not.
+    pub(crate) fn seen_by(self, density: bool) -> Self {
+        Self { density: self.density.filter(|_| density), ..self }
     }
 
     /// w_c = (π S H/(2E))² R \[m\], the interference at which yielding begins. \[seen\]

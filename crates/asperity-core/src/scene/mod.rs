@@ -3,12 +3,13 @@
 pub(crate) mod asperity;
 pub(crate) mod body;
 pub(crate) mod interface;
+pub(crate) mod pair;
 pub(crate) mod surface;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{positive, require};
-use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
+use crate::{Asperity, ContactError, HeightDistribution, Interface, Pair, Surface};
 
 /// Two bodies, their equivalent rough surface and its nominal area.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -32,6 +33,10 @@ pub struct Scene {
     /// isotropic Gaussian surface.
     #[serde(default)]
     pub surface_height_std: Option<f64>,
+    /// The asperities of the two rough surfaces in contact, each by itself, for which `surface`
+    /// stands; only models of pairs use them. By default both are like `surface`.
+    #[serde(default)]
+    pub pair: Option<Pair>,
 }
 
 impl Scene {
@@ -50,6 +55,7 @@ impl Scene {
             heights,
             mean_plane_offset: None,
             surface_height_std: None,
+            pair: None,
         }
     }
 
@@ -59,7 +65,8 @@ impl Scene {
     /// [`ContactError`] naming the field, the value and what was required.
     pub fn asperity(&self) -> Result<Asperity, ContactError> {
         self.check_surface()?;
-        Asperity::new(&self.interface, self.surface.asperity_radius)
+        let one = Asperity::new(&self.interface, self.surface.asperity_radius)?;
+        Ok(Asperity { density: Some(self.surface.asperity_density), ..one })
     }
 
     /// Checks every field but the interface.

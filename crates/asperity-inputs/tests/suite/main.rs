@@ -6,6 +6,7 @@ mod height_files;
 mod hostile;
 mod measured;
 mod options;
+mod pairs;
 mod random_asperities;
 mod scene_errors;
 mod scene_files;

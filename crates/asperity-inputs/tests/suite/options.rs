@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use asperity::{Model, Quantity, Request, Tolerance};
+use asperity::{Asperities, Model, Quantity, Request, Tolerance};
 use asperity_inputs::{ModelOptions, SceneFile, parse, template};
 
 /// The template's scene with one line of `[options]` instead of its own.
@@ -94,7 +94,7 @@ fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
         asperity_height_std = 1e-6";
     let file = parse(text, Path::new(".")).unwrap();
     let (models, left_out) = file.models();
-    assert_eq!(models.len(), Model::all_random().len());
+    assert_eq!(models.len(), Model::all_on(Asperities::Random).len());
     // Like bodies that harden have a model more.
     let hardening = text.replace("hardness = 2e9", "hardness = 2e9\n        tangent_modulus = 2e9");
     let with_it = parse(&hardening, Path::new(".")).unwrap().models().0;

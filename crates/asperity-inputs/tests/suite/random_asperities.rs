@@ -96,7 +96,10 @@ fn models_without_random_asperities_give_the_reason() {
     let (file, _) = scene(scenes().next().unwrap(), "random");
     let (allowed, left_out) = file.models();
     let ids: Vec<&str> = allowed.iter().map(|model| model.id()).collect();
-    assert_eq!(ids, Model::all_random().iter().map(|model| model.id()).collect::<Vec<_>>());
+    assert_eq!(
+        ids,
+        Model::all_on(Asperities::Random).iter().map(|model| model.id()).collect::<Vec<_>>()
+    );
     assert_eq!(left_out.len(), 4);
     for model in &left_out {
         assert!(model.reason.to_string().contains("contacts are inclined"), "{model:?}");
@@ -129,7 +132,7 @@ fn the_readme_names_the_models_of_random_asperities() {
     let (list, _) = list.split_once(" mean `gw-random`").unwrap();
     let named = list.split('`').skip(1).step_by(2).map(|id| format!("{id}-random"));
     let hardening: Vec<Model> = Model::hardening().iter().map(Model::random).collect();
-    let known = Model::all_random().into_iter().chain(hardening);
+    let known = Model::all_on(Asperities::Random).into_iter().chain(hardening);
     let known: Vec<String> = known.map(|model| model.id().to_string()).collect();
     assert_eq!(named.collect::<Vec<_>>(), known);
 }

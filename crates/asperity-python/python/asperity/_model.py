@@ -39,7 +39,8 @@ class AsperityLaws(Protocol):
     interferences [m] at which a formula changes, jumps, bends or has a cusp (a sequence, or a dict
     of sequences by quantity); ``regimes``, a name for each range between the kinks, for shares; and
     on the class ``name``, and ``force_monotone = False`` if the force may fall as ``w`` grows:
-    without it ``Model.check`` reports such a force.
+    without it ``Model.check`` reports such a force; and ``uses_density = True`` if the laws depend on
+    ``asperity.density``, which is None otherwise.
 
     Declare every kink. Values with an undeclared kink take more time, and mostly keep the tolerance;
     but a jump, kink or cusp between the sampled interferences escapes the bounds of
@@ -71,6 +72,7 @@ class Laws:
         self.name = str(name)
         self.own_stiffness = hasattr(factory, "stiffness")
         self.force_monotone = bool(getattr(factory, "force_monotone", True))
+        self.uses_density = bool(getattr(factory, "uses_density", False))
 
     def __call__(self, one: Asperity, quantity: str) -> tuple[Law, list[float], list[str]]:
         """The law of an asperity, its kinks [m], ascending, and the names of the ranges between them."""
@@ -430,7 +432,7 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 def models() -> list[Model]:
     """The models of asperities without adhesion and hardening, with their default options, by year.
 
-    persson, dmt, jkr, ghaednia and ids with -random are known by name; ``asperity list models`` lists
+    persson, dmt, jkr, ghaednia and ids with -random or -pairs are known by name; ``asperity list models`` lists
     all of them.
 
     >>> import asperity

@@ -268,6 +268,8 @@ class Asperity(Record):
     work_of_adhesion: float | None = None
     #: Tangent modulus of two like bodies [Pa], if given.
     tangent_modulus: float | None = None
+    #: Density of its surface [1/m^2]; None for models without ``uses_density = True``.
+    density: float | None = None
 
     @property
     def critical_interference(self):

@@ -123,6 +123,7 @@ class Asperity(Record):
         radius: _Float,
         work_of_adhesion: _Number | None = None,
         tangent_modulus: _Number | None = None,
+        density: _Number | None = None,
     ) -> None: ...
     equivalent_modulus: Final[float]
     equivalent_shear_modulus: Final[float | None]
@@ -133,6 +134,7 @@ class Asperity(Record):
     radius: Final[float]
     work_of_adhesion: Final[float | None]
     tangent_modulus: Final[float | None]
+    density: Final[float | None]
     @property
     def critical_interference(self) -> float: ...
     @property

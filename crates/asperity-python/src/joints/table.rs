@@ -60,19 +60,19 @@ impl JointTable {
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let unit: Axis = separation_unit.extract()?;
-        let metres = unit.metres(&file.scene);
         for end in [ends.0, ends.1] {
             unit.warn_of_unit(py, "separation", &[end], &file, 1)?;
         }
         let named = model.get().on(&file)?;
-        let (plane, table) = model.get().run(py, || {
+        let (metres, plane, table) = model.get().run(py, || {
+            let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
+            let metres = unit.metres(joint.scene());
             // The zero of the scene's separations.
             let zero = file.separation(0.0, SeparationUnit::Metres);
             let plane =
-                zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)?;
+                zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, joint.scene())?;
             let range = (metres * ends.0 + plane.value, metres * ends.1 + plane.value);
-            let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
-            Ok((plane.value, joint.table(range, tolerance)?))
+            Ok((metres, plane.value, joint.table(range, tolerance)?))
         })?;
         let law = law.to_string();
         let separation_unit = separation_unit.extract()?;

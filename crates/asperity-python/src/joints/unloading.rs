@@ -62,7 +62,7 @@ impl Unloading {
         let (joint, whole, closest) = model.get().run(py, || {
             let whole = joints::Joint::new(&named, &file.scene, law, tolerance)?;
             let joint = whole.unloading(at)?;
-            let closest = unit.of(joint.closest(), file.separation_from, &file.scene)?;
+            let closest = unit.of(joint.closest(), file.separation_from, joint.scene())?;
             Ok((joint, whole, closest))
         })?;
         let found = py.detach(|| check_scene(model.get(), &named, &file, [at]));

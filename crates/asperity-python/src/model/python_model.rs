@@ -59,6 +59,7 @@ pub(crate) struct PythonModel {
     name: String,
     own_stiffness: bool,
     monotone: bool,
+    density: bool,
     /// A number of its own: sweeps identify recurring laws by it.
     number: u64,
     raised: Raised,
@@ -72,6 +73,7 @@ impl PythonModel {
             name: laws.getattr("name")?.extract()?,
             own_stiffness: laws.getattr("own_stiffness")?.extract()?,
             monotone: laws.getattr("force_monotone")?.extract()?,
+            density: laws.getattr("uses_density")?.extract()?,
             laws: laws.clone().unbind(),
             number: MODELS.fetch_add(1, Ordering::Relaxed),
             raised,
@@ -146,7 +148,8 @@ impl Described for PythonModel {
     }
 
     fn validity(&self) -> Validity {
-        Validity { force_monotone: self.monotone, hertz_limit: None, ..Validity::default() }
+        let (force_monotone, density) = (self.monotone, self.density);
+        Validity { force_monotone, density, hertz_limit: None, ..Validity::default() }
     }
 }
 

@@ -44,7 +44,9 @@ use arguments::{Heights, OptionValue, inputs, inputs_in_si};
 /// options : dict, optional
 ///     Options of the models, as in the section [options] of a scene file. With
 ///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
-///     have the joint distribution of an isotropic Gaussian surface with these moments.
+///     have the joint distribution of an isotropic Gaussian surface with these moments; with
+///     ``{"asperities": "pairs"}`` "ke-pairs": two like surfaces, with ``asperity_height_std`` the
+///     standard deviation of the sum of both heights unless the surface is given by other numbers.
 /// accept : sequence of str
 ///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
 ///
@@ -88,7 +90,7 @@ impl SceneFile {
         );
         let mut file = asperity_inputs::SceneFile::from(scene);
         file.bodies = records::bodies(interface)?;
-        file.roughness = records::roughness(surface)?;
+        file.describe_by(records::roughness(surface)?);
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
         }
@@ -96,7 +98,7 @@ impl SceneFile {
         file.separation_from =
             from.map_err(|error| value_error(format!("separation_from: {error}")))?;
         let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
-        file.scene.mean_plane_offset = offset.transpose()?;
+        file.set_mean_plane_offset(offset.transpose()?);
         for (name, value) in options.unwrap_or_default() {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }

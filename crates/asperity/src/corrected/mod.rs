@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::evidence::{Counted, Lacking, compile, compile_known};
+use crate::evidence::{Counted, Lacking, UNLIKE_PAIRS, compile, compile_known};
 use crate::recommended::BEM;
 use crate::{
-    At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
+    Asperities, At, Compared, Contact, ContactError, Described, Evidence, ExpectedContact, Model,
+    Quantity, Request, Scene, Separation, SeparationUnit, SurfaceShape, short,
 };
 
 /// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
@@ -121,6 +121,7 @@ impl Corrected {
         let unlike = match model.id() {
             BEM => Some("boundary elements are the reference; solve without correction"),
             "ghaednia" => Some("the solved surfaces do not harden; solve without correction"),
+            _ if model.asperities() == Asperities::Pairs => Some(UNLIKE_PAIRS),
             _ => None,
         };
         match unlike {

@@ -27,7 +27,7 @@ use process::Process;
 #[cfg(feature = "evidence")]
 pub(crate) use contacts::Counted;
 #[cfg(feature = "evidence")]
-pub(crate) use of_model::{Lacking, compile};
+pub(crate) use of_model::{Lacking, UNLIKE_PAIRS, compile};
 #[cfg(feature = "evidence")]
 pub use of_model::{compile_compared, compile_known};
 

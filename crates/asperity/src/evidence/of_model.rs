@@ -5,6 +5,10 @@ use crate::{
     At, Contact, ContactError, ContactModel, Datum, Model, Quantity, Request, Scene, SeparationUnit,
 };
 
+/// Why models of pairs are not compared with solved surfaces.
+pub(crate) const UNLIKE_PAIRS: &str =
+    "the solved surfaces are pressed by a flat, not by another rough surface";
+
 impl Compared {
     /// The quantities of a contact that are compared; the mean gap is none.
     pub const QUANTITIES: [Quantity; 3] =

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::evidence::Counted;
+use crate::evidence::{Counted, UNLIKE_PAIRS};
 use crate::{
-    At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
-    Quantity, Ratio, Request, SurfaceShape,
+    Asperities, At, Compared, Contact, ContactError, ContactModel, Described, Evidence,
+    ExpectedContact, Model, Quantity, Ratio, Request, SurfaceShape,
 };
 
 /// Most separations and loads that are compared with boundary elements.
@@ -73,6 +73,9 @@ impl EvidenceAt {
     /// Compares a model at this place.
     pub(super) fn add(&mut self, model: &Model, contact: &dyn Contact, quantities: &[Compared]) {
         let Ok(expected) = &self.expected else { return };
+        if model.asperities() == Asperities::Pairs {
+            return;
+        }
         for &quantity in quantities {
             if self.ratio(model.id(), quantity).is_some() {
                 continue;
@@ -142,6 +145,10 @@ pub(crate) fn evidence_of(
     let pressed = of_reference(Quantity::Pressure)?;
     let counted = Counted::on(scene)?;
     let expected = |at: At| {
+        if reference.asperities() == Asperities::Pairs {
+            let (model, reason) = (reference.id().into(), UNLIKE_PAIRS.into());
+            return Err(ContactError::Refused { model, reason });
+        }
         let pressure = match at.pressure(scene) {
             Some(pressure) => pressure,
             None => pressed.evaluate(Quantity::Pressure, at)?.value(),

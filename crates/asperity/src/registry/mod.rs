@@ -7,16 +7,16 @@ use std::ops::Deref;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
-use options::{Configurable, Random};
+use options::{Configurable, Rearranged};
 
 use crate::film::PatirCheng;
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
-    ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Finding,
-    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
+    Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
+    Finding, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
     Validity, ZhaoMaiettaChang, nearest_name,
 };
@@ -42,40 +42,87 @@ pub struct Model {
     model: Arc<dyn ContactModel>,
     /// Its options, for a model of this project.
     known: Option<Arc<dyn Configurable>>,
-    /// The model of equal asperities, for one of random ones.
+    asperities: Asperities,
+    /// The model of equal asperities, for one of others.
     equal: Option<Arc<Model>>,
+}
+
+/// How the asperities are distributed, and what they meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Asperities {
+    /// Asperities of one radius meet a flat.
+    #[default]
+    Equal,
+    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
+    /// moments of the asperities: see [`RandomAsperities`].
+    Random,
+    /// Asperities of one radius meet those of another rough surface: see [`AsperityPairs`].
+    Pairs,
+}
+
+impl Asperities {
+    /// Those that are not equal: models have ids of their own for them.
+    pub const OTHERS: [Self; 2] = [Self::Random, Self::Pairs];
 }
 
 impl Model {
     /// Wraps a model of your own.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
-        Self { model: Arc::new(model), known: None, equal: None }
+        Self { model: Arc::new(model), known: None, asperities: Asperities::Equal, equal: None }
     }
 
     /// Wraps a model whose options can be written and read.
     #[must_use]
     pub fn known(model: impl ContactModel + Serialize + DeserializeOwned + 'static) -> Self {
         let model = Arc::new(model);
-        Self { known: Some(model.clone()), model, equal: None }
+        Self { known: Some(model.clone()), model, asperities: Asperities::Equal, equal: None }
     }
 
-    /// The same laws on the asperities of a random surface, whose heights and radii are spread
-    /// together: `ke` becomes `ke-random`. See [`RandomAsperities`], which tells what it refuses.
+    /// The same laws on these asperities: `ke` becomes `ke-random` or `ke-pairs`. See
+    /// [`RandomAsperities`] and [`AsperityPairs`], which tell what they refuse.
     ///
     /// ```
-    /// use asperity::{ContactModel, Model};
+    /// use asperity::{Asperities, ContactModel, Model};
     ///
     /// let ke: Model = "ke".parse()?;
     /// assert_eq!((ke.random().id(), ke.random().name()), ("ke-random", "KE random"));
+    /// assert_eq!(ke.random().on(Asperities::Pairs).id(), ke.pairs().id());
     /// # Ok::<(), asperity::ContactError>(())
     /// ```
     #[must_use]
-    pub fn random(&self) -> Self {
+    pub fn on(&self, asperities: Asperities) -> Self {
         let equal = Arc::new(self.equal().clone());
-        let known = equal.known.is_some().then(|| Arc::new(Random(equal.clone())) as Arc<_>);
-        let model = Arc::new(RandomAsperities::new((*equal).clone()));
-        Self { model, known, equal: Some(equal) }
+        let one = (*equal).clone();
+        let model: Arc<dyn ContactModel> = match asperities {
+            Asperities::Equal => return one,
+            Asperities::Random => Arc::new(RandomAsperities::new(one)),
+            Asperities::Pairs => Arc::new(AsperityPairs::new(one)),
+        };
+        let rearranged = || Arc::new(Rearranged { equal: equal.clone(), asperities }) as Arc<_>;
+        let known = equal.known.is_some().then(rearranged);
+        Self { model, known, asperities, equal: Some(equal) }
+    }
+
+    /// The same laws on the asperities of a random surface, whose heights and radii are spread
+    /// together.
+    #[must_use]
+    pub fn random(&self) -> Self {
+        self.on(Asperities::Random)
+    }
+
+    /// The same laws between the asperities of two rough surfaces.
+    #[must_use]
+    pub fn pairs(&self) -> Self {
+        self.on(Asperities::Pairs)
+    }
+
+    /// The asperities that it is for.
+    #[must_use]
+    pub fn asperities(&self) -> Asperities {
+        self.asperities
     }
 
     /// The same laws on asperities of one radius.
@@ -106,12 +153,12 @@ impl Model {
         ]
     }
 
-    /// Those of [`all`](Self::all) that a random surface allows, [on one](Self::random): they are
-    /// known by their names.
+    /// Those of [`all`](Self::all) that other asperities than equal ones allow, [on
+    /// them](Self::on): they are known by their names.
     #[must_use]
-    pub fn all_random() -> Vec<Self> {
+    pub fn all_on(asperities: Asperities) -> Vec<Self> {
         let upright = Self::all().into_iter().filter(|model| !model.validity().angles);
-        upright.map(|model| model.random()).collect()
+        upright.map(|model| model.on(asperities)).collect()
     }
 
     /// Theories of the whole surface, without asperities: they have values at loads, and, elastic
@@ -152,8 +199,11 @@ impl Model {
     #[must_use]
     pub fn named() -> Vec<Self> {
         let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
-        let hardening = Self::hardening().iter().map(Self::random).collect();
-        [equal.concat(), Self::flow(), Self::all_random(), hardening].concat()
+        let others: [Vec<Self>; 2] = Asperities::OTHERS.map(|asperities| {
+            let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
+            Self::all_on(asperities).into_iter().chain(hardening).collect()
+        });
+        [equal.concat(), Self::flow(), others.concat()].concat()
     }
 }
 
@@ -222,7 +272,10 @@ impl FromStr for Model {
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
         let models = Self::named();
-        let wanted = name.trim().to_lowercase();
+        let wanted = match name.trim().to_lowercase() {
+            greenwood_tripp if greenwood_tripp == "gt" => "gw-pairs".into(),
+            id => id,
+        };
         #[cfg(not(feature = "bem"))]
         if wanted == crate::recommended::BEM {
             let reason = "asperity is compiled without bem; add its feature bem".into();
@@ -266,6 +319,22 @@ mod tests {
         let cosine: Model = "jg-cosine-random".parse().unwrap();
         let [hardness, random] = cosine.variant()[..] else { panic!("{:?}", cosine.variant()) };
         assert!(hardness.starts_with("the hardness") && random.starts_with("averaged over"));
+    }
+
+    #[test]
+    fn a_model_of_your_own_has_laws_on_other_asperities() {
+        use crate::{Interface, Quantity, Request, Scene, Surface};
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        let request = Request::new([Quantity::Force]).at([1.0]);
+        let force = |model: &Model| {
+            model.solve(&scene, &request).unwrap().values(Quantity::Force).unwrap()[0]
+        };
+        let own = Model::new(GreenwoodWilliamson).pairs();
+        assert_eq!((own.id(), own.asperities()), ("gw-pairs", Asperities::Pairs));
+        let known: Model = "GT".parse().unwrap();
+        assert!((force(&own) / force(&known) - 1.0).abs() < 1e-15);
+        assert_eq!(known.equal().id(), "gw");
+        assert!(own.options().is_none() && known.options().is_some());
     }
 
     #[test]

@@ -7,7 +7,7 @@ use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
-use super::Model;
+use super::{Asperities, Model};
 use crate::{ContactError, ContactModel, Described};
 
 /// A model with options that can be written and read.
@@ -45,17 +45,21 @@ impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for 
     }
 }
 
-/// Options of the laws on a random surface.
+/// Options of the laws on other asperities than equal ones.
 #[derive(Debug)]
-pub(super) struct Random(pub(super) Arc<Model>);
+pub(super) struct Rearranged {
+    pub(super) equal: Arc<Model>,
+    pub(super) asperities: Asperities,
+}
 
-impl Configurable for Random {
+impl Configurable for Rearranged {
     fn options(&self) -> Value {
-        self.0.options().unwrap_or_default()
+        self.equal.options().unwrap_or_default()
     }
 
     fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
-        self.0.with_options(options).map(|model| model.random()).map_err(serde_json::Error::custom)
+        let equal = self.equal.with_options(options).map_err(serde_json::Error::custom)?;
+        Ok(equal.on(self.asperities))
     }
 }
 

@@ -1,8 +1,8 @@
 //! The page of definitions has every quantity, with the unit and the models that the code has.
 
 use asperity::{
-    At, ContactError, ContactModel, Datum, Described, Interface, Model, Quantity, Request, Scene,
-    Separation, SeparationUnit, Surface,
+    Asperities, At, ContactError, ContactModel, Datum, Described, Interface, Model, Quantity,
+    Request, Scene, Separation, SeparationUnit, Surface,
 };
 
 const PAGE: &str = include_str!("../../DEFINITIONS.md");
@@ -68,7 +68,8 @@ fn every_quantity_names_the_models_that_have_it() {
         Model::whole_surface().into_iter().partition(|model| model.validity().holds_to.is_none());
     let groups = [
         ([upright, Model::adhesive()].concat(), &["all", "asperities", "upright"][..]),
-        (Model::all_random(), &["all", "asperities"]),
+        (Model::all_on(Asperities::Random), &["all", "asperities"]),
+        (Model::all_on(Asperities::Pairs), &["all", "asperities", "upright"]),
         (inclined, &["all", "asperities"]),
         (elastic, &["all", "persson"]),
         (yielding, &["all", "persson-plastic"]),

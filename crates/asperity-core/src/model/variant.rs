@@ -1,0 +1,106 @@
+//! The laws of a model on asperities that are distributed otherwise than in GW.
+
+use std::sync::Arc;
+
+use crate::{
+    AsperityModel, Citation, ContactError, ContactModel, Described, Finding, HeightDistribution,
+    Validity,
+};
+
+/// A model whose laws are averaged over other asperities than those of one radius under a flat:
+/// `ke` becomes `ke-random` or `ke-pairs`.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    model: Arc<dyn ContactModel>,
+    word: &'static str,
+    id: String,
+    name: String,
+    differs: &'static str,
+    what: &'static str,
+    /// What the variant states of its laws, by default what the model does.
+    pub validity: Validity,
+}
+
+impl Variant {
+    /// The variant of this word, which ends its id and its name: how it `differs` from the model,
+    /// and `what` a model cannot give that is refused ("averages over ..").
+    #[must_use]
+    pub fn new(
+        model: impl ContactModel + 'static,
+        word: &'static str,
+        differs: &'static str,
+        what: &'static str,
+    ) -> Self {
+        let (id, name) = (format!("{}-{word}", model.id()), format!("{} {word}", model.name()));
+        let validity = model.validity();
+        Self { model: Arc::new(model), word, id, name, differs, what, validity }
+    }
+
+    /// The model whose laws these are.
+    #[must_use]
+    pub fn model(&self) -> &dyn ContactModel {
+        &*self.model
+    }
+
+    /// The laws of one upright asperity without adhesion, to be averaged over Gaussian heights.
+    ///
+    /// # Errors
+    /// [`ContactError::Unsupported`] for other models and for other heights.
+    pub fn laws(&self, heights: &HeightDistribution) -> Result<&dyn AsperityModel, ContactError> {
+        let Validity { adhesive, angles, .. } = self.validity;
+        let Some(model) = self.model.asperity_model() else {
+            return Err(self.refused("it has no law of one asperity"));
+        };
+        let reason = match heights {
+            _ if adhesive => "adhesion changes with the radius",
+            _ if angles => "contacts are inclined",
+            HeightDistribution::Gaussian => return Ok(model),
+            _ => "heights must be Gaussian",
+        };
+        Err(self.refused(&format!("{reason}; {}", self.advice())))
+    }
+
+    /// What to do where the variant is refused.
+    #[must_use]
+    pub fn advice(&self) -> String {
+        format!("set asperities = \"equal\" in [surface] and use a model without -{}", self.word)
+    }
+
+    fn refused(&self, reason: &str) -> ContactError {
+        let what = format!("{}: {reason}", self.what);
+        ContactError::Unsupported { model: self.model.id().into(), what }
+    }
+}
+
+/// A model that is a variant of another: what it states of itself is that of the other.
+pub trait IsVariant: std::fmt::Debug + Send + Sync {
+    /// The variant.
+    fn of(&self) -> &Variant;
+}
+
+impl<V: IsVariant> Described for V {
+    fn citation(&self) -> &Citation {
+        self.of().model.citation()
+    }
+
+    fn id(&self) -> &str {
+        &self.of().id
+    }
+
+    fn name(&self) -> &str {
+        &self.of().name
+    }
+
+    fn variant(&self) -> Vec<&'static str> {
+        let Variant { model, differs, .. } = self.of();
+        [model.variant(), vec![*differs]].concat()
+    }
+
+    fn validity(&self) -> Validity {
+        self.of().validity
+    }
+
+    fn notes(&self) -> Vec<Finding> {
+        self.of().model.notes()
+    }
+}

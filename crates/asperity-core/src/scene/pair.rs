@@ -1,0 +1,67 @@
+//! The asperities of two rough surfaces, each by itself.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Scene, Surface};
+
+/// The asperities of two rough surfaces that face each other, each by itself: for models of pairs.
+/// Other models use [`Scene::surface`] alone.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct Pair {
+    /// Radius, density and height standard deviation of the asperities of each surface.
+    pub surfaces: [Surface; 2],
+    /// How far the means of the asperity heights lie above the mean planes of their surfaces, both
+    /// together \[m\], if measured; by default those of isotropic Gaussian surfaces.
+    #[serde(default)]
+    pub mean_plane_offset: Option<f64>,
+}
+
+impl Pair {
+    /// Two surfaces, in either order.
+    #[must_use]
+    pub fn new(first: Surface, second: Surface) -> Self {
+        Self { surfaces: [first, second], mean_plane_offset: None }
+    }
+
+    /// The height of both together above their mean planes \[m\], measured or of isotropic
+    /// Gaussian surfaces.
+    #[must_use]
+    pub fn mean_plane_offset(&self) -> f64 {
+        let gaussian = || self.surfaces.iter().map(Surface::mean_plane_offset).sum();
+        self.mean_plane_offset.unwrap_or_else(gaussian)
+    }
+
+    /// This pair where the surface that stands for it has changed from one to another: radii,
+    /// densities and heights of both change by the same factors.
+    #[must_use]
+    pub fn scaled(&self, from: &Surface, to: &Surface) -> Self {
+        let of = |own: Surface| {
+            Surface::new(
+                own.asperity_radius * (to.asperity_radius / from.asperity_radius),
+                own.asperity_density * (to.asperity_density / from.asperity_density),
+                own.asperity_height_std * (to.asperity_height_std / from.asperity_height_std),
+            )
+        };
+        Self { surfaces: self.surfaces.map(of), mean_plane_offset: None }
+    }
+}
+
+impl Scene {
+    /// The asperities of both surfaces: those given as [`pair`](Self::pair), or two like surfaces
+    /// with the radius and density of [`surface`](Self::surface), whose `asperity_height_std` is
+    /// that of the sum of both heights.
+    #[must_use]
+    pub fn both_surfaces(&self) -> Pair {
+        self.pair.unwrap_or_else(|| {
+            let Surface { asperity_radius, asperity_density, asperity_height_std } = self.surface;
+            let std = FRAC_1_SQRT_2 * asperity_height_std;
+            let one = Surface::new(asperity_radius, asperity_density, std);
+            let mean_plane_offset = self.mean_plane_offset.map(|offset| 2.0 * offset);
+            Pair { surfaces: [one; 2], mean_plane_offset }
+        })
+    }
+}

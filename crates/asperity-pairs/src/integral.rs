@@ -1,0 +1,79 @@
+//! The integral of a law from its onset.
+
+use std::sync::Arc;
+
+use asperity_core::{Formula, FunctionKey, Law, Part, Power, ShareParts};
+
+use crate::antiderivative::Antiderivative;
+
+/// ∫ q dw from the onset of a law, in its units. On each range of the law, it is that of the part
+/// there and what the parts before it have gathered; shares are those of the parts by themselves.
+pub(crate) fn integral(law: Law) -> Law {
+    let follows = |pair: &[Part]| pair[0].range.end.total_cmp(&pair[1].range.start).is_eq();
+    let ends = law.parts.last().is_none_or(|part| part.range.end == f64::INFINITY);
+    let parts = if ends && law.parts.windows(2).all(follows) && !law.is_signed() {
+        let mut before = 0.0;
+        let gather = |part: &Part| {
+            let (form, whole) = grown(part, before);
+            before += whole;
+            Part { form, ..part.clone() }
+        };
+        law.parts.iter().map(gather).collect()
+    } else {
+        separate(&law)
+    };
+    Law {
+        interference_unit: law.interference_unit,
+        value_unit: law.value_unit * law.interference_unit,
+        onset: law.onset,
+        parts,
+        shares: Some(ShareParts { of: Arc::new(law), parts: separate }),
+    }
+}
+
+/// The integral of each part, which keeps its value beyond the end of the part.
+fn separate(law: &Law) -> Vec<Part> {
+    let both = |part: &Part| {
+        let (form, whole) = grown(part, 0.0);
+        let end = part.range.end;
+        let kept = Part {
+            range: end..f64::INFINITY,
+            kinks: vec![],
+            form: [Power::new(whole, 0.0)].into(),
+            ..part.clone()
+        };
+        [Some(Part { form, ..part.clone() }), end.is_finite().then_some(kept)]
+    };
+    law.parts.iter().flat_map(both).flatten().collect()
+}
+
+/// The integral of a part on its range, from this value, and what it gains there.
+fn grown(part: &Part, before: f64) -> (Formula, f64) {
+    let (start, end) = (part.range.start, part.range.end);
+    match &part.form {
+        Formula::Powers(powers) => {
+            let integral = |power: &Power| {
+                let exponent = power.exponent + 1.0;
+                Power { coefficient: power.coefficient / exponent, exponent, ..*power }
+            };
+            let mut grown: Vec<Power> = powers.iter().map(integral).collect();
+            let at = |x: f64| grown.iter().map(|power| power.value(x)).sum::<f64>();
+            let (first, last) = (at(start), at(end));
+            if before != first {
+                grown.push(Power::new(before - first, 0.0));
+            }
+            (Formula::Powers(grown), last - first)
+        }
+        Formula::Function { key, .. } => {
+            let integral = Antiderivative::new(part, before);
+            let whole = if end.is_finite() { integral.gain(end) } else { end };
+            let key = key.as_ref().map(|key| FunctionKey {
+                name: format!("integral of {}", key.name).into(),
+                of: format!("{key:?}"),
+                parameters: [&[start, before], &*part.kinks].concat(),
+            });
+            let form = Formula::sampled(Arc::new(integral));
+            (key.into_iter().fold(form, Formula::with_key), whole)
+        }
+    }
+}

@@ -1,0 +1,10 @@
+#![doc = include_str!("../README.md")]
+
+mod antiderivative;
+mod contacts;
+mod integral;
+mod model;
+#[cfg(test)]
+mod tests;
+
+pub use model::AsperityPairs;

@@ -1,0 +1,74 @@
+"""Asperities of two rough surfaces, and laws that depend on the density."""
+
+from __future__ import annotations
+
+import math
+
+import asperity
+import numpy as np
+import pytest
+
+INTERFACE = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+SURFACE = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+PAIRS = {"asperities": "pairs"}
+SCENE = asperity.Scene(INTERFACE, SURFACE, 3e-5)
+
+
+def force(scene: asperity.Scene, model: str, separation: float) -> float:
+    return float(asperity.model(model).solve(scene, separation).force)
+
+
+def test_the_option_the_name_and_greenwood_tripp_are_the_same() -> None:
+    pairs = asperity.Scene(INTERFACE, SURFACE, 3e-5, options=PAIRS)
+    assert pairs.models()[0] == "gw-pairs"
+    assert force(pairs, "gw", 1.0) == force(SCENE, "gt", 1.0) == force(SCENE, "gw-pairs", 1.0)
+    assert asperity.Scene.parse(pairs.to_toml()).options == PAIRS
+    # Two surfaces of one height std each.
+    each = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+    both = each.replace(asperity_height_std=math.sqrt(2) * each.asperity_height_std)
+    found, wanted = (force(asperity.Scene(INTERFACE, of, 3e-5), "ke-pairs", 1.0) for of in (each, both))
+    assert found == pytest.approx(wanted, rel=1e-12)
+
+
+class Scaled:
+    """Hertz' law times the density."""
+
+    name = "scaled"
+    uses_density = True
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        assert one.density is not None
+        self.unit = 4 / 3 * one.equivalent_modulus * one.radius**0.5 * one.density
+        self.radius = one.radius
+
+    def force(self, w: np.ndarray) -> np.ndarray:
+        return self.unit * w**1.5
+
+    def area(self, w: np.ndarray) -> np.ndarray:
+        return math.pi * self.radius * w
+
+
+class Plain(Scaled):
+    """Hertz' law."""
+
+    name = "plain"
+    uses_density = False
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        assert one.density is None
+        self.unit = 4 / 3 * one.equivalent_modulus * one.radius**0.5
+        self.radius = one.radius
+
+
+def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:
+    for density in (1e8, 2e8):
+        scene = SCENE.replace(asperity_density=density)
+        scaled, plain = (float(asperity.model(law).solve(scene, 1.0).force) for law in (Scaled, Plain))
+        assert scaled / plain == pytest.approx(density, rel=1e-10)
+
+
+def test_a_law_of_your_own_has_pairs() -> None:
+    pairs = asperity.Scene(INTERFACE, SURFACE, 3e-5, options=PAIRS)
+    for separation in (0.0, 1.0, 3.0):
+        found = float(asperity.model(Plain).solve(pairs, separation).force)
+        assert found == pytest.approx(force(SCENE, "gt", separation), rel=1e-10)
