@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene, Separation,
-    SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
+    Asperities, Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene,
+    Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
 
@@ -189,6 +189,12 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
     let measured = file.measured.as_ref().map(|found| found.statistics.sq);
     let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
     file.scene.surface_height_std = measured.or_else(given);
+    // Two like surfaces, of which one is described.
+    if options.asperities == Asperities::Pairs && !document.has(COUNTERFACE) {
+        let variance = file.scene.surface_height_std().powi(2);
+        file.counter_variance = variance;
+        file.scene.surface_height_std = Some((2.0 * variance).sqrt());
+    }
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.number(&joined(section, "peklenik_number"))?;
     }

@@ -25,5 +25,7 @@ pub(crate) fn of_contacts(scene: &Scene) -> Result<Scene, ContactError> {
     let mut like = Pair::new(like, like);
     (own.mean_plane_offset, like.mean_plane_offset) = (offset, offset);
     own.pair = Some(like);
+    let variances = pair.surfaces.iter().map(|surface| surface.moments().m0);
+    own.surface_height_std = Some(variances.sum::<f64>().sqrt());
     Ok(own)
 }

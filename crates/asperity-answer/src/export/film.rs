@@ -19,9 +19,10 @@ impl Export<'_> {
     /// The table at films of equal distances; fills a sheet in SI units.
     pub(super) fn film_text(&self, sheet: &mut Sheet) -> Outcome<String> {
         let (file, units) = (self.subject.file, self.units.units());
-        let scene = &file.scene;
         let request = Request::new(OF_CONTACT).within(self.subject.tolerance);
-        let contact = self.subject.model.compile(scene, &request)?;
+        let contact = self.subject.model.compile(&file.scene, &request)?;
+        // That of both surfaces, for models of pairs.
+        let scene = contact.scene();
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
         let flow = file.model(FLOW)?.compile(scene, &Request::new(factors))?;
         let (ratio, mean) = (SeparationUnit::SurfaceStd, Datum::SurfaceMean);
@@ -39,7 +40,7 @@ impl Export<'_> {
         let names = columns().map(|(_, quantity)| quantity.column());
         sheet.heads = ["film_m".into(), "lambda".into()].into_iter().chain(names).collect();
         let sigma = scene.surface_height_std();
-        let mut text = self.film_head()?;
+        let mut text = self.film_head(sigma)?;
         text += &sheet
             .heads
             .join(",")
@@ -69,13 +70,12 @@ impl Export<'_> {
     }
 
     /// The comments at the head of the table.
-    fn film_head(&self) -> Outcome<String> {
+    fn film_head(&self, sigma: f64) -> Outcome<String> {
         let (file, units) = (self.subject.file, self.units.units());
         let (scene, length) = (&file.scene, units.per_metre);
         let asperity::Surface { asperity_radius, asperity_density, asperity_height_std, .. } =
             scene.surface;
         let flow = file.flow(&file.options)?;
-        let sigma = scene.surface_height_std();
         let [moving, resting] = flow.peklenik_numbers;
         let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), self.subject.id);
         let numbers = [
