@@ -8,6 +8,8 @@ mod check;
 mod document;
 mod error;
 mod evidence;
+mod finish;
+mod finishes;
 mod fit;
 mod free;
 mod heights;
@@ -31,6 +33,7 @@ mod small_scan;
 mod surface;
 mod template;
 mod text_file;
+mod unknowns;
 mod write;
 
 pub use check::Measured;
@@ -53,5 +56,6 @@ pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};
+pub use unknowns::Unknown;
 /// The value of an option.
 pub use toml::Value as OptionValue;

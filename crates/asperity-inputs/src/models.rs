@@ -31,6 +31,9 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
+        if let Some(reason) = self.open_reason() {
+            return Err(SceneError::Refused { at: Place::field("surface").into(), reason });
+        }
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
             _ => {
@@ -73,11 +76,9 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        if let Some(reason) = self.no_asperities.as_ref().filter(|_| model.validity().asperities) {
-            return Some(ContactError::Refused {
-                model: model.id().into(),
-                reason: reason.clone(),
-            });
+        let no_asperities = self.no_asperities.clone().filter(|_| model.validity().asperities);
+        if let Some(reason) = self.open_reason().or(no_asperities) {
+            return Some(ContactError::Refused { model: model.id().into(), reason });
         }
         model.compile(&self.scene, &Request::new([Quantity::Force])).err()
     }
@@ -96,7 +97,8 @@ impl SceneFile {
                 continue;
             }
             let model = self.model_with(&plain, other.id()).unwrap_or(other);
-            let refused = self.refusal(&model).filter(|_| self.no_asperities.is_some());
+            let refuses = self.no_asperities.is_some() || !self.spreads().is_empty();
+            let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),
                 Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),

@@ -135,6 +135,7 @@ impl SceneFile {
             stated: vec![],
             warnings: Findings::default(),
             scan: self.scan.clone().filter(|_| same),
+            faces: if same { self.faces.clone() } else { vec![] },
             ..self.clone()
         })
     }

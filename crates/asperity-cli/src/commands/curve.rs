@@ -3,7 +3,7 @@
 
 use anyhow::{Context, Result};
 use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
+use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -77,8 +77,8 @@ impl Curve {
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
         let request = self.asked.request(&scene.file, &separations, &USUAL);
-        let (sheet, ()) =
-            scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
+        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
     }
 

@@ -1,0 +1,214 @@
+//! Answers on a surface that is known within ranges: every number with its lower and upper end.
+
+use asperity::{Quantity, Severity, short};
+use asperity_inputs::SceneFile;
+
+use crate::inquiry::{ENDS, column_beside};
+use crate::{AnswerError, Cell, Sheet};
+
+/// Stiffnesses, which waviness beyond the cut-off of the profile lowers.
+const STIFFNESSES: [Quantity; 3] =
+    [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
+/// What each unknown is narrowed by.
+const NARROWED: [(&str, &str); 3] = [
+    ("rq", "give `rq` as measured"),
+    ("mean_slope", "`rdq`, `rz` with `rsm`, or a scan would narrow it"),
+    ("bandwidth", "`bandwidth` or a scan would narrow it"),
+];
+
+/// Fills a sheet for a scene. Where numbers of its surface are known within ranges, it is filled in
+/// the middle of the ranges and at every combination of their ends; each number that differs there
+/// gets the smallest and the largest of these as columns `_lower` and `_upper`, and is blank if it
+/// is missing at an end. Findings say which unknown makes the ranges wide.
+///
+/// # Errors
+/// Those of `fill`, in the middle or at an end.
+pub fn with_ranges<T, E: From<AnswerError>>(
+    file: &SceneFile,
+    sheet: &mut Sheet,
+    fill: impl Fn(&SceneFile, &mut Sheet) -> Result<T, E>,
+) -> Result<T, E> {
+    if file.spreads().is_empty() {
+        return fill(file, sheet);
+    }
+    let (middle, corners) = file.corners().map_err(AnswerError::from)?;
+    let found = fill(&middle, sheet)?;
+    let mut ends = Ends { file, sheets: vec![] };
+    for corner in &corners {
+        let mut at_corner = Sheet::default();
+        fill(corner, &mut at_corner)?;
+        if at_corner.rows.len() != sheet.rows.len() {
+            let text = "the number of rows differs between the ends of the ranges of the surface";
+            return Err(AnswerError::from(text).into());
+        }
+        ends.sheets.push(at_corner);
+    }
+    ends.add_findings(sheet);
+    ends.add_columns(sheet);
+    Ok(found)
+}
+
+/// The sheets at the ends of the ranges.
+struct Ends<'a> {
+    file: &'a SceneFile,
+    sheets: Vec<Sheet>,
+}
+
+/// How a value answers to the unknowns: the ratio of its ends, and that due to each unknown.
+#[derive(Clone, Default)]
+struct Width {
+    total: f64,
+    /// Logarithms.
+    of_unknowns: Vec<f64>,
+}
+
+impl Ends<'_> {
+    /// The numbers of a cell at the ends and in the middle; none if one of them is missing.
+    fn numbers(&self, sheet: &Sheet, row: usize, column: usize) -> Option<Vec<f64>> {
+        let all = self.sheets.iter().chain([sheet]);
+        all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
+    }
+
+    /// Adds the ends of every column whose numbers differ, unless it has such columns, which then
+    /// hold the ends of all.
+    fn add_columns(&self, sheet: &mut Sheet) {
+        let columns = sheet.heads.len();
+        let own = |head: &str, end| sheet.column(&head_of_end(head, end));
+        let differs = |column: usize| {
+            (0..sheet.rows.len()).any(|row| {
+                let number = |sheet: &Sheet| sheet.rows[row][column].number().map(f64::to_bits);
+                self.sheets.iter().any(|end| number(end) != number(sheet))
+            })
+        };
+        // The column of the value, and its end, of a column that has ends already.
+        let value_of = |column: usize| {
+            (0..columns).find_map(|value| {
+                let is_one = |end: &usize| own(&sheet.heads[value], ENDS[*end]) == Some(column);
+                Some((value, (0..2).find(is_one)?))
+            })
+        };
+        let (mut heads, mut rows) = (vec![], vec![vec![]; sheet.rows.len()]);
+        let mut blank = 0;
+        for column in 0..columns {
+            let head = &sheet.heads[column];
+            let (value, beside) = (value_of(column), own(head, ENDS[0]).is_some());
+            let adds = value.is_none() && !beside && differs(column);
+            heads.push(head.clone());
+            if adds {
+                heads.extend(ENDS.map(|end| head_of_end(head, end)));
+            }
+            for (k, row) in rows.iter_mut().enumerate() {
+                let cell = &sheet.rows[k][column];
+                let numbers = self.numbers(sheet, k, column).or_else(|| {
+                    let (value, _) = value?;
+                    self.numbers(sheet, k, value)
+                });
+                let ends = numbers.map(|all| {
+                    [all.iter().copied().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+                });
+                match (value, ends) {
+                    (Some((_, end)), ends) => row.push(Cell::from(ends.map(|ends| ends[end]))),
+                    (None, None) if adds && cell.number().is_some() => {
+                        blank += 1;
+                        row.push(Cell::Blank(Some(NO_RANGE.into())));
+                    }
+                    _ => row.push(cell.clone()),
+                }
+                if adds {
+                    row.extend([0, 1].map(|end| Cell::from(ends.map(|ends| ends[end]))));
+                }
+            }
+        }
+        (sheet.heads, sheet.rows) = (heads, rows);
+        if blank > 0 {
+            sheet.warn("no-value", format!("{blank} values are blank: {NO_RANGE}"));
+        }
+    }
+
+    /// The widest value of a column of positive numbers.
+    fn width(&self, sheet: &Sheet, column: usize) -> Option<Width> {
+        let unknowns = self.file.spreads().len();
+        let of_row = |row: usize| {
+            let numbers = self.numbers(sheet, row, column)?;
+            let logs: Vec<f64> = numbers.into_iter().map(f64::ln).collect();
+            let corners = logs.get(..logs.len() - 1)?;
+            let effect = |unknown: usize| {
+                let side = |k: usize| if (k >> unknown) & 1 == 1 { 1.0 } else { -1.0 };
+                let sum: f64 = corners.iter().enumerate().map(|(k, log)| side(k) * log).sum();
+                (2.0 * sum / corners.len() as f64).abs()
+            };
+            let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let least = logs.iter().copied().fold(f64::INFINITY, f64::min);
+            let of_unknowns = (0..unknowns).map(effect).collect();
+            let width = Width { total: most - least, of_unknowns };
+            // Places are the same at all ends.
+            Some(width).filter(|of| of.total.is_finite() && of.total > SAME)
+        };
+        let rows = (0..sheet.rows.len()).filter_map(of_row);
+        rows.max_by(|a, b| a.total.total_cmp(&b.total))
+    }
+
+    /// Says which unknown makes the ranges wide, and the shares of all; passes on warnings that the
+    /// middle does not have.
+    fn add_findings(&self, sheet: &mut Sheet) {
+        let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
+        for found in at_ends.filter(|found| found.severity < Severity::Note) {
+            if sheet.findings.iter().all(|known| known.code != found.code) {
+                sheet.findings.push(found.clone().from_origin(AT_AN_END));
+            }
+        }
+        let spreads = self.file.spreads();
+        let columns = sheet.heads.iter().enumerate().filter_map(|(column, head)| {
+            let quantity = Quantity::ALL.into_iter().find(|one| one.column() == *head)?;
+            Some((quantity, self.width(sheet, column)?))
+        });
+        let widths: Vec<(Quantity, Width)> = columns.collect();
+        let sum = |k: usize| widths.iter().map(|(_, width)| width.of_unknowns[k]).sum::<f64>();
+        let widest = (0..spreads.len()).max_by(|a, b| sum(*a).total_cmp(&sum(*b)));
+        let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
+        let (name, spread) = spreads[k];
+        let ratio = |log: f64| short((10.0 * log.exp()).round() / 10.0);
+        let each = widths.iter().map(|(quantity, width)| {
+            format!("`{quantity}` {}", ratio(width.of_unknowns[k]))
+        });
+        let narrowed = NARROWED.iter().find(|(known, _)| *known == name).map_or("", |of| of.1);
+        let each = each.collect::<Vec<_>>().join(", ");
+        let text = format!("`{name}` is known within a factor of {}, which makes a factor of {each}; {narrowed}", ratio(spread.ln()));
+        sheet.note("unknown-surface", text);
+        let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
+            let all: f64 = of_unknowns.iter().sum();
+            let share = |((name, _), of): (&(&str, f64), &f64)| {
+                format!("`{name}` {:.0} %", 100.0 * of / all)
+            };
+            let shares = spreads.iter().zip(of_unknowns).map(share).collect::<Vec<_>>().join(", ");
+            format!("`{quantity}` {} ({shares})", ratio(*total))
+        });
+        let shares = shares.collect::<Vec<_>>().join("; ");
+        let text = format!("largest ratio of upper to lower end, and the shares of the unknowns in it: {shares}");
+        sheet.note("unknown-surface", text);
+        if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
+            let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
+            sheet.note("waviness", text);
+        }
+        if self.file.unknowns().all(|(section, _)| section == "surface") {
+            let text = "the other surface is taken as smooth; describe it as `counterface` if it is rough, too";
+            sheet.note("smooth-counterface", text);
+        }
+    }
+}
+
+/// The logarithm of the ratio of two numbers that differ by their error only.
+const SAME: f64 = 1e-9;
+const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
+const AT_AN_END: &str = "at an end of the ranges of the surface";
+
+/// The name of a column with an end of another: `area_lower` of `area_m2`, as of corrected models,
+/// and `separation_lower_m`.
+fn head_of_end(head: &str, end: &str) -> String {
+    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
+    match (quantity, head.strip_suffix("_m")) {
+        (Some(quantity), _) => column_beside(quantity, end),
+        (None, Some(length)) => format!("{length}_{end}_m"),
+        (None, None) => format!("{head}_{end}"),
+    }
+}

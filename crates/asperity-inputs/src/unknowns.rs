@@ -1,0 +1,151 @@
+//! Surfaces whose numbers are known within ranges, and the scenes at the ends of these.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+
+use asperity::{ContactError, ProfileMoments, Surface};
+
+use crate::SceneFile;
+
+/// The names of the unknowns of a surface.
+pub(crate) const NAMES: [&str; 3] = ["rq", "mean_slope", "bandwidth"];
+
+/// A number of a surface that is known within a range.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Unknown {
+    /// `rq` \[m\], `mean_slope` (of the isotropic surface with the same rms gradient) or
+    /// `bandwidth`.
+    pub name: &'static str,
+    /// Lower end, geometric mean and upper end.
+    pub range: [f64; 3],
+    /// What the range rests on: `given`, `formula`, `scan` or `assumed`.
+    pub status: &'static str,
+    /// Where the range comes from.
+    pub source: String,
+}
+
+impl Unknown {
+    pub(crate) fn new(
+        name: &'static str,
+        [lower, upper]: [f64; 2],
+        status: &'static str,
+        source: String,
+    ) -> Self {
+        Self { name, range: [lower, (lower * upper).sqrt(), upper], status, source }
+    }
+
+    pub(crate) fn given(name: &'static str, value: f64, source: &str) -> Self {
+        Self { range: [value; 3], ..Self::new(name, [value; 2], "given", source.into()) }
+    }
+}
+
+/// One rough surface with its unknowns, in the order of [`NAMES`].
+#[derive(Debug, Clone)]
+pub(crate) struct Face {
+    /// The section of its keys.
+    pub(crate) section: &'static str,
+    pub(crate) unknowns: [Unknown; 3],
+}
+
+/// Where each unknown of the faces is taken: 0 at its lower end, 1 in the middle, 2 at its upper
+/// end.
+type Place = [usize; 3];
+const MIDDLE: Place = [1; 3];
+
+impl Face {
+    /// A surface whose moments are known.
+    pub(crate) fn known(section: &'static str, moments: &ProfileMoments) -> Self {
+        let values = [moments.m0.sqrt(), (FRAC_2_PI * moments.m2).sqrt(), moments.bandwidth()];
+        let given = |k: usize| Unknown::given(NAMES[k], values[k], "the numbers of the surface");
+        Self { section, unknowns: [0, 1, 2].map(given) }
+    }
+
+    fn moments(&self, at: Place) -> ProfileMoments {
+        let [rq, slope, bandwidth] = [0, 1, 2].map(|k| self.unknowns[k].range[at[k]]);
+        let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
+        ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) }
+    }
+}
+
+/// The moments of all faces together.
+fn moments(faces: &[Face], at: Place) -> ProfileMoments {
+    let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
+    faces.iter().fold(none, |sum, face| sum.plus(&face.moments(at)))
+}
+
+/// The surface that faces in the middle of their ranges make together.
+///
+/// # Errors
+/// Those of [`Surface::from_moments`].
+pub(crate) fn middle(faces: &[Face]) -> Result<Surface, ContactError> {
+    Surface::from_moments(&moments(faces, MIDDLE))
+}
+
+impl SceneFile {
+    /// The numbers of the surfaces that are known within ranges or given beside such, each with the
+    /// section of its surface; none where the surface is described otherwise.
+    pub fn unknowns(&self) -> impl Iterator<Item = (&'static str, &Unknown)> {
+        self.faces.iter().flat_map(|face| face.unknowns.iter().map(|one| (face.section, one)))
+    }
+
+    /// The unknowns that have a range, as places in the list of names.
+    fn open(&self) -> Vec<usize> {
+        let is_open = |k: &usize| {
+            self.faces.iter().any(|face| face.unknowns[*k].range[0] < face.unknowns[*k].range[2])
+        };
+        (0..NAMES.len()).filter(is_open).collect()
+    }
+
+    /// The names of the unknowns that have a range, each with the ratio of its ends on both
+    /// surfaces together; none where the surface is known.
+    #[must_use]
+    pub fn spreads(&self) -> Vec<(&'static str, f64)> {
+        let spread = |k: usize| {
+            let [lower, upper] = [0, 2].map(|end| {
+                let mut at = MIDDLE;
+                at[k] = end;
+                let found = moments(&self.faces, at);
+                [found.m0.sqrt(), found.m2.sqrt(), found.bandwidth()][k]
+            });
+            (NAMES[k], upper / lower)
+        };
+        self.open().into_iter().map(spread).collect()
+    }
+
+    /// The scene in the middle of the ranges, and then at each combination of their ends: of `k`
+    /// unknowns with a range 2ᵏ scenes, where bit `j` of the place is 1 at the upper end of
+    /// unknown `j` of [`spreads`](Self::spreads). Both surfaces vary together.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn corners(&self) -> Result<(Self, Vec<Self>), ContactError> {
+        let open = self.open();
+        let at = |place: Place| {
+            let surface = Surface::from_moments(&moments(&self.faces, place))?;
+            let mut file = Self { faces: vec![], ..self.clone() };
+            file.scene.surface = surface;
+            Ok(file)
+        };
+        let corner = |corner: usize| {
+            let mut place = MIDDLE;
+            for (bit, k) in open.iter().enumerate() {
+                place[*k] = 2 * ((corner >> bit) & 1);
+            }
+            at(place)
+        };
+        Ok((at(MIDDLE)?, (0..1 << open.len()).map(corner).collect::<Result<_, _>>()?))
+    }
+
+    /// Why an answer in single numbers is refused: some numbers of the surface have ranges.
+    pub(crate) fn open_reason(&self) -> Option<String> {
+        let spreads = self.spreads();
+        let names: Vec<String> = spreads.iter().map(|(name, _)| format!("`{name}`")).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "{} of the surface {} known within a range only, and this answer is a single number; `curve`, `check`, `conductance` and `recommend` answer with ranges, or give `rq`, `rdq` and `bandwidth`",
+                names.join(" and "),
+                if names.len() == 1 { "is" } else { "are" }
+            )
+        })
+    }
+}
