@@ -1,6 +1,6 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
-use asperity::{Quantity, Severity, short};
+use asperity::{Finding, Quantity, Severity, short};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::{ENDS, column_beside};
@@ -76,8 +76,11 @@ impl Ends<'_> {
         let own = |head: &str, end| sheet.column(&head_of_end(head, end));
         let differs = |column: usize| {
             (0..sheet.rows.len()).any(|row| {
-                let number = |sheet: &Sheet| sheet.rows[row][column].number().map(f64::to_bits);
-                self.sheets.iter().any(|end| number(end) != number(sheet))
+                let own = sheet.rows[row][column].number();
+                self.sheets.iter().any(|end| match (own, end.rows[row][column].number()) {
+                    (Some(own), Some(other)) => (own - other).abs() > SAME * own.abs(),
+                    (own, other) => own.is_some() != other.is_some(),
+                })
             })
         };
         // The column of the value, and its end, of a column that has ends already.
@@ -103,9 +106,7 @@ impl Ends<'_> {
                     let (value, _) = value?;
                     self.numbers(sheet, k, value)
                 });
-                let ends = numbers.map(|all| {
-                    [all.iter().copied().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
-                });
+                let ends = numbers.map(|all| [least(&all), most(&all)]);
                 match (value, ends) {
                     (Some((_, end)), ends) => row.push(Cell::from(ends.map(|ends| ends[end]))),
                     (None, None) if adds && cell.number().is_some() => {
@@ -137,10 +138,8 @@ impl Ends<'_> {
                 let sum: f64 = corners.iter().enumerate().map(|(k, log)| side(k) * log).sum();
                 (2.0 * sum / corners.len() as f64).abs()
             };
-            let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let least = logs.iter().copied().fold(f64::INFINITY, f64::min);
             let of_unknowns = (0..unknowns).map(effect).collect();
-            let width = Width { total: most - least, of_unknowns };
+            let width = Width { total: most(&logs) - least(&logs), of_unknowns };
             // Places are the same at all ends.
             Some(width).filter(|of| of.total.is_finite() && of.total > SAME)
         };
@@ -153,9 +152,17 @@ impl Ends<'_> {
     fn add_findings(&self, sheet: &mut Sheet) {
         let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
         for found in at_ends.filter(|found| found.severity < Severity::Note) {
-            if sheet.findings.iter().all(|known| known.code != found.code) {
+            let is_new = |known: &Finding| known.code != found.code;
+            if sheet.findings.iter().all(is_new) {
                 sheet.findings.push(found.clone().from_origin(AT_AN_END));
             }
+        }
+        let verdict =
+            |of: &Sheet| of.findings.iter().find(|found| found.code == "verdict").cloned();
+        let own = verdict(sheet);
+        let others = self.sheets.iter().filter_map(verdict);
+        if let Some(other) = others.into_iter().find(|other| Some(other) != own.as_ref()) {
+            sheet.findings.push(other.from_origin(AT_AN_END));
         }
         let spreads = self.file.spreads();
         let columns = sheet.heads.iter().enumerate().filter_map(|(column, head)| {
@@ -168,12 +175,15 @@ impl Ends<'_> {
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
         let (name, spread) = spreads[k];
         let ratio = |log: f64| short((10.0 * log.exp()).round() / 10.0);
-        let each = widths.iter().map(|(quantity, width)| {
-            format!("`{quantity}` {}", ratio(width.of_unknowns[k]))
-        });
+        let each = widths
+            .iter()
+            .map(|(quantity, width)| format!("`{quantity}` {}", ratio(width.of_unknowns[k])));
         let narrowed = NARROWED.iter().find(|(known, _)| *known == name).map_or("", |of| of.1);
         let each = each.collect::<Vec<_>>().join(", ");
-        let text = format!("`{name}` is known within a factor of {}, which makes a factor of {each}; {narrowed}", ratio(spread.ln()));
+        let text = format!(
+            "`{name}` is known within a factor of {}, and this alone changes by a factor {each}; {narrowed}",
+            ratio(spread.ln())
+        );
         sheet.note("unknown-surface", text);
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
             let all: f64 = of_unknowns.iter().sum();
@@ -184,7 +194,9 @@ impl Ends<'_> {
             format!("`{quantity}` {} ({shares})", ratio(*total))
         });
         let shares = shares.collect::<Vec<_>>().join("; ");
-        let text = format!("largest ratio of upper to lower end, and the shares of the unknowns in it: {shares}");
+        let text = format!(
+            "upper over lower end, at most, and the shares of the unknowns in this: {shares}"
+        );
         sheet.note("unknown-surface", text);
         if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
             let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
@@ -197,10 +209,18 @@ impl Ends<'_> {
     }
 }
 
-/// The logarithm of the ratio of two numbers that differ by their error only.
+/// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
 const AT_AN_END: &str = "at an end of the ranges of the surface";
+
+fn least(numbers: &[f64]) -> f64 {
+    numbers.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+fn most(numbers: &[f64]) -> f64 {
+    numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
 
 /// The name of a column with an end of another: `area_lower` of `area_m2`, as of corrected models,
 /// and `separation_lower_m`.

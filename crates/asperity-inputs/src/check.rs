@@ -144,11 +144,16 @@ impl SceneFile {
         GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
-    /// The derived numbers of the scene and, for a model, at a separation or load, with findings.
+    /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
+    /// the numbers of a surface that are known within ranges come first, and others have the ends
+    /// that follow from these.
     ///
     /// # Errors
     /// Those of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
+        if !self.spreads().is_empty() {
+            return self.check_ranges(place);
+        }
         let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => self.scene.check()?,

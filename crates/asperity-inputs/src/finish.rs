@@ -133,9 +133,8 @@ impl Drawing<'_> {
                 let ra = height.range[1] / 1.25;
                 Ok((height, ra))
             }
-            (None, None) => {
-                self.missing("ra", "a finish needs the height of the roughness: ra, rq or rz".into())
-            }
+            (None, None) => self
+                .missing("ra", "a finish needs the height of the roughness: ra, rq or rz".into()),
         }
     }
 
@@ -159,7 +158,10 @@ impl Drawing<'_> {
             None if self.finish.is_none() => {
                 return self.missing(
                     "finish",
-                    format!("a height leaves the slope open: {}; or rdq, mean_slope, or rz with rsm", one_finish()),
+                    format!(
+                        "a height leaves the slope open: {}; or rdq, mean_slope, or rz with rsm",
+                        one_finish()
+                    ),
                 );
             }
             None => {
@@ -228,7 +230,8 @@ impl Drawing<'_> {
             let value = self.number(key)?.filter(|_| !self.document.stated.contains(&self.at(key)));
             let hint = value.and_then(|value| Some((value, other_unit(key, value)?)));
             if let Some((value, hint)) = hint {
-                let fact = format!("{} = {} {hint}", self.document.place(&self.at(key)), short(value));
+                let fact =
+                    format!("{} = {} {hint}", self.document.place(&self.at(key)), short(value));
                 return Ok(Some(Finding::warning("unusual-size", key, value).fact(fact)));
             }
         }
@@ -248,7 +251,9 @@ impl Drawing<'_> {
             if !range.contains(ratio) {
                 let fact = format!(
                     "`rq` is {} times `ra`, and such surfaces have {} to {} (a sine has 1.11)",
-                    short(ratio), range.lower, range.upper
+                    short(ratio),
+                    range.lower,
+                    range.upper
                 );
                 warn("rq", rq, fact, "remove `rq` unless it was measured");
             }
@@ -267,7 +272,8 @@ impl Drawing<'_> {
             if ra < 0.9 * cusps {
                 let fact = format!(
                     "the cusps of `feed` and `nose_radius` have an Ra of {} um, more than the {} um of the surface",
-                    short(1e6 * cusps), short(1e6 * ra)
+                    short(1e6 * cusps),
+                    short(1e6 * ra)
                 );
                 warn("feed", feed, fact, "check `feed`, `nose_radius` and the roughness");
             }
@@ -277,7 +283,8 @@ impl Drawing<'_> {
 
     /// The key that gives the slope.
     fn slope_key(&self) -> &'static str {
-        let given = ["rdq", "mean_slope", "rsm"].into_iter().find(|key| self.document.has(&self.at(key)));
+        let given =
+            ["rdq", "mean_slope", "rsm"].into_iter().find(|key| self.document.has(&self.at(key)));
         given.unwrap_or("finish")
     }
 }

@@ -56,6 +56,8 @@ pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};
-pub use unknowns::Unknown;
+/// Keys of a section with their values.
+pub use toml::Table as Keys;
 /// The value of an option.
 pub use toml::Value as OptionValue;
+pub use unknowns::Unknown;

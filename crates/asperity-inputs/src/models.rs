@@ -31,9 +31,7 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
-        if let Some(reason) = self.open_reason() {
-            return Err(SceneError::Refused { at: Place::field("surface").into(), reason });
-        }
+        self.need_known()?;
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
             _ => {

@@ -135,7 +135,7 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
+pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
     let mut options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;

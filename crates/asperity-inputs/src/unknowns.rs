@@ -2,12 +2,19 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use asperity::{ContactError, ProfileMoments, Surface};
+use asperity::{At, Check, ContactError, ContactModel, ProfileMoments, Surface};
 
-use crate::SceneFile;
+use crate::{Place, SceneError, SceneFile};
 
 /// The names of the unknowns of a surface.
 pub(crate) const NAMES: [&str; 3] = ["rq", "mean_slope", "bandwidth"];
+/// Those of each surface among derived numbers.
+const DERIVED: [[&str; 3]; 2] = [
+    ["surface_rq", "surface_mean_slope", "surface_bandwidth"],
+    ["counterface_rq", "counterface_mean_slope", "counterface_bandwidth"],
+];
+/// Relative difference of numbers that are the same but for their errors.
+const SAME: f64 = 1e-9;
 
 /// A number of a surface that is known within a range.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,8 +56,8 @@ pub(crate) struct Face {
 
 /// Where each unknown of the faces is taken: 0 at its lower end, 1 in the middle, 2 at its upper
 /// end.
-type Place = [usize; 3];
-const MIDDLE: Place = [1; 3];
+type Corner = [usize; 3];
+const MIDDLE: Corner = [1; 3];
 
 impl Face {
     /// A surface whose moments are known.
@@ -60,7 +67,7 @@ impl Face {
         Self { section, unknowns: [0, 1, 2].map(given) }
     }
 
-    fn moments(&self, at: Place) -> ProfileMoments {
+    fn moments(&self, at: Corner) -> ProfileMoments {
         let [rq, slope, bandwidth] = [0, 1, 2].map(|k| self.unknowns[k].range[at[k]]);
         let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
         ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) }
@@ -68,7 +75,7 @@ impl Face {
 }
 
 /// The moments of all faces together.
-fn moments(faces: &[Face], at: Place) -> ProfileMoments {
+fn moments(faces: &[Face], at: Corner) -> ProfileMoments {
     let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
     faces.iter().fold(none, |sum, face| sum.plus(&face.moments(at)))
 }
@@ -120,7 +127,7 @@ impl SceneFile {
     /// [`ContactError`] naming the field that is out of range.
     pub fn corners(&self) -> Result<(Self, Vec<Self>), ContactError> {
         let open = self.open();
-        let at = |place: Place| {
+        let at = |place: Corner| {
             let surface = Surface::from_moments(&moments(&self.faces, place))?;
             let mut file = Self { faces: vec![], ..self.clone() };
             file.scene.surface = surface;
@@ -136,15 +143,66 @@ impl SceneFile {
         Ok((at(MIDDLE)?, (0..1 << open.len()).map(corner).collect::<Result<_, _>>()?))
     }
 
-    /// Why an answer in single numbers is refused: some numbers of the surface have ranges.
+    /// The scene in the middle of the ranges, and this scene without any.
+    ///
+    /// # Errors
+    /// Those of [`corners`](Self::corners).
+    pub fn middle(&self) -> Result<Self, ContactError> {
+        Ok(if self.faces.is_empty() { self.clone() } else { self.corners()?.0 })
+    }
+
+    /// The check of the scene in the middle of the ranges, with those of all numbers.
+    pub(crate) fn check_ranges(
+        &self,
+        place: Option<(&dyn ContactModel, At)>,
+    ) -> Result<Check, ContactError> {
+        let (middle, corners) = self.corners()?;
+        let mut check = middle.check(place)?;
+        let corners = corners.iter().map(|corner| corner.check(place));
+        let corners = corners.collect::<Result<Vec<_>, _>>()?;
+        for number in &mut check.numbers {
+            let found = corners.iter().filter_map(|corner| corner.number(number.name));
+            let [lower, upper] = found.fold([number.value; 2], |[lower, upper], value| {
+                [lower.min(value), upper.max(value)]
+            });
+            let differs = upper - lower > SAME * number.value.abs();
+            number.ends = differs.then_some([lower, upper]);
+        }
+        let mut given = Check::default();
+        for (face, names) in self.faces.iter().zip(DERIVED) {
+            for (unknown, name) in face.unknowns.iter().zip(names) {
+                let Unknown { range: [lower, middle, upper], status, source, .. } = unknown;
+                let unit = if unknown.name == NAMES[0] { "m" } else { "" };
+                given.add_number(name, *middle, unit, format!("{status}: {source}"));
+                if let Some(added) = given.numbers.last_mut() {
+                    added.ends = (lower < upper).then_some([*lower, *upper]);
+                }
+            }
+        }
+        given.numbers.append(&mut check.numbers);
+        check.numbers = given.numbers;
+        Ok(check)
+    }
+
+    /// Nothing where the surface is known; where it is known within ranges, an answer in single
+    /// numbers is refused.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] with the numbers that have ranges.
+    pub fn need_known(&self) -> Result<(), SceneError> {
+        match self.open_reason() {
+            Some(reason) => Err(SceneError::Refused { at: Place::field("surface").into(), reason }),
+            None => Ok(()),
+        }
+    }
+
     pub(crate) fn open_reason(&self) -> Option<String> {
-        let spreads = self.spreads();
-        let names: Vec<String> = spreads.iter().map(|(name, _)| format!("`{name}`")).collect();
+        let names: Vec<String> =
+            self.spreads().iter().map(|(name, _)| format!("`{name}`")).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "{} of the surface {} known within a range only, and this answer is a single number; `curve`, `check`, `conductance` and `recommend` answer with ranges, or give `rq`, `rdq` and `bandwidth`",
-                names.join(" and "),
-                if names.len() == 1 { "is" } else { "are" }
+                "known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth`",
+                names.join(", ")
             )
         })
     }

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
 use asperity::{At, Interface, nearest_hint, nearest_name};
-use asperity_answer::{Conductance as Question, Gas};
-use asperity_inputs::likely_angle;
+use asperity_answer::{Conductance as Question, Gas, Sheet, with_ranges};
+use asperity_inputs::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;
@@ -75,7 +75,10 @@ impl Conductance {
             gas: self.gas(),
         };
         let places: Vec<At> = loads(&self.load, &self.pressure).collect();
-        let (sheet, ()) = scene.answer(|sheet| question.answer(&places, sheet))?;
+        let fill = |file: &SceneFile, sheet: &mut Sheet| {
+            Question { file, ..question }.answer(&places, sheet)
+        };
+        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 

@@ -178,6 +178,7 @@ impl Engine {
 
     /// The model on a scene; options of the model replace those of the scene.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
+        file.need_known().map_err(value_error)?;
         self.with(file.options, Some(file))
     }
 
@@ -186,6 +187,7 @@ impl Engine {
         if let [file] = files {
             return self.on(file);
         }
+        files.iter().try_for_each(|file| file.need_known()).map_err(value_error)?;
         if self.is_bem() {
             let text =
                 format!("{} scenes were given: bem needs a single scene with a scan", files.len());
