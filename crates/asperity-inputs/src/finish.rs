@@ -40,6 +40,9 @@ struct Drawing<'d> {
     wavelengths: [f64; 2],
 }
 
+/// The power of Rq in the usual slope.
+const POWER: f64 = 0.402;
+
 type Read<T> = Result<T, SceneError>;
 
 /// The surface that the keys of a section describe, the number that is probably in another unit,
@@ -65,11 +68,11 @@ pub(crate) fn face(
             None => return drawing.missing(key, "a cut-off of the profile".into()),
         };
     }
-    let across = drawing.slope_across(&height)?;
+    let (across, slope_power) = drawing.slope_across(&height)?;
     let bandwidth = drawing.bandwidth()?;
     let (odd, notes) = (drawing.odd()?, drawing.warnings(ra, &height, &across)?);
     let slope = drawing.areal(across)?;
-    Ok((Face { section, unknowns: [height, slope, bandwidth] }, odd, notes))
+    Ok((Face { section, unknowns: [height, slope, bandwidth], slope_power }, odd, notes))
 }
 
 impl Drawing<'_> {
@@ -138,8 +141,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// The mean slope across the lay.
-    fn slope_across(&self, height: &Unknown) -> Read<Unknown> {
+    /// The mean slope across the lay at the middle of Rq, and the power of Rq by which it varies.
+    fn slope_across(&self, height: &Unknown) -> Read<(Unknown, f64)> {
         let (rdq, mean) = (self.number("rdq")?, self.number("mean_slope")?);
         if rdq.is_some() && mean.is_some() {
             let [rdq, mean] = ["rdq", "mean_slope"].map(|key| self.at(key));
@@ -148,12 +151,12 @@ impl Drawing<'_> {
         // The mean of |x| of a normal x is √(2/π) standard deviations.
         let of_rdq = rdq.map(|rdq| (FRAC_2_PI.sqrt() * rdq, "rdq"));
         if let Some((slope, key)) = of_rdq.or(mean.map(|mean| (mean, "mean_slope"))) {
-            return Ok(Unknown::given(NAMES[1], slope, key));
+            return Ok((Unknown::given(NAMES[1], slope, key), 0.0));
         }
-        let (range, ends, text) = match self.number("rz")?.zip(self.number("rsm")?) {
+        let (range, slope, power, text) = match self.number("rz")?.zip(self.number("rsm")?) {
             Some((rz, rsm)) => {
                 let range = self.at_ratio("slope_over_rz_rsm", "rdq")?;
-                (range, [2.0 * rz / rsm; 2], "times 2 rz/rsm")
+                (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm")
             }
             None if self.finish.is_none() => {
                 return self.missing(
@@ -165,19 +168,19 @@ impl Drawing<'_> {
                 );
             }
             None => {
-                let of_heights = [height.range[0], height.range[2]].map(usual_slope);
-                (self.range("slope")?, of_heights, "times 0.125 Rq^0.402 (um)")
+                let slope = usual_slope(height.range[1]);
+                (self.range("slope")?, slope, POWER, "times 0.125 Rq^0.402 (um)")
             }
         };
         let Range { lower, upper, source, .. } = range;
         let mut source = format!("{lower} to {upper} {text}: {source}");
-        let mut ends = [lower * ends[0], upper * ends[1]];
+        let mut ends = [lower * slope, upper * slope];
         if let Some((feed, radius)) = self.tool()? {
             let cusps = feed / (4.0 * radius);
             ends = ends.map(|end| end.max(cusps));
             source += &format!("; at least feed/(4 nose_radius) = {}", short(cusps));
         }
-        Ok(Unknown::new(NAMES[1], ends, range.status(), source))
+        Ok((Unknown::new(NAMES[1], ends, range.status(), source), power))
     }
 
     /// Feed and nose radius of a turned surface.
@@ -292,7 +295,7 @@ impl Drawing<'_> {
 /// The slope 0.125 Rq^0.402 (Rq in um) of a surface with this Rq \[m\], to which the slopes of
 /// finishes are compared.
 fn usual_slope(rq: f64) -> f64 {
-    0.125 * (1e6 * rq).powf(0.402)
+    0.125 * (1e6 * rq).powf(POWER)
 }
 
 /// What a finish may be.

@@ -52,6 +52,8 @@ pub(crate) struct Face {
     /// The section of its keys.
     pub(crate) section: &'static str,
     pub(crate) unknowns: [Unknown; 3],
+    /// The power of Rq over its middle by which the slope varies where it follows from Rq.
+    pub(crate) slope_power: f64,
 }
 
 /// Where each unknown of the faces is taken: 0 at its lower end, 1 in the middle, 2 at its upper
@@ -64,11 +66,12 @@ impl Face {
     pub(crate) fn known(section: &'static str, moments: &ProfileMoments) -> Self {
         let values = [moments.m0.sqrt(), (FRAC_2_PI * moments.m2).sqrt(), moments.bandwidth()];
         let given = |k: usize| Unknown::given(NAMES[k], values[k], "the numbers of the surface");
-        Self { section, unknowns: [0, 1, 2].map(given) }
+        Self { section, unknowns: [0, 1, 2].map(given), slope_power: 0.0 }
     }
 
     fn moments(&self, at: Corner) -> ProfileMoments {
         let [rq, slope, bandwidth] = [0, 1, 2].map(|k| self.unknowns[k].range[at[k]]);
+        let slope = slope * (rq / self.unknowns[0].range[1]).powf(self.slope_power);
         let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
         ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) }
     }
@@ -191,17 +194,22 @@ impl SceneFile {
     /// [`SceneError::Refused`] with the numbers that have ranges.
     pub fn need_known(&self) -> Result<(), SceneError> {
         match self.open_reason() {
-            Some(reason) => Err(SceneError::Refused { at: Place::field("surface").into(), reason }),
+            Some(reason) => {
+                // Terms are marked in errors of the library only.
+                let reason = reason.replace('`', "");
+                Err(SceneError::Refused { at: Place::field("surface").into(), reason })
+            }
             None => Ok(()),
         }
     }
 
+    /// Why answers in single numbers are refused, if they are.
     pub(crate) fn open_reason(&self) -> Option<String> {
         let names: Vec<String> =
             self.spreads().iter().map(|(name, _)| format!("`{name}`")).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth`",
+                "the surface is known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth`",
                 names.join(", ")
             )
         })

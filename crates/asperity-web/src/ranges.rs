@@ -145,3 +145,77 @@ fn merge(found: &mut Value, ends: &[&Value]) {
 }
 
 const NO_RANGE: &str = "no value at an end of the ranges of the surface";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GROUND: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+        poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
+
+    fn call(desk: &mut Desk, message: Value) -> Value {
+        let answer: Value = serde_json::from_str(&desk.call(&message.to_string())).unwrap();
+        answer["ok"].clone()
+    }
+
+    /// Every object with the digits of a number.
+    fn numbers<'v>(value: &'v Value, found: &mut Vec<&'v Value>) {
+        match value {
+            Value::Object(fields) if fields.get("digits").is_some_and(Value::is_string) => {
+                found.push(value);
+            }
+            Value::Object(fields) => fields.values().for_each(|value| numbers(value, found)),
+            Value::Array(items) => items.iter().for_each(|value| numbers(value, found)),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn every_number_of_an_answer_has_its_ends() {
+        let mut desk = Desk::default();
+        let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
+        assert_eq!((&shown["way"], &shown["error"]), (&json!("finish"), &Value::Null));
+        let slope = &shown["numbers"][1];
+        assert_eq!(slope["name"], "surface mean slope");
+        assert!(slope["shown"].as_str().unwrap().contains(" to "), "{slope}");
+        let models = ["gw", "ke", "persson"];
+        let load = json!({ "position": 0.6, "unit": "Pa" });
+        let asked = json!({ "call": "answer", "models": models, "load": load });
+        let found = call(&mut desk, asked);
+        let mut all = vec![];
+        numbers(&found, &mut all);
+        assert!(all.len() > 20, "{found}");
+        for number in all {
+            let [value, lower, upper] = ["digits", "lower", "upper"]
+                .map(|key| number[key].as_str().unwrap().parse::<f64>().unwrap());
+            assert!(lower <= value && value <= upper, "{number}");
+            let text = format!("{}{}", number["shown"], number["by"]);
+            assert!(text.contains(" to "), "{number}");
+        }
+        assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
+        assert_eq!(found["rows"][1]["model"], "ke");
+    }
+
+    #[test]
+    fn curves_have_their_ends_and_single_numbers_are_refused() {
+        let mut desk = Desk::default();
+        call(&mut desk, json!({ "call": "show", "text": GROUND }));
+        let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
+        let rows = curves["ke"].as_str().unwrap();
+        let of = |name: &str| -> Vec<f64> {
+            let own = rows.lines().filter(|line| line.starts_with(&format!("{name},")));
+            own.map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect()
+        };
+        let (own, lower, upper) = (of("ke"), of("ke lower"), of("ke upper"));
+        assert_eq!((own.len(), lower.len(), upper.len()), (200, 200, 200));
+        assert!((0..200).all(|k| lower[k] <= own[k] && own[k] <= upper[k]));
+        let load = json!({ "text": "1 MPa" });
+        let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
+        assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
+        let findings = call(&mut desk, json!({ "call": "check", "models": ["ke"], "load": load }));
+        assert!(findings.is_array());
+        let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
+        let refused: Value = serde_json::from_str(&desk.call(&export.to_string())).unwrap();
+        assert!(refused["error"]["message"].as_str().unwrap().contains("within ranges only"));
+    }
+}
