@@ -35,7 +35,7 @@ pub use models::{
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;
-pub use ranges::with_ranges;
+pub use ranges::{drawn_with_ranges, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};

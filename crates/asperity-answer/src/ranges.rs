@@ -1,6 +1,6 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
-use asperity::{Finding, Quantity, Severity, short};
+use asperity::{Finding, Quantity, Severity};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::{ENDS, column_beside};
@@ -11,7 +11,7 @@ const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
 /// What each unknown is narrowed by.
 const NARROWED: [(&str, &str); 3] = [
-    ("rq", "give `rq` as measured"),
+    ("rq", "`rq` would narrow it"),
     ("mean_slope", "`rdq`, `rz` with `rsm`, or a scan would narrow it"),
     ("bandwidth", "`bandwidth` or a scan would narrow it"),
 ];
@@ -46,6 +46,24 @@ pub fn with_ranges<T, E: From<AnswerError>>(
     ends.add_findings(sheet);
     ends.add_columns(sheet);
     Ok(found)
+}
+
+/// The sheet of a picture: the rows of the middle and, where the scene has ranges, those of the ends
+/// under the names `ke lower` and `ke upper`.
+#[must_use]
+pub fn drawn_with_ranges(file: &SceneFile, sheet: &Sheet) -> Sheet {
+    let mut drawn = sheet.clone();
+    for end in ENDS.into_iter().filter(|_| !file.spreads().is_empty()) {
+        drawn.rows.extend(sheet.rows.iter().map(|row| {
+            let cells = sheet.heads.iter().zip(row).map(|(head, own)| {
+                sheet.column(&head_of_end(head, end)).map_or(own, |column| &row[column]).clone()
+            });
+            let mut cells: Vec<Cell> = cells.collect();
+            cells[0] = Cell::from(&*format!("{} {end}", row[0].text()));
+            cells
+        }));
+    }
+    drawn
 }
 
 /// The sheets at the ends of the ranges.
@@ -174,15 +192,15 @@ impl Ends<'_> {
         let widest = (0..spreads.len()).max_by(|a, b| sum(*a).total_cmp(&sum(*b)));
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
         let (name, spread) = spreads[k];
-        let ratio = |log: f64| short((10.0 * log.exp()).round() / 10.0);
-        let each = widths
-            .iter()
-            .map(|(quantity, width)| format!("`{quantity}` {}", ratio(width.of_unknowns[k])));
+        let ratio = |log: f64| format!("{:.1}", log.exp());
+        let within = |(quantity, width): &(Quantity, Width)| {
+            format!("`{quantity}` within {}", ratio(width.of_unknowns[k]))
+        };
+        let each = widths.iter().map(within).collect::<Vec<_>>().join(", ");
         let narrowed = NARROWED.iter().find(|(known, _)| *known == name).map_or("", |of| of.1);
-        let each = each.collect::<Vec<_>>().join(", ");
+        let spread = ratio(spread.ln());
         let text = format!(
-            "`{name}` is known within a factor of {}, and this alone changes by a factor {each}; {narrowed}",
-            ratio(spread.ln())
+            "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed}"
         );
         sheet.note("unknown-surface", text);
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
@@ -202,10 +220,7 @@ impl Ends<'_> {
             let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
             sheet.note("waviness", text);
         }
-        if self.file.unknowns().all(|(section, _)| section == "surface") {
-            let text = "the other surface is taken as smooth; describe it as `counterface` if it is rough, too";
-            sheet.note("smooth-counterface", text);
-        }
+        sheet.findings.extend(self.file.smooth_counterface());
     }
 }
 

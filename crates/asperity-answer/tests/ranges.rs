@@ -123,8 +123,7 @@ fn the_finding_names_the_widest_unknown_and_the_shares() {
         texts.iter().any(|text| text.contains("area 4.4 (rq 3 %, mean_slope 97 %, bandwidth 0 %)")),
         "{texts:?}"
     );
-    let words =
-        "mean_slope is known within a factor of 4.2, and this alone changes by a factor area 4.2";
+    let words = "mean_slope is unknown within a factor of 4.2, and with it area within 4.2; rdq, ";
     assert!(texts.iter().any(|text| text.starts_with(words)), "{texts:?}");
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "gw", Quantity::Tangent);
     assert!(sheet.findings.iter().any(|found| found.code == "waviness"));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use asperity::{At, Check, ContactError, ContactModel, ProfileMoments, Surface};
+use asperity::{At, Check, ContactError, ContactModel, Finding, ProfileMoments, Surface};
 
 use crate::{Place, SceneError, SceneFile};
 
@@ -184,7 +184,19 @@ impl SceneFile {
         }
         given.numbers.append(&mut check.numbers);
         check.numbers = given.numbers;
+        check.extend(self.smooth_counterface());
+        check.findings = self.accepted(check.findings);
         Ok(check)
+    }
+
+    /// A note that the other surface is taken as smooth, of a single surface with ranges.
+    #[must_use]
+    pub fn smooth_counterface(&self) -> Option<Finding> {
+        let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
+        let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
+            .fact("the other surface is taken as smooth")
+            .advice("describe it as `counterface` if it is rough, too");
+        is_alone.then_some(found)
     }
 
     /// Nothing where the surface is known; where it is known within ranges, an answer in single

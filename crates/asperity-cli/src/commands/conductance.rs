@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
 use asperity::{At, Interface, nearest_hint, nearest_name};
-use asperity_answer::{Conductance as Question, Gas, Sheet, with_ranges};
+use asperity_answer::{Conductance as Question, Gas, Sheet, drawn_with_ranges, with_ranges};
 use asperity_inputs::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
@@ -79,7 +79,8 @@ impl Conductance {
             Question { file, ..question }.answer(&places, sheet)
         };
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
+        let drawn = || drawn_with_ranges(&scene.file, &sheet);
+        self.output.write(&sheet, || picture(&drawn(), &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.

@@ -3,7 +3,7 @@
 
 use anyhow::{Context, Result};
 use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
+use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -79,7 +79,8 @@ impl Curve {
         let request = self.asked.request(&scene.file, &separations, &USUAL);
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
+        let drawn = || drawn_with_ranges(&scene.file, &sheet);
+        self.output.write(&sheet, || plot::svg(&drawn(), &request, scene.file.separation_from))
     }
 
     fn answer(
