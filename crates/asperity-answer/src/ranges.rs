@@ -33,6 +33,10 @@ pub fn with_ranges<T, E: From<AnswerError>>(
     }
     let (middle, corners) = file.corners().map_err(AnswerError::from)?;
     let found = fill(&middle, sheet)?;
+    if sheet.heads.iter().any(|head| head.ends_with("_lower")) {
+        let text = "intervals by boundary elements are not combined with ranges of the surface";
+        return Err(AnswerError::from(text).into());
+    }
     let mut ends = Ends { file, sheets: vec![] };
     for corner in &corners {
         let mut at_corner = Sheet::default();
@@ -87,58 +91,34 @@ impl Ends<'_> {
         all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
     }
 
-    /// Adds the ends of every column whose numbers differ, unless it has such columns, which then
-    /// hold the ends of all.
+    /// Adds the ends of every column whose numbers differ.
     fn add_columns(&self, sheet: &mut Sheet) {
-        let columns = sheet.heads.len();
-        let own = |head: &str, end| sheet.column(&head_of_end(head, end));
-        let differs = |column: usize| {
+        let differs = |column: &usize| {
             (0..sheet.rows.len()).any(|row| {
-                let own = sheet.rows[row][column].number();
-                self.sheets.iter().any(|end| match (own, end.rows[row][column].number()) {
+                let own = sheet.rows[row][*column].number();
+                self.sheets.iter().any(|end| match (own, end.rows[row][*column].number()) {
                     (Some(own), Some(other)) => (own - other).abs() > SAME * own.abs(),
                     (own, other) => own.is_some() != other.is_some(),
                 })
             })
         };
-        // The column of the value, and its end, of a column that has ends already.
-        let value_of = |column: usize| {
-            (0..columns).find_map(|value| {
-                let is_one = |end: &usize| own(&sheet.heads[value], ENDS[*end]) == Some(column);
-                Some((value, (0..2).find(is_one)?))
-            })
-        };
-        let (mut heads, mut rows) = (vec![], vec![vec![]; sheet.rows.len()]);
+        let columns: Vec<usize> = (0..sheet.heads.len()).filter(differs).collect();
         let mut blank = 0;
-        for column in 0..columns {
-            let head = &sheet.heads[column];
-            let (value, beside) = (value_of(column), own(head, ENDS[0]).is_some());
-            let adds = value.is_none() && !beside && differs(column);
-            heads.push(head.clone());
-            if adds {
-                heads.extend(ENDS.map(|end| head_of_end(head, end)));
-            }
-            for (k, row) in rows.iter_mut().enumerate() {
-                let cell = &sheet.rows[k][column];
-                let numbers = self.numbers(sheet, k, column).or_else(|| {
-                    let (value, _) = value?;
-                    self.numbers(sheet, k, value)
-                });
-                let ends = numbers.map(|all| [least(&all), most(&all)]);
-                match (value, ends) {
-                    (Some((_, end)), ends) => row.push(Cell::from(ends.map(|ends| ends[end]))),
-                    (None, None) if adds && cell.number().is_some() => {
-                        blank += 1;
-                        row.push(Cell::Blank(Some(NO_RANGE.into())));
-                    }
-                    _ => row.push(cell.clone()),
+        // From the last, so that the places of the others stay.
+        for column in columns.into_iter().rev() {
+            for row in 0..sheet.rows.len() {
+                let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
+                let cell = &mut sheet.rows[row][column];
+                if ends.is_none() && cell.number().is_some() {
+                    *cell = Cell::Blank(Some(NO_RANGE.into()));
+                    blank += 1;
                 }
-                if adds {
-                    row.extend([0, 1].map(|end| Cell::from(ends.map(|ends| ends[end]))));
-                }
+                let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
+                sheet.rows[row].splice(column + 1..column + 1, ends);
             }
+            let heads = ENDS.map(|end| head_of_end(&sheet.heads[column], end));
+            sheet.heads.splice(column + 1..column + 1, heads);
         }
-        (sheet.heads, sheet.rows) = (heads, rows);
         if blank > 0 {
             sheet.warn("no-value", format!("{blank} values are blank: {NO_RANGE}"));
         }

@@ -43,9 +43,7 @@ pub use free::Free;
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject};
-pub use likely::{
-    gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point, without_thousands,
-};
+pub use likely::{gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point};
 pub use materials::{Material, materials, materials_like};
 pub use measured_keys::MeasuredKeys;
 pub use measurements::read_measurements;

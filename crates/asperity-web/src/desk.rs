@@ -16,8 +16,8 @@ use crate::ranges::Ranges;
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
-    advice, answer, code, dialect, fields, law, link, picture, press, read_scene, scan_report,
-    surface_keys,
+    advice, answer, code, dialect, fields, law, link, picture, press, ranges, read_scene,
+    scan_report, surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -97,19 +97,6 @@ impl Desk {
         Self { file: Some(file), at_an_end: true, ..Self::default() }
     }
 
-    /// The rows of models at pressures, by id.
-    pub(crate) fn rows(
-        &mut self,
-        models: &[String],
-        pressures: &[f64],
-    ) -> Result<BTreeMap<String, String>, Refusal> {
-        let (file, models) = self.compile(models)?;
-        let rows = models.into_iter().filter_map(|(id, asked)| {
-            Some((id.to_string(), answer::rows(file, id, asked.ok()?, pressures)))
-        });
-        Ok(rows.collect())
-    }
-
     /// The models of these ids on the scene, each compiled once; those that it refuses with the
     /// reason.
     fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
@@ -147,10 +134,14 @@ impl Desk {
             },
             Message::Curve { models } => {
                 let pressures = Span::of(&self.scene()?.scene).pressures();
-                match &mut self.ranges {
-                    Some(ranges) => ranges.curves(&models, &pressures)?,
-                    None => json!(self.rows(&models, &pressures)?),
+                if self.ranges.is_some() {
+                    return ranges::curves(self.scene()?, &models, &pressures);
                 }
+                let (file, models) = self.compile(&models)?;
+                let rows = models.into_iter().filter_map(|(id, asked)| {
+                    Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
+                });
+                json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw { rows, view, load, solved, outside, size } => {
                 let (file, load) = self.scene_at(&load)?;

@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactError, Quantity, shortest_digits};
+use asperity::{At, ContactError, Quantity, Request, shortest_digits};
+use asperity_answer::{AnswerError, Cell, Inquiry, Sheet, Silent, drawn_with_ranges, with_ranges};
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
@@ -52,52 +53,37 @@ impl Ranges {
         found["answer"]["surface"] = "known within ranges".into();
         Ok(found)
     }
-
-    /// The rows of models at the loads of the picture, and those of the ends as further models.
-    pub(crate) fn curves(
-        &mut self,
-        models: &[String],
-        pressures: &[f64],
-    ) -> Result<Value, Refusal> {
-        let middle = self.middle.rows(models, pressures)?;
-        let ends = self.ends.iter_mut().map(|desk| desk.rows(models, pressures));
-        let ends = ends.collect::<Result<Vec<_>, _>>()?;
-        let with_ends = |(id, own): (String, String)| {
-            let texts: Option<Vec<&String>> = ends.iter().map(|end| end.get(&id)).collect();
-            let texts: Vec<Vec<&str>> = texts?.iter().map(|text| text.lines().collect()).collect();
-            let names = [id.clone(), format!("{id} lower"), format!("{id} upper")];
-            let mut rows = [const { String::new() }; 3];
-            for (k, line) in own.lines().enumerate() {
-                let numbers =
-                    |line: &&str| line.split(',').skip(1).map(|n| n.parse().ok()).collect();
-                let own: Vec<Option<f64>> = numbers(&line);
-                let others: Vec<Vec<Option<f64>>> =
-                    texts.iter().filter_map(|lines| Some(numbers(lines.get(k)?))).collect();
-                let all = own.iter().enumerate().map(|(column, own)| {
-                    ends_of(*own, others.iter().map(|other| other.get(column).copied().flatten()))
-                });
-                let all: Vec<Option<[f64; 3]>> = all.collect();
-                for (place, (text, name)) in rows.iter_mut().zip(&names).enumerate() {
-                    let digits = |ends: &Option<[f64; 3]>| {
-                        ends.map_or(String::new(), |ends| shortest_digits(ends[place]))
-                    };
-                    let cells: Vec<String> = all.iter().map(digits).collect();
-                    *text += &format!("{name},{}\n", cells.join(","));
-                }
-            }
-            Some((id, rows.concat()))
-        };
-        Ok(json!(middle.into_iter().filter_map(with_ends).collect::<BTreeMap<_, _>>()))
-    }
 }
 
-/// A value with its smallest and largest; none if it is missing anywhere.
-fn ends_of(own: Option<f64>, others: impl Iterator<Item = Option<f64>>) -> Option<[f64; 3]> {
-    let own = own?;
-    let mut all = others;
-    all.try_fold([own; 3], |[own, lower, upper], other| {
-        Some([own, lower.min(other?), upper.max(other?)])
-    })
+/// The rows of models at the loads of the picture, and those of the ends as further models.
+pub(crate) fn curves(
+    file: &SceneFile,
+    ids: &[String],
+    pressures: &[f64],
+) -> Result<Value, Refusal> {
+    let at = pressures.iter().map(|pressure| At::Pressure(*pressure));
+    let request = Request::new(answer::quantities(file)).at(at);
+    let head = answer::head(file);
+    let of_model = |id: &String| {
+        let fill = |file: &SceneFile, sheet: &mut Sheet| -> Result<(), AnswerError> {
+            let models = vec![(id.clone(), file.model(id)?)];
+            Inquiry::new(file, models, request.clone()).answer(sheet, &Silent)
+        };
+        let mut sheet = Sheet::default();
+        with_ranges(file, &mut sheet, fill).ok()?;
+        let sheet = drawn_with_ranges(file, &sheet);
+        let columns: Vec<usize> = head.split(',').filter_map(|head| sheet.column(head)).collect();
+        let text = |cell: &Cell| match cell.number() {
+            Some(number) => shortest_digits(number),
+            None => cell.text().into(),
+        };
+        let line = |row: &Vec<Cell>| {
+            let cells: Vec<String> = columns.iter().map(|column| text(&row[*column])).collect();
+            cells.join(",") + "\n"
+        };
+        Some((id.clone(), sheet.rows.iter().map(line).collect::<String>()))
+    };
+    Ok(json!(ids.iter().filter_map(of_model).collect::<BTreeMap<_, _>>()))
 }
 
 /// Adds the ends to every number of an answer, and takes away those that are missing at an end.
@@ -109,8 +95,10 @@ fn merge(found: &mut Value, ends: &[&Value]) {
             answer::SEPARATION => "m",
             name => name.parse::<Quantity>().map_or("", Quantity::unit),
         };
-        match ends_of(Some(own), ends.iter().map(|end| number(end))) {
-            Some([own, lower, upper]) => {
+        let all: Option<Vec<f64>> = ends.iter().map(|end| number(end)).collect();
+        let fold = |all: &Vec<f64>, of: fn(f64, f64) -> f64| all.iter().copied().fold(own, of);
+        match all.map(|all| [fold(&all, f64::min), fold(&all, f64::max)]) {
+            Some([lower, upper]) => {
                 let is_share = name == Quantity::AreaFraction.to_string();
                 let unit = if is_share { "%" } else { unit };
                 let (shown, range) = interval(own, Some([lower, upper]), unit);
