@@ -12,6 +12,7 @@ mod inquiry;
 mod models;
 mod number;
 mod pull_off;
+mod ranges;
 mod recommend;
 mod sheet;
 mod slip;
@@ -34,6 +35,7 @@ pub use models::{
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;
+pub use ranges::{drawn_with_ranges, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::likely::{notation_hint, without_thousands};
+use crate::likely::notation_hint;
 use crate::text_file::shorten;
 use crate::{Place, SceneError};
 
@@ -31,8 +31,7 @@ impl<'t> Cells<'t> {
             line.split(delimiter).map(|cell| cell.trim().trim_matches('"').trim()).collect()
         };
         let mut table = Self { line, head: cells(top), rows: vec![], path, delimiter };
-        let is_value =
-            |name: &&str| table.number(name).is_some() || without_thousands(name).is_some();
+        let is_value = |name: &&str| table.number(name).is_some() || notation_hint(name).is_some();
         if top.is_empty() || table.head.iter().all(is_value) {
             let found = table.head.join(",");
             return Err(SceneError::value(

@@ -78,6 +78,7 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
+        let of_pair = of_pair.chain(self.smooth_counterface());
         let found = of_interface.into_iter().chain(of_bodies.clone()).chain(of_pair);
         // Consequences of findings about the bodies are not repeated.
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
@@ -144,11 +145,16 @@ impl SceneFile {
         GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
-    /// The derived numbers of the scene and, for a model, at a separation or load, with findings.
+    /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
+    /// the numbers of a surface that are known within ranges come first, and others have the ends
+    /// that follow from these.
     ///
     /// # Errors
     /// Those of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
+        if !self.spreads().is_empty() {
+            return self.check_ranges(place);
+        }
         let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => self.scene.check()?,

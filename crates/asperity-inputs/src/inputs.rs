@@ -60,6 +60,15 @@ impl SceneFile {
         let of_all = of_all.filter(|_| alike && !self.bodies.is_empty());
         let skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
         let offset = self.scene.mean_plane_offset.filter(|_| self.table.is_none());
+        // Numbers of a surface that is known within ranges follow from these.
+        let is_open = !self.spreads().is_empty();
+        let of_surface = |input: &(&str, Input)| {
+            let of_surface = matches!(
+                input.1,
+                Input::Surface(_) | Input::PlasticityIndex | Input::RoughnessParameter
+            );
+            !(of_surface && is_open)
+        };
         // Radius and density beside the standard deviation of the surface heights come first.
         described
             .chain(INTERFACE.iter().map(|field| (field.name, Input::Interface(*field))))
@@ -72,6 +81,7 @@ impl SceneFile {
             .chain(offset.map(|_| ("mean_plane_offset", Input::MeanPlaneOffset)))
             .chain(skewed.then_some(("skewness", Input::Skewness)))
             .chain(of_all.map(|field| (field.name, Input::Bodies(*field))))
+            .filter(of_surface)
             .map(|(name, input)| (name.to_string(), input))
             .chain((0..self.bodies.len()).flat_map(of_body))
             .map(|(name, input)| (name, SceneInput(input)))

@@ -154,8 +154,7 @@ keys! {
             form "Height std σ_z" "1 um")
     } {
         surface_height_std("m" ", ... or of the surface: Sq of an isotropic Gaussian surface"
-            also "ra rq sa rms roughness"
-            "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ")
+            also "sa rms roughness" "it is Sq, which for Gaussian heights is 1.25 Sa; ")
         mean_slope("" "without a unit: mean |slope| of profiles; replaces asperity_radius, with surface_height_std")
         plasticity_index("" "2 E/(pi S H) sqrt(height_std/radius)" also "psi" ""
             form "Plasticity index ψ" "2")
@@ -167,7 +166,22 @@ keys! {
         spd("1/m^2" ", density of peaks" form "Spd" "200 1/mm2")
         spc("1/m" ", mean curvature of peaks" form "Spc" "5 1/mm")
         sdq("" "without a unit: rms gradient; instead of spc"
-            also "rdq rms_slope rms_gradient" "it is the rms gradient of the surface; ")
+            also "rms_slope rms_gradient" "it is the rms gradient of the surface; ")
+        ra("m" ", as on a drawing, with a finish: answers are ranges" form "Roughness Ra" "0.8 um")
+        rq("m" ", instead of ra" form "or Rq" "1 um")
+        rz("m" ", instead of ra, or with rsm" form "or Rz" "5 um")
+        finish("" "or blasted, turned, milled, lapped, polished, honed, unknown"
+            form "Finish" "blasted|ground|turned|milled|lapped|polished|honed|unknown")
+        rsm("m" ", mean width of profile elements: with rz instead of a finish"
+            form "RSm, with Rz" "120 um")
+        rdq("" "without a unit: rms slope of a profile across the lay; replaces the range of slopes"
+            form "Rdq, if measured" "0.1")
+        feed("m" ", per turn, of a turned surface" also "feed_rate" "")
+        nose_radius("m" ", of the tool, with feed")
+        bandwidth("" "m0 m4/m2^2, if known; replaces its range" also "alpha" ""
+            form "Bandwidth α, if known" "10")
+        lambda_c("m" ", cut-off of the profile; that of ISO 4288 if missing" also "cutoff cut_off" "")
+        lambda_s("m" ", short cut-off of the profile; that of ISO 3274 if missing")
     }
     "surface" Scan {
         file("" "text, NumPy .npy, X3P, SUR, Gwyddion .gwy or SDF" form "File" "scan.x3p")

@@ -9,6 +9,8 @@ mod document;
 mod error;
 mod evidence;
 mod film;
+mod finish;
+mod finishes;
 mod fit;
 mod free;
 mod heights;
@@ -32,6 +34,7 @@ mod small_scan;
 mod surface;
 mod template;
 mod text_file;
+mod unknowns;
 mod write;
 
 pub use asperity::Asperities;
@@ -42,9 +45,7 @@ pub use free::Free;
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject};
-pub use likely::{
-    gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point, without_thousands,
-};
+pub use likely::{gradient, likely_angle, mistaken_unit, notation_hint, with_decimal_point};
 pub use materials::{Material, materials, materials_like};
 pub use measured_keys::MeasuredKeys;
 pub use measurements::read_measurements;
@@ -55,5 +56,8 @@ pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};
+/// Keys of a section with their values.
+pub use toml::Table as Keys;
 /// The value of an option.
 pub use toml::Value as OptionValue;
+pub use unknowns::Unknown;

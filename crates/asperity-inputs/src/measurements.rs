@@ -88,8 +88,8 @@ mod tests {
             assert_eq!(read(text).unwrap(), wanted, "{text:?}");
         }
         for (cell, wanted) in [
-            ("1.500,5", "load_N = \"1.500,5\" has thousands separators; write 1500.5"),
-            ("1.500.000", "has thousands separators; write 1500000 or 1.5e6"),
+            ("1.500,5", "load_N = \"1.500,5\" has thousands separators; remove them"),
+            ("1.500.000", "has thousands separators; remove them"),
             ("1,5,0", "is \"1,5,0\": a number was required"),
         ] {
             let refused = read(&format!("load_N;area_m2\n{cell};2e-9\n")).unwrap_err();
@@ -139,11 +139,11 @@ mod tests {
             ("load_N,area_m2\n", ": CSV: no row of values under the header"),
             (
                 "load_N,area_m2\n1,500'000.0\n",
-                ":2: area_m2 = \"500'000.0\" has thousands separators; write 500000.0",
+                ":2: area_m2 = \"500'000.0\" has thousands separators; remove them",
             ),
             (
                 "load_N,area_m2\n1,12\u{202f}500\n",
-                ":2: area_m2 = \"12\u{202f}500\" has thousands separators; write 12500",
+                ":2: area_m2 = \"12\u{202f}500\" has thousands separators; remove them",
             ),
             ("load_N\n1,5\n", ":2: CSV: 2 cells under a header of 1 columns"),
         ] {

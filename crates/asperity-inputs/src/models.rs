@@ -32,6 +32,7 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
+        self.need_known()?;
         match id.trim().to_lowercase().as_str() {
             FLOW => Ok(Model::known(self.flow(options)?)),
             Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
@@ -75,9 +76,9 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        if let Some(reason) = self.no_asperities_for(model) {
-            let (model, reason) = (model.id().into(), reason.into());
-            return Some(ContactError::Refused { model, reason });
+        let no_asperities = self.no_asperities_for(model).map(str::to_owned);
+        if let Some(reason) = self.open_reason().or(no_asperities) {
+            return Some(ContactError::Refused { model: model.id().into(), reason });
         }
         model.compile(&self.scene, &Request::new([Quantity::Force])).err()
     }
@@ -135,7 +136,8 @@ impl SceneFile {
                 continue;
             }
             let model = self.model_with(&plain, other.id()).unwrap_or(other);
-            let refused = self.refusal(&model).filter(|_| self.no_asperities.is_some());
+            let refuses = self.no_asperities.is_some() || !self.spreads().is_empty();
+            let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),
                 Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),

@@ -142,6 +142,7 @@ impl SceneFile {
             counter_variance: if same { self.counter_variance } else { 0.0 },
             warnings: Findings::default(),
             scan: self.scan.clone().filter(|_| same),
+            faces: if same { self.faces.clone() } else { vec![] },
             ..self.clone()
         })
     }

@@ -17,6 +17,7 @@ use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::text_file::read_text;
+use crate::unknowns::Face;
 use crate::write::Read;
 use crate::{Measured, ModelOptions, Place, Roughness, SceneError, accept};
 
@@ -52,6 +53,8 @@ pub struct SceneFile {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub roughness: Option<Roughness>,
+    /// The rough surfaces whose numbers are known within ranges; their middles make `scene.surface`.
+    pub(crate) faces: Vec<Face>,
     /// The number of the surface that explains findings about the asperities.
     pub(crate) odd_number: Option<Finding>,
     /// The place of the hardness of the interface or of the first body.
@@ -138,7 +141,7 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
+pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
     let mut options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
@@ -264,6 +267,7 @@ impl From<Scene> for SceneFile {
             no_pair: None,
             follows_from: &[],
             roughness: None,
+            faces: vec![],
             odd_number: None,
             hardness_at: None,
             counter_variance: 0.0,

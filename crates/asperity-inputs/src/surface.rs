@@ -3,11 +3,13 @@
 use asperity::{ContactError, Finding, Interface, Pair, ProfileMoments, Scene, Surface, short};
 
 use crate::document::Document;
+use crate::finish::{FINISH, face};
 use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
 use crate::likely::{likely_angle, other_unit, too_steep};
 use crate::measured::{Asked, measured};
 use crate::numbers::WAYS;
+use crate::unknowns::{Face, middle};
 use crate::{Roughness, SceneError, SceneFile, Way};
 
 /// The files of measured surfaces.
@@ -25,7 +27,10 @@ const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
 /// What a section needs, with all ways.
 fn one_way() -> String {
     let ways: Vec<String> = WAYS.iter().map(|way| way.join(", ")).collect();
-    format!("exactly one way to describe the surface: {}; or file, files", ways.join("; or "))
+    format!(
+        "exactly one way to describe the surface: ra, finish; or {}; or file, files",
+        ways.join("; or ")
+    )
 }
 
 /// The way by which a section describes its surface, and the key that decides it; refuses keys of
@@ -36,7 +41,7 @@ fn way(
 ) -> Result<(&'static [&'static str], &'static str), SceneError> {
     let at = |key: &str| format!("{section}.{key}");
     let has = |key: &&&str| document.has(&at(key));
-    let ways = || WAYS.iter().map(|way| &way[..]).chain([&FILES[..]]);
+    let ways = || WAYS.iter().map(|way| &way[..]).chain([FINISH, &FILES[..]]);
     let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
     let Some(key) = ways().flatten().find(decides).copied() else {
         return Err(document.missing(section, one_way()));
@@ -82,9 +87,29 @@ struct Numbers {
     follows_from: &'static [&'static str],
     /// The number that explains findings about the asperities.
     odd: Option<Finding>,
+    /// The surface, if its numbers are known within ranges.
+    face: Option<Face>,
 }
 
 impl Numbers {
+    /// The surface in the middle of the ranges of these, one or two rough surfaces together.
+    fn of_faces(faces: &[Face], odd: Option<Finding>) -> Result<Self, ContactError> {
+        let ((surface, pair), face) = (middle(faces)?, faces.first().cloned());
+        Ok(Self {
+            surface,
+            pair: Some(pair),
+            roughness: None,
+            follows_from: &FINISH[..1],
+            odd,
+            face,
+        })
+    }
+
+    /// As a surface with ranges, which these numbers may have none of.
+    fn face(&self, section: &'static str) -> Face {
+        self.face.clone().unwrap_or_else(|| Face::known(section, &self.moments()))
+    }
+
     fn moments(&self) -> ProfileMoments {
         let given = self.roughness.and_then(|roughness| roughness.moments().ok());
         given.unwrap_or_else(|| self.surface.moments())
@@ -112,7 +137,14 @@ pub(crate) fn surface(
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
     let mut counter_variance = 0.0;
+    let has_ranges = [&first, &second].into_iter().flatten().any(|numbers| numbers.face.is_some());
+    let mut faces = vec![];
     let numbers = match (first, second) {
+        (Some(first), Some(second)) if has_ranges => {
+            faces = vec![first.face("surface"), second.face(COUNTERFACE)];
+            let made = Numbers::of_faces(&faces, first.odd.or(second.odd));
+            made.map_err(document.refused("surface"))?
+        }
         (Some(first), Some(second)) => {
             counter_variance = second.moments().m0;
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
@@ -121,10 +153,22 @@ pub(crate) fn surface(
             let follows_from = roughness.way.keys();
             let odd = first.odd.or(second.odd);
             let pair = Some(Pair::new(first.surface, second.surface));
-            Numbers { surface, pair, follows_from, roughness: Some(roughness), odd }
+            Numbers { surface, pair, follows_from, roughness: Some(roughness), odd, face: None }
         }
-        (Some(only), None) if !is_pair => only,
+        (Some(only), None) if !is_pair => {
+            faces.extend(only.face.clone());
+            only
+        }
         (first, second) => {
+            if has_ranges {
+                let (scan, finish) = if first.is_some() {
+                    (COUNTERFACE, "surface")
+                } else {
+                    ("surface", COUNTERFACE)
+                };
+                let needed = "a scan or numbers for both surfaces: a scan and ranges do not add,";
+                return Err(document.conflict(scan, finish, needed));
+            }
             let moments = first.or(second).map(|numbers| numbers.moments());
             let (file, of_scan) = measured(document, heights, asked, pair, moments)?;
             return Ok((file, [of_scan, notes].concat()));
@@ -136,6 +180,7 @@ pub(crate) fn surface(
     file.roughness = numbers.roughness;
     file.odd_number = numbers.odd;
     file.counter_variance = counter_variance;
+    file.faces = faces;
     Ok((file, notes))
 }
 
@@ -150,6 +195,12 @@ fn numbers(
 ) -> Result<Option<(Numbers, &'static str)>, SceneError> {
     let at = |key: &str| format!("{section}.{key}");
     let (way, key) = way(document, section)?;
+    if way == FINISH {
+        let (face, odd, found) = face(document, section)?;
+        notes.extend(found);
+        let numbers = Numbers::of_faces(&[face], odd).map_err(document.refused(section))?;
+        return Ok(Some((numbers, key)));
+    }
     let Ok(keys) = <[&str; 3]>::try_from(way) else { return Ok(None) };
     let is_asperities = keys == WAYS[0];
     let mut values = [0.0; 3];
@@ -199,7 +250,7 @@ fn numbers(
     });
     let follows_from = if is_asperities { &[] } else { way };
     let pair = (!way.contains(&STD)).then(|| Pair::new(surface, surface));
-    let numbers = Numbers { surface, pair, roughness, follows_from, odd };
+    let numbers = Numbers { surface, pair, roughness, follows_from, odd, face: None };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
-use crate::document::Document;
+use crate::document::{Document, Files};
 use crate::keys::{Key, joined, keys_of};
+use crate::measured::Asked;
+use crate::scene_file::scene_file;
 use crate::{Place, SceneError, SceneFile, interface_of, parse, template, write_heights};
 
 /// A scene file as read, whose keys are written again if the scene has not changed.
@@ -124,6 +126,24 @@ impl SceneFile {
         }
         written(path, &text)?;
         Ok(text)
+    }
+
+    /// The scene with the surface that these keys of `[surface]` describe.
+    ///
+    /// # Errors
+    /// Those of [`parse`], without lines.
+    pub fn with_surface(&self, keys: &Table) -> Result<Self, SceneError> {
+        let mut top = self.interface_keys();
+        top.insert("nominal_area".into(), self.scene.nominal_area.into());
+        top.insert("surface".into(), keys.clone().into());
+        let text = top.to_string();
+        scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
+    }
+
+    /// The keys of `[surface]` of a surface that is known within ranges.
+    #[must_use]
+    pub fn keys_with_ranges(&self) -> Option<&Table> {
+        self.kept_surface().filter(|_| !self.faces.is_empty())
     }
 
     /// The text; a table of heights is in this file, or in the text.

@@ -92,6 +92,7 @@ pub(crate) fn correlated<'py>(
     let mut reason = None;
     for row in 0..rows.len() {
         let file = rows.file_of(row).map_err(value_error)?;
+        file.need_known().map_err(value_error)?;
         let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
         let roughness = given.unwrap_or_else(|| file.gap_roughness());
         reason = reason.or_else(|| correlation.reason_against(&file.scene));

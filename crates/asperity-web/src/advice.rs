@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{At, Finding, Findings, Severity};
+use asperity::{At, Finding, Findings, Severity, shortest_digits};
 use asperity_answer::Asked;
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
@@ -133,6 +133,7 @@ pub(crate) fn answer(
         "first": first,
         "row": { "model": "answer", "cells": cells },
         "plasticity": {
+            "digits": index.map(shortest_digits),
             "shown": index.map_or("–".into(), |index| format!("{index:.decimals$}")),
             "says": plasticity,
         },
@@ -168,7 +169,7 @@ fn text(value: &Value) -> String {
 /// A cell with the ends of its interval.
 fn with_ends(mut cell: Value, known: &Known) -> Value {
     if let Some(ends) = known.ends {
-        let [lower, upper] = ends.map(asperity::shortest_digits);
+        let [lower, upper] = ends.map(shortest_digits);
         (cell["lower"], cell["upper"]) = (lower.into(), upper.into());
     }
     cell

@@ -12,11 +12,12 @@ use crate::advice::Judged;
 use crate::best::{Best, recommended};
 use crate::files::{admit, usable};
 use crate::message::{LoadKeys, Message, Solved};
+use crate::ranges::Ranges;
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
-    advice, answer, code, dialect, fields, law, link, picture, press, read_scene, scan_report,
-    surface_keys,
+    advice, answer, code, dialect, fields, law, link, picture, press, ranges, read_scene,
+    scan_report, surface_keys,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -27,6 +28,10 @@ pub struct Desk {
     compiled: BTreeMap<String, Result<Asked, String>>,
     /// Models corrected by the evidence.
     corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
+    /// The scene in the middle and at the ends of the ranges of its surface, if it has any.
+    ranges: Option<Box<Ranges>>,
+    /// Whether this is a scene of such ranges, on which evidence and ranges are not combined.
+    at_an_end: bool,
 }
 
 /// A scene with models on it, or the reasons why it refuses them.
@@ -42,7 +47,7 @@ impl Desk {
     fn keep(&mut self, name: &str, bytes: Vec<u8>) -> Value {
         let checksum = link::checksum(&bytes);
         self.files.insert(name.into(), bytes);
-        self.file = None;
+        (self.file, self.ranges) = (None, None);
         json!({ "name": name, "checksum": checksum })
     }
 
@@ -87,6 +92,11 @@ impl Desk {
         Ok((file, Load::of(load, &file.scene)?))
     }
 
+    /// The desk of a scene at an end of the ranges of its surface, or in the middle.
+    pub(crate) fn at_an_end(file: SceneFile) -> Self {
+        Self { file: Some(file), at_an_end: true, ..Self::default() }
+    }
+
     /// The models of these ids on the scene, each compiled once; those that it refuses with the
     /// reason.
     fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
@@ -118,10 +128,16 @@ impl Desk {
             Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
-            Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
+            Message::Answer { models, load, solved } => match &mut self.ranges {
+                Some(ranges) => ranges.values(&models, &load)?,
+                None => self.values(&models, &load, &solved)?,
+            },
             Message::Curve { models } => {
+                let pressures = Span::of(&self.scene()?.scene).pressures();
+                if self.ranges.is_some() {
+                    return ranges::curves(self.scene()?, &models, &pressures);
+                }
                 let (file, models) = self.compile(&models)?;
-                let pressures = Span::of(&file.scene).pressures();
                 let rows = models.into_iter().filter_map(|(id, asked)| {
                     Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
                 });
@@ -133,6 +149,9 @@ impl Desk {
             }
             Message::Scan => scan_report::numbers(self.scene()?)?,
             Message::Check { models, load } => {
+                if let Some(ranges) = &mut self.ranges {
+                    return ranges.middle.answer(Message::Check { models, load });
+                }
                 let (file, models) = self.compile(&models)?;
                 let at = Load::of(&load, &file.scene)?.at;
                 dialect::findings(&advice::check(file, &models, at), file)
@@ -157,11 +176,12 @@ impl Desk {
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
+        self.ranges = file.as_ref().and_then(|file| Ranges::of(file).ok()?).map(Box::new);
         self.file = file;
         found
     }
 
-    fn values(
+    pub(crate) fn values(
         &mut self,
         models: &[String],
         load: &LoadKeys,
@@ -196,7 +216,7 @@ impl Desk {
     ) -> Result<Value, Refusal> {
         let id = recommended(self.scene()?, load.at);
         self.compile(&[id.into(), advice::ELASTIC.into()])?;
-        let Self { file: Some(file), compiled, corrected, .. } = self else {
+        let Self { file: Some(file), compiled, corrected, at_an_end, .. } = self else {
             return Err(no_scene());
         };
         let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
@@ -205,6 +225,7 @@ impl Desk {
             None => Value::Null,
         };
         let corrected = corrected.entry(id).or_insert_with(|| match asked(id) {
+            _ if *at_an_end => Err(Evidence::none("the surface is known within ranges".into())),
             Some(asked) => asked.corrected(file, id),
             None => Err(Evidence::none(format!("{id} has no values"))),
         });

@@ -89,6 +89,10 @@ fn set(document: &mut DocumentMut, Change { path, value }: &Change) -> Result<()
     let table = section_of(document, section).ok_or_else(wrong)?;
     let Some(value) = value else {
         table.remove(key);
+        // A second surface without keys is none.
+        if let Some((outer, inner)) = section.split_once('.').filter(|_| table.is_empty()) {
+            section_of(document, outer).map(|table| table.remove(inner));
+        }
         return Ok(());
     };
     let mut value = value.parse().unwrap_or_else(|_| Value::from(value));
@@ -114,6 +118,13 @@ fn section_of<'d>(document: &'d mut DocumentMut, section: &str) -> Option<&'d mu
     let Some((name, number)) = section.split_once('[') else {
         return match section {
             "" => Some(document.as_table_mut()),
+            name if name.contains('.') => {
+                let (outer, inner) = name.split_once('.')?;
+                let table = document.entry(outer).or_insert_with(toml_edit::table);
+                let table = table.as_table_like_mut()?.entry(inner);
+                let none = || Item::Value(toml_edit::InlineTable::new().into());
+                table.or_insert_with(none).as_table_like_mut()
+            }
             name => document.entry(name).or_insert_with(toml_edit::table).as_table_like_mut(),
         };
     };

@@ -20,6 +20,7 @@ mod model_sentence;
 mod picture;
 mod press;
 mod random;
+mod ranges;
 mod read_scene;
 mod refusal;
 mod scan_report;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use crate::dialect::{PAGE, model_name, said, symbols};
 use crate::model_sentence::model_sentence;
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{interval, shown};
 use crate::{answer, dialect, fields, press, surface_keys};
 
 /// Reads a text: the values of all keys as typed, how the surface is described, the files that it
@@ -51,7 +51,9 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
 
 /// The models of a scene, those that it does not allow with the reason.
 fn models(file: &SceneFile) -> Value {
-    let (allowed, left_out) = file.models_beside_bem();
+    // Those in the middle of the ranges are those at their ends.
+    let known = file.middle();
+    let (allowed, left_out) = known.as_ref().unwrap_or(file).models_beside_bem();
     let shown = |model: &Model, reason: Option<String>| {
         json!({
             "id": model.id(),
@@ -93,10 +95,14 @@ pub(crate) fn material(material: &Material) -> Value {
 
 /// A derived number, with all digits and as shown.
 fn number(number: &DerivedNumber) -> Value {
+    let shown = match interval(number.value, number.ends, number.unit) {
+        (value, range) if number.ends.is_some() => format!("{value} ({range})"),
+        _ => shown(number.value, number.unit),
+    };
     json!({
         "name": PAGE.term(number.name),
         "digits": shortest_digits(number.value),
-        "shown": shown(number.value, number.unit),
+        "shown": shown,
         "meaning": symbols(&number.meaning),
     })
 }

@@ -1,6 +1,7 @@
 //! The ways to describe a surface, and a scene's surface in another of them.
 
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 use std::path::Path;
 
 use asperity_answer::rounded;
@@ -12,14 +13,18 @@ use crate::message::Change;
 use crate::random::RANDOM;
 use crate::refusal::Refusal;
 
-/// Ways with their keys. The first two of each tell it from the others.
-const WAYS: [(&str, &[&str]); 5] = [
+/// Ways with their keys. The first two of each tell it from the others, of a finish any.
+const WAYS: [(&str, &[&str]); 6] = [
+    (FINISH, &["ra", "finish", "rdq", "rq", "rz", "rsm", "bandwidth"]),
     ("scan", &["file", "files"]),
     ("moments", &["m0", "m2", "m4"]),
     ("iso", &["sq", "spd", "spc"]),
     ("index", &["plasticity_index", "roughness_parameter", "asperity_height_std"]),
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
+const FINISH: &str = "finish";
+/// The keys of the other surface that the form has beside a finish, with what the form says of it.
+const OTHER: [&str; 2] = ["ra", "finish"];
 /// Keys that say how a scan is treated, whatever its file.
 const OF_TREATMENT: [&str; 5] = ["estimator", "level", "filter", "smooth", "despike"];
 /// Largest relative difference of a surface from the numbers that were typed for it.
@@ -39,10 +44,15 @@ pub(crate) fn form() -> Value {
         KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key)).map(field).collect()
     };
     let is_more = |key: &Key| key.subject == Subject::Scan && !OF_SCANS.contains(&key.name);
+    let named = |name: &&str| Key::find("surface", name);
     let ways = WAYS.map(|(way, keys)| {
         let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
-        let keys = keys.iter().filter_map(|name| Key::find("surface", name));
-        (way, keys.map(field).collect::<Vec<_>>())
+        let fields = keys.iter().filter_map(named).map(|key| field(key).map(String::from));
+        let other = OTHER.iter().filter(|_| way == FINISH).filter_map(named).map(|key| {
+            let [name, label, typed] = field(key);
+            [format!("counterface.{name}"), format!("{label}, other surface"), typed.into()]
+        });
+        (way, fields.chain(other).collect::<Vec<_>>())
     });
     json!({
         "area": Key::find("", "nominal_area").map(field),
@@ -57,7 +67,9 @@ pub(crate) fn form() -> Value {
 /// The way in which the keys of a text describe the surface.
 pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
     let has = |key: &str| fields.contains_key(&format!("surface.{key}"));
-    let of = |(_, keys): &&(&str, &[&str])| keys.iter().take(2).any(|key| has(key));
+    let of = |(way, keys): &&(&str, &[&str])| {
+        keys.iter().take(if *way == FINISH { keys.len() } else { 2 }).any(|key| has(key))
+    };
     WAYS.iter().find(of).map_or("asperities", |(way, _)| way)
 }
 
@@ -75,16 +87,12 @@ pub(crate) fn described(
     };
     let [radius, density, std] = asperities(file);
     let moments = file.scene.surface.moments();
-    let numbers = match way {
-        "moments" => [moments.m0, moments.m2, moments.m4],
-        "iso" => [moments.m0.sqrt(), density, 1.0 / radius],
-        "index" => [file.scene.plasticity_index()?, density * radius * std, std],
-        "asperities" => [radius, density, std],
-        _ => return Err(Refusal::new("drop or choose a scan file instead")),
-    };
-    let keys = WAYS.iter().find(|(name, _)| *name == way).map_or(&[][..], |(_, keys)| keys);
+    let known = WAYS.iter().find(|(name, _)| *name == way && way != "scan");
+    let (_, keys) = known.ok_or_else(|| Refusal::new("drop or choose a scan file instead"))?;
     let with = |values: Vec<Change>| {
         let mut changes = removals(|key| keys.contains(&key.name));
+        // The numbers are those of both surfaces together.
+        changes.push(surface_key("counterface", None));
         changes.extend(values);
         edit(text, &changes)
     };
@@ -93,7 +101,10 @@ pub(crate) fn described(
         Some(surface_key(key.name, Some(value.clone())))
     };
     let numbers_of = KEYS.iter().filter(|key| key.subject == Subject::Roughness);
-    let before = with(numbers_of.filter_map(as_typed).collect())?;
+    let of_other = typed.iter().filter(|(path, _)| path.starts_with("surface.counterface."));
+    let of_other =
+        of_other.map(|(path, value)| Change { path: path.clone(), value: Some(value.clone()) });
+    let before = with(numbers_of.filter_map(as_typed).chain(of_other).collect())?;
     let is_same = |before: SceneFile| {
         let both = asperities(&before).into_iter().zip(asperities(file));
         both.into_iter().all(|(then, now)| (then / now - 1.0).abs() < SAME)
@@ -101,7 +112,17 @@ pub(crate) fn described(
     if asperity_inputs::parse(&before, Path::new("")).is_ok_and(is_same) {
         return Ok(before);
     }
-    with(keys.iter().zip(numbers).map(|(key, x)| surface_key(key, Some(rounded(x)))).collect())
+    let values = match way {
+        // Ra of Gaussian heights.
+        FINISH => vec![rounded((2.0 * moments.m0 / PI).sqrt()), "unknown".into()],
+        "moments" => [moments.m0, moments.m2, moments.m4].map(rounded).into(),
+        "iso" => [moments.m0.sqrt(), density, 1.0 / radius].map(rounded).into(),
+        "index" => {
+            [file.scene.plasticity_index()?, density * radius * std, std].map(rounded).into()
+        }
+        _ => [radius, density, std].map(rounded).into(),
+    };
+    with(keys.iter().zip(values).map(|(key, value)| surface_key(key, Some(value))).collect())
 }
 
 /// The text whose surface is a file. In place of another file it is levelled and filtered with the
@@ -117,6 +138,10 @@ pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
         let is_kept = key.subject == Subject::Surface || OF_TREATMENT.contains(&key.name);
         old.is_some() && (is_kept || key.name == "file")
     });
+    // No scan has a second surface that is known within ranges.
+    if OTHER.iter().any(|key| fields.contains_key(&format!("surface.counterface.{key}"))) {
+        changes.push(surface_key("counterface", None));
+    }
     // In quotes, so that no name of a file reads as anything else.
     changes.push(surface_key("file", Some(toml_edit::Value::from(name).to_string())));
     if is_random(name) {
@@ -146,7 +171,7 @@ mod tests {
         let folder = std::path::Path::new(".");
         let file = asperity_inputs::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
-        for (name, _) in &WAYS[1..] {
+        for (name, _) in &WAYS[2..] {
             let edited = described(text, name, &BTreeMap::new(), &file).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
             let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
@@ -175,7 +200,7 @@ mod tests {
         ] {
             let text = format!("{head}\n[surface]\n{surface}\n");
             let file = asperity_inputs::parse(&text, folder).unwrap();
-            for (name, _) in &WAYS[1..] {
+            for (name, _) in &WAYS[2..] {
                 let edited = described(&text, name, &BTreeMap::new(), &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
                 let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
@@ -203,6 +228,44 @@ mod tests {
         let changed = edit(&moments, &[m0("1e-14")]).unwrap();
         let back = described(&changed, "iso", &typed, &parse(&changed)).unwrap();
         assert!(fields(&back)["surface.sq"].starts_with("1e-7"), "{back}");
+    }
+
+    #[test]
+    fn a_surface_becomes_one_of_unknown_finish_and_its_finish_comes_back() {
+        let parse = |text: &str| asperity_inputs::parse(text, Path::new("")).unwrap();
+        let template = asperity_inputs::template();
+        let file = parse(template);
+        let text = described(template, FINISH, &BTreeMap::new(), &file).unwrap();
+        let typed = fields(&text);
+        assert_eq!((way(&typed), typed["surface.finish"].as_str()), (FINISH, "unknown"));
+        let ra: f64 = typed["surface.ra"].parse().unwrap();
+        let wanted = (2.0 * file.scene.surface.moments().m0 / PI).sqrt();
+        assert!((ra / wanted - 1.0).abs() < 1e-5, "{ra}");
+        let set = |path: &str, value: &str| Change { path: path.into(), value: Some(value.into()) };
+        let ground = [
+            set("surface.ra", "0.8 um"),
+            set("surface.finish", "ground"),
+            set("surface.counterface.ra", "0.8 um"),
+            set("surface.counterface.finish", "ground"),
+        ];
+        let text = edit(&text, &ground).unwrap();
+        assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");
+        // Numbers are those of both surfaces, and the way back is to what was typed.
+        let typed = fields(&text);
+        let moments = described(&text, "moments", &BTreeMap::new(), &parse(&text)).unwrap();
+        let has_other = |text: &str| fields(text).keys().any(|path| path.contains("counterface"));
+        assert!(!has_other(&moments));
+        let back = described(&moments, FINISH, &typed, &parse(&moments)).unwrap();
+        let each = |text: &BTreeMap<String, String>| {
+            let mut text = text.clone();
+            text.remove("surface.counterface");
+            text
+        };
+        assert_eq!(each(&fields(&back)), each(&typed));
+        assert!(!has_other(&with_scan(&text, "a.x3p").unwrap()));
+        let none = |path: &str| Change { path: path.into(), value: None };
+        let smooth = ["surface.counterface.ra", "surface.counterface.finish"].map(none);
+        assert!(!has_other(&edit(&text, &smooth).unwrap()));
     }
 
     #[test]

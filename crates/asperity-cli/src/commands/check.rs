@@ -56,7 +56,8 @@ impl Check {
         let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
-            let (_, model) = scene.model(self.model.as_deref())?;
+            let middle = LoadedScene { file: scene.file.middle()?, name: scene.name.clone() };
+            let (_, model) = middle.model(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)
         });
         let (mut checked, refused) = match answered {
@@ -76,10 +77,16 @@ impl Check {
 }
 
 fn numbers(checked: &CheckedScene) -> Sheet {
-    let mut sheet = Sheet::new(&["name", "value", "unit", "meaning"]);
+    let has_ends = checked.numbers.iter().any(|number| number.ends.is_some());
+    let ends = if has_ends { &["lower", "upper"][..] } else { &[] };
+    let mut sheet = Sheet::default();
+    sheet.under(&[&["name", "value"], ends, &["unit", "meaning"]]);
     sheet.rows.extend(checked.numbers.iter().map(|number| {
-        let value = Cell::Number(number.value);
-        vec![number.name.into(), value, number.unit.into(), (*number.meaning).into()]
+        let mut row = vec![number.name.into(), Cell::Number(number.value)];
+        let end = |k: usize| Cell::from(number.ends.map(|ends| ends[k]));
+        row.extend((0..ends.len()).map(end));
+        row.extend([number.unit.into(), (*number.meaning).into()]);
+        row
     }));
     sheet
 }

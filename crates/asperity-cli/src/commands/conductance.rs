@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
 use asperity::{At, Interface, Quantity, nearest_hint, nearest_name};
-use asperity_answer::{Conductance as Question, Gas};
-use asperity_inputs::likely_angle;
+use asperity_answer::{Conductance as Question, Gas, Sheet, drawn_with_ranges, with_ranges};
+use asperity_inputs::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
 use super::conductance_picture::picture;
@@ -75,8 +75,12 @@ impl Conductance {
             gas: self.gas(),
         };
         let places: Vec<At> = loads(&self.load, &self.pressure).collect();
-        let (sheet, ()) = scene.answer(|sheet| question.answer(&places, sheet))?;
-        self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
+        let fill = |file: &SceneFile, sheet: &mut Sheet| {
+            Question { file, ..question }.answer(&places, sheet)
+        };
+        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
+        let drawn = || drawn_with_ranges(&scene.file, &sheet);
+        self.output.write(&sheet, || picture(&drawn(), &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.

@@ -4,7 +4,7 @@
 use anyhow::{Context, Result};
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, one_model};
+use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -80,9 +80,10 @@ impl Curve {
         let flow = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
         let usual = if ids == [FLOW] { flow.collect() } else { USUAL.to_vec() };
         let request = self.asked.request(&scene.file, &separations, &usual);
-        let (sheet, ()) =
-            scene.answer(|sheet| self.answer(&scene.file, &request, compares, sheet))?;
-        self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
+        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
+        let drawn = || drawn_with_ranges(&scene.file, &sheet);
+        self.output.write(&sheet, || plot::svg(&drawn(), &request, scene.file.separation_from))
     }
 
     fn answer(

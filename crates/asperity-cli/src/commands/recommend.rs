@@ -3,6 +3,7 @@
 
 use anyhow::Result;
 use asperity::{Quantity, linspace};
+use asperity_answer::with_ranges;
 use clap::Args;
 
 use crate::input::args::{ModelArgs, OutputArgs, model_id};
@@ -42,7 +43,8 @@ impl Recommend {
             at_defaults: self.asked.is_nowhere(),
         };
         let working = progress("comparing models");
-        let (sheet, ()) = scene.answer(|sheet| asked.answer(&scene.file, sheet))?;
+        let fill = |file: &_, sheet: &mut _| asked.answer(file, sheet);
+        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         drop(working);
         self.output.write(&sheet)
     }

@@ -32,6 +32,8 @@ pub struct DerivedNumber {
     pub unit: &'static str,
     /// Its meaning and formula.
     pub meaning: Cow<'static, str>,
+    /// Its smallest and largest value where it is known within a range.
+    pub ends: Option<[f64; 2]>,
 }
 
 /// Derived numbers and findings of a scene or an answer.
@@ -58,7 +60,17 @@ pub struct Check {
 }
 
 fn as_map<S: Serializer>(numbers: &[DerivedNumber], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(numbers.iter().map(|number| (number.name, number.value)))
+    let named = numbers.iter().flat_map(DerivedNumber::named);
+    serializer.collect_map(named)
+}
+
+impl DerivedNumber {
+    /// The value by its name, and the ends of its range as `name_lower` and `name_upper`.
+    pub fn named(&self) -> impl Iterator<Item = (String, f64)> {
+        let end = |(what, value)| (format!("{}_{what}", self.name), value);
+        let ends = self.ends.map(|ends| ["lower", "upper"].into_iter().zip(ends).map(end));
+        [(self.name.to_string(), self.value)].into_iter().chain(ends.into_iter().flatten())
+    }
 }
 
 impl Check {
@@ -82,7 +94,7 @@ impl Check {
         unit: &'static str,
         meaning: impl Into<Cow<'static, str>>,
     ) {
-        self.numbers.push(DerivedNumber { name, value, unit, meaning: meaning.into() });
+        self.numbers.push(DerivedNumber { name, value, unit, meaning: meaning.into(), ends: None });
     }
 }
 

@@ -13,7 +13,7 @@ use crate::{Roughness, Way};
 type Slip = (&'static [&'static str], [f64; 2], &'static [(&'static str, f64)]);
 const SLIPS: [Slip; 6] = [
     (
-        &["sq", "surface_height_std", "asperity_height_std"],
+        &["sq", "surface_height_std", "asperity_height_std", "ra", "rq", "rz"],
         [3e-11, 2e-3],
         &[("um", 1e-6), ("nm", 1e-9)],
     ),

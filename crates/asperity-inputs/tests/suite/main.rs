@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 mod examples;
+mod finishes;
 mod height_files;
 mod hostile;
 mod measured;

@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::{ContactModel, ProfileMoments, Quantity, Request, Surface};
 use asperity_inputs::{SceneError, SceneFile, parse};
 
-const HEAD: &str = "nominal_area = 1e-8\nrigid_counterface = true
+pub(crate) const HEAD: &str = "nominal_area = 1e-8\nrigid_counterface = true
 [[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n[surface]\n";
 
 fn scene(folder: &Path, surface: &str) -> Result<SceneFile, SceneError> {

@@ -89,7 +89,8 @@ fn every_alternative_of_the_template_is_read_and_written() {
     let interface = block("# [interface]", "[surface]");
     let (index, moments) =
         (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. parameters"));
-    let iso = block("# sq =", "# 5. a measurement");
+    let iso = block("# sq =", "# 5. roughness");
+    let finish = block("# ra =", "# feed =");
     let surface = block("asperity_radius", "# surface_height_std");
     let options = template().split_once("[options]").unwrap().1;
     let options = format!("[options]{options}");
@@ -100,6 +101,7 @@ fn every_alternative_of_the_template_is_read_and_written() {
         (&bodies, &index, "plasticity_index = 2e0"),
         (&interface, &moments, "m4 = 5e4"),
         (&bodies, &iso, "spc = 5e3"),
+        (&bodies, &finish, "finish = \"ground\""),
     ] {
         let file = read(&format!("nominal_area = 1e-4\n{interface}[surface]\n{surface}{options}"));
         let (text, _) = again(&file);

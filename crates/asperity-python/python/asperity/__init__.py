@@ -59,6 +59,8 @@ from asperity._model import AsperityLaws as AsperityLaws
 from asperity._model import Model as Model
 from asperity._model import model as model
 from asperity._model import models as models
+from asperity._ranges import Ranges as Ranges
+from asperity._ranges import ranges as ranges
 from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface

@@ -13,6 +13,9 @@ from asperity._arguments import LOADS, Rows, one_scene, place, record
 from asperity._asperity import Engine, Scene
 from asperity._model import Model, as_model
 
+#: Name, value, ends of its range, unit and meaning.
+Number = tuple[str, float, "tuple[float, float] | None", str, str]
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -39,22 +42,26 @@ class Finding:
 class Check:
     """Derived numbers and findings of a scene and, at a load, of a model; ``print`` it."""
 
-    #: Numbers by their names, in SI units.
+    #: Numbers by their names, in SI units; those on a surface that is known within ranges also have
+    #: the ends of theirs, as ``area_lower`` and ``area_upper``.
     numbers: dict[str, float]
     #: Unusual numbers, most severe first.
     findings: tuple[Finding, ...]
     text: str = field(repr=False)
 
     @staticmethod
-    def _of(numbers: list[tuple[str, float, str, str]], findings: list[dict[str, Any]]) -> Check:
+    def _of(numbers: list[Number], findings: list[dict[str, Any]]) -> Check:
         found = tuple(record(Finding, one) for one in findings)
         width = max(len(name) for name, *_ in numbers)
-        lines = [
-            f"{name:<{width}}  {value:<12.6g} {unit:<5} {meaning}".rstrip()
-            for name, value, unit, meaning in numbers
-        ]
-        text = "\n".join([*lines, *map(str, found)])
-        return Check({name: value for name, value, *_ in numbers}, found, text)
+        lines, named = [], {}
+        for name, value, ends, unit, meaning in numbers:
+            named[name] = value
+            between = ""
+            if ends is not None:
+                named[f"{name}_lower"], named[f"{name}_upper"] = ends
+                between = f"({ends[0]:.6g} to {ends[1]:.6g}) "
+            lines.append(f"{name:<{width}}  {value:<12.6g} {between}{unit:<5} {meaning}".rstrip())
+        return Check(named, found, "\n".join([*lines, *map(str, found)]))
 
     def __str__(self) -> str:
         return self.text

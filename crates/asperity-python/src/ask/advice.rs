@@ -17,7 +17,9 @@ use crate::model::engine::Engine;
 use crate::scene::{SceneFile, models_among};
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
-type CheckResult<'py> = (Vec<(String, f64, String, String)>, Object<'py>);
+type CheckResult<'py> = (Vec<CheckedNumber>, Object<'py>);
+/// Name, value, ends, unit and meaning.
+type CheckedNumber = (String, f64, Option<[f64; 2]>, String, String);
 
 /// Derived numbers and findings of a scene and, at a place, of a model's answer.
 #[pyfunction]
@@ -31,7 +33,8 @@ pub(crate) fn check<'py>(
     let checked = match place {
         None => file.check(None).map_err(refused)?,
         Some((engine, axis, number)) => {
-            let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
+            let model = engine.on(&file.middle().map_err(refused)?)?;
+            let at = axis.at(number, file.separation_from);
             match py.detach(|| file.check(Some((&model, at)))) {
                 Ok(checked) => checked,
                 Err(error) => explain(file, &error).ok_or_else(|| engine.raise(py, error))?,
@@ -39,8 +42,9 @@ pub(crate) fn check<'py>(
         }
     };
     let Check { numbers, findings, .. } = checked;
-    let number =
-        |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
+    let number = |n: asperity::DerivedNumber| {
+        (n.name.into(), n.value, n.ends, n.unit.into(), n.meaning.into())
+    };
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
 }
 

@@ -183,6 +183,7 @@ impl Engine {
 
     /// The model on a scene; options of the model replace those of the scene.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
+        file.need_known().map_err(value_error)?;
         self.with(file.options, Some(file))
     }
 
@@ -191,6 +192,7 @@ impl Engine {
         if let [file] = files {
             return self.on(file);
         }
+        files.iter().try_for_each(|file| file.need_known()).map_err(value_error)?;
         // These take more from a surface than the numbers of a scene.
         for (id, what) in [(Bem::ID, "with a scan"), (FLOW, "and its lay")] {
             if self.is_named(id) {

@@ -39,6 +39,29 @@ impl From<OptionValue> for asperity_inputs::OptionValue {
     }
 }
 
+/// The value of a key of `[surface]`: a text, a number, or the keys of a second surface.
+#[derive(FromPyObject)]
+pub(crate) enum KeyValue {
+    Text(String),
+    Number(f64),
+    Keys(BTreeMap<String, KeyValue>),
+}
+
+impl From<KeyValue> for asperity_inputs::OptionValue {
+    fn from(value: KeyValue) -> Self {
+        match value {
+            KeyValue::Text(text) => text.into(),
+            KeyValue::Number(number) => number.into(),
+            KeyValue::Keys(keys) => keys_of(keys).into(),
+        }
+    }
+}
+
+/// Keys with their values.
+pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_inputs::Keys {
+    given.into_iter().map(|(name, value)| (name, value.into())).collect()
+}
+
 impl Heights {
     /// The heights of a scene.
     pub(crate) fn in_file(file: &asperity_inputs::SceneFile) -> Self {

@@ -17,7 +17,7 @@ use crate::convert::numbers::number;
 use crate::convert::{Object, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
-use arguments::{Heights, OptionValue, inputs, inputs_in_si};
+use arguments::{Heights, KeyValue, OptionValue, inputs, inputs_in_si, keys_of};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -27,8 +27,10 @@ use arguments::{Heights, OptionValue, inputs, inputs_in_si};
 /// ----------
 /// interface : Interface
 ///     The two bodies.
-/// surface : Surface
-///     The equivalent rough surface.
+/// surface : Surface or dict
+///     The equivalent rough surface, or the keys of the section [surface] of a scene file, as
+///     ``{"ra": "0.8 um", "finish": "ground"}``: such a surface is known within ranges, and
+///     ``asperity.ranges`` gives answers on it.
 /// nominal_area : float or str
 ///     The apparent area of contact [m^2], above 0.
 /// heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
@@ -83,14 +85,22 @@ impl SceneFile {
         options: Option<BTreeMap<String, OptionValue>>,
         accept: Vec<String>,
     ) -> PyResult<Self> {
+        let keys: Option<BTreeMap<String, KeyValue>> = surface.extract().ok();
         let scene = asperity::Scene::new(
             instance("interface", interface)?,
-            instance("surface", surface)?,
+            match keys {
+                // Replaced by that of the keys.
+                Some(_) => asperity::Surface::new(1.0, 1.0, 1.0),
+                None => instance("surface", surface)?,
+            },
             number("Scene", "nominal_area", nominal_area)?,
         );
         let mut file = asperity_inputs::SceneFile::from(scene);
         file.bodies = records::bodies(interface)?;
-        file.describe_by(records::roughness(surface)?);
+        match keys {
+            Some(keys) => file = file.with_surface(&keys_of(keys)).map_err(value_error)?,
+            None => file.describe_by(records::roughness(surface)?),
+        }
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
         }
@@ -141,9 +151,10 @@ impl SceneFile {
         records::interface(py, &self.0.scene.interface, &self.0.bodies)
     }
 
-    /// The equivalent rough surface.
+    /// The equivalent rough surface; an error if it is known within ranges.
     #[getter]
     fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        self.0.need_known().map_err(value_error)?;
         records::surface(py, &self.0.scene.surface, self.0.roughness)
     }
 
@@ -220,18 +231,21 @@ impl SceneFile {
     /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        self.0.need_known().map_err(value_error)?;
         records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
     /// The number of asperities: density times nominal area.
     #[getter]
-    fn asperities(&self) -> f64 {
-        self.0.scene.asperities()
+    fn asperities(&self) -> PyResult<f64> {
+        self.0.need_known().map_err(value_error)?;
+        Ok(self.0.scene.asperities())
     }
 
     /// The square root of height_std over the critical interference.
     #[getter]
     fn plasticity_index(&self) -> PyResult<f64> {
+        self.0.need_known().map_err(value_error)?;
         self.0.scene.plasticity_index().map_err(refused)
     }
 
@@ -283,7 +297,11 @@ impl SceneFile {
     fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arguments = PyDict::new(py);
         arguments.set_item("interface", self.interface(py)?)?;
-        arguments.set_item("surface", self.surface(py)?)?;
+        let surface = match self.0.keys_with_ranges() {
+            Some(keys) => object(py, keys)?,
+            None => self.surface(py)?,
+        };
+        arguments.set_item("surface", surface)?;
         arguments.set_item("nominal_area", self.nominal_area())?;
         arguments.set_item("heights", self.heights(py)?)?;
         arguments.set_item("separation_from", self.separation_from(py)?)?;
@@ -291,6 +309,18 @@ impl SceneFile {
         arguments.set_item("options", self.options(py)?)?;
         arguments.set_item("accept", self.accept(py)?)?;
         Ok(arguments)
+    }
+
+    /// The scene in the middle of the ranges of its surface and those at the ends, and the names of
+    /// what has a range; a known scene alone.
+    fn _corners(&self) -> PyResult<(Self, Vec<Self>, Vec<&'static str>)> {
+        let names: Vec<_> = self.0.spreads().into_iter().map(|(name, _)| name).collect();
+        let made = |file| Self(Arc::new(file));
+        if names.is_empty() {
+            return Ok((Self(self.0.clone()), vec![], names));
+        }
+        let (middle, corners) = self.0.corners().map_err(refused)?;
+        Ok((made(middle), corners.into_iter().map(made).collect(), names))
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.

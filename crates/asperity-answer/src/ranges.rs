@@ -1,0 +1,229 @@
+//! Answers on a surface that is known within ranges: every number with its lower and upper end.
+
+use asperity::{Finding, Quantity, Severity};
+use asperity_inputs::SceneFile;
+
+use crate::inquiry::{ENDS, column_beside};
+use crate::{AnswerError, Cell, Sheet};
+
+/// Stiffnesses, which waviness beyond the cut-off of the profile lowers.
+const STIFFNESSES: [Quantity; 3] =
+    [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
+/// What each unknown is narrowed by.
+const NARROWED: [(&str, &str); 3] = [
+    ("rq", "`rq` would narrow it"),
+    ("mean_slope", "`rdq`, `rz` with `rsm`, or a scan would narrow it"),
+    ("bandwidth", "`bandwidth` or a scan would narrow it"),
+];
+
+/// Fills a sheet for a scene. Where numbers of its surface are known within ranges, it is filled in
+/// the middle of the ranges and at every combination of their ends; each number that differs there
+/// gets the smallest and the largest of these as columns `_lower` and `_upper`, and is blank if it
+/// is missing at an end. Findings say which unknown makes the ranges wide.
+///
+/// # Errors
+/// Those of `fill`, in the middle or at an end.
+pub fn with_ranges<T, E: From<AnswerError>>(
+    file: &SceneFile,
+    sheet: &mut Sheet,
+    fill: impl Fn(&SceneFile, &mut Sheet) -> Result<T, E>,
+) -> Result<T, E> {
+    if file.spreads().is_empty() {
+        return fill(file, sheet);
+    }
+    let (middle, corners) = file.corners().map_err(AnswerError::from)?;
+    let found = fill(&middle, sheet)?;
+    if sheet.heads.iter().any(|head| head.ends_with("_lower")) {
+        let text = "intervals by boundary elements are not combined with ranges of the surface";
+        return Err(AnswerError::from(text).into());
+    }
+    let mut ends = Ends { file, sheets: vec![] };
+    for corner in &corners {
+        let mut at_corner = Sheet::default();
+        fill(corner, &mut at_corner)?;
+        if at_corner.rows.len() != sheet.rows.len() {
+            let text = "the number of rows differs between the ends of the ranges of the surface";
+            return Err(AnswerError::from(text).into());
+        }
+        ends.sheets.push(at_corner);
+    }
+    ends.add_findings(sheet);
+    ends.add_columns(sheet);
+    Ok(found)
+}
+
+/// The sheet of a picture: the rows of the middle and, where the scene has ranges, those of the ends
+/// under the names `ke lower` and `ke upper`.
+#[must_use]
+pub fn drawn_with_ranges(file: &SceneFile, sheet: &Sheet) -> Sheet {
+    let mut drawn = sheet.clone();
+    for end in ENDS.into_iter().filter(|_| !file.spreads().is_empty()) {
+        drawn.rows.extend(sheet.rows.iter().map(|row| {
+            let cells = sheet.heads.iter().zip(row).map(|(head, own)| {
+                sheet.column(&head_of_end(head, end)).map_or(own, |column| &row[column]).clone()
+            });
+            let mut cells: Vec<Cell> = cells.collect();
+            cells[0] = Cell::from(&*format!("{} {end}", row[0].text()));
+            cells
+        }));
+    }
+    drawn
+}
+
+/// The sheets at the ends of the ranges.
+struct Ends<'a> {
+    file: &'a SceneFile,
+    sheets: Vec<Sheet>,
+}
+
+/// How a value answers to the unknowns: the ratio of its ends, and that due to each unknown.
+#[derive(Clone, Default)]
+struct Width {
+    total: f64,
+    /// Logarithms.
+    of_unknowns: Vec<f64>,
+}
+
+impl Ends<'_> {
+    /// The numbers of a cell at the ends and in the middle; none if one of them is missing.
+    fn numbers(&self, sheet: &Sheet, row: usize, column: usize) -> Option<Vec<f64>> {
+        let all = self.sheets.iter().chain([sheet]);
+        all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
+    }
+
+    /// Adds the ends of every column whose numbers differ.
+    fn add_columns(&self, sheet: &mut Sheet) {
+        let differs = |column: &usize| {
+            (0..sheet.rows.len()).any(|row| {
+                let own = sheet.rows[row][*column].number();
+                self.sheets.iter().any(|end| match (own, end.rows[row][*column].number()) {
+                    (Some(own), Some(other)) => (own - other).abs() > SAME * own.abs(),
+                    (own, other) => own.is_some() != other.is_some(),
+                })
+            })
+        };
+        let columns: Vec<usize> = (0..sheet.heads.len()).filter(differs).collect();
+        let mut blank = 0;
+        // From the last, so that the places of the others stay.
+        for column in columns.into_iter().rev() {
+            for row in 0..sheet.rows.len() {
+                let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
+                let cell = &mut sheet.rows[row][column];
+                if ends.is_none() && cell.number().is_some() {
+                    *cell = Cell::Blank(Some(NO_RANGE.into()));
+                    blank += 1;
+                }
+                let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
+                sheet.rows[row].splice(column + 1..column + 1, ends);
+            }
+            let heads = ENDS.map(|end| head_of_end(&sheet.heads[column], end));
+            sheet.heads.splice(column + 1..column + 1, heads);
+        }
+        if blank > 0 {
+            sheet.warn("no-value", format!("{blank} values are blank: {NO_RANGE}"));
+        }
+    }
+
+    /// The widest value of a column of positive numbers.
+    fn width(&self, sheet: &Sheet, column: usize) -> Option<Width> {
+        let unknowns = self.file.spreads().len();
+        let of_row = |row: usize| {
+            let numbers = self.numbers(sheet, row, column)?;
+            let logs: Vec<f64> = numbers.into_iter().map(f64::ln).collect();
+            let corners = logs.get(..logs.len() - 1)?;
+            let effect = |unknown: usize| {
+                let side = |k: usize| if (k >> unknown) & 1 == 1 { 1.0 } else { -1.0 };
+                let sum: f64 = corners.iter().enumerate().map(|(k, log)| side(k) * log).sum();
+                (2.0 * sum / corners.len() as f64).abs()
+            };
+            let of_unknowns = (0..unknowns).map(effect).collect();
+            let width = Width { total: most(&logs) - least(&logs), of_unknowns };
+            // Places are the same at all ends.
+            Some(width).filter(|of| of.total.is_finite() && of.total > SAME)
+        };
+        let rows = (0..sheet.rows.len()).filter_map(of_row);
+        rows.max_by(|a, b| a.total.total_cmp(&b.total))
+    }
+
+    /// Says which unknown makes the ranges wide, and the shares of all; passes on warnings that the
+    /// middle does not have.
+    fn add_findings(&self, sheet: &mut Sheet) {
+        let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
+        for found in at_ends.filter(|found| found.severity < Severity::Note) {
+            let is_new = |known: &Finding| known.code != found.code;
+            if sheet.findings.iter().all(is_new) {
+                sheet.findings.push(found.clone().from_origin(AT_AN_END));
+            }
+        }
+        let verdict =
+            |of: &Sheet| of.findings.iter().find(|found| found.code == "verdict").cloned();
+        let own = verdict(sheet);
+        let others = self.sheets.iter().filter_map(verdict);
+        if let Some(other) = others.into_iter().find(|other| Some(other) != own.as_ref()) {
+            sheet.findings.push(other.from_origin(AT_AN_END));
+        }
+        let spreads = self.file.spreads();
+        let columns = sheet.heads.iter().enumerate().filter_map(|(column, head)| {
+            let quantity = Quantity::ALL.into_iter().find(|one| one.column() == *head)?;
+            Some((quantity, self.width(sheet, column)?))
+        });
+        let widths: Vec<(Quantity, Width)> = columns.collect();
+        let sum = |k: usize| widths.iter().map(|(_, width)| width.of_unknowns[k]).sum::<f64>();
+        let widest = (0..spreads.len()).max_by(|a, b| sum(*a).total_cmp(&sum(*b)));
+        let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
+        let (name, spread) = spreads[k];
+        let ratio = |log: f64| format!("{:.1}", log.exp());
+        let within = |(quantity, width): &(Quantity, Width)| {
+            format!("`{quantity}` within {}", ratio(width.of_unknowns[k]))
+        };
+        let each = widths.iter().map(within).collect::<Vec<_>>().join(", ");
+        let narrowed = NARROWED.iter().find(|(known, _)| *known == name).map_or("", |of| of.1);
+        let spread = ratio(spread.ln());
+        let text = format!(
+            "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed}"
+        );
+        sheet.note("unknown-surface", text);
+        let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
+            let all: f64 = of_unknowns.iter().sum();
+            let share = |((name, _), of): (&(&str, f64), &f64)| {
+                format!("`{name}` {:.0} %", 100.0 * of / all)
+            };
+            let shares = spreads.iter().zip(of_unknowns).map(share).collect::<Vec<_>>().join(", ");
+            format!("`{quantity}` {} ({shares})", ratio(*total))
+        });
+        let shares = shares.collect::<Vec<_>>().join("; ");
+        let text = format!(
+            "upper over lower end, at most, and the shares of the unknowns in this: {shares}"
+        );
+        sheet.note("unknown-surface", text);
+        if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
+            let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
+            sheet.note("waviness", text);
+        }
+        sheet.findings.extend(self.file.smooth_counterface());
+    }
+}
+
+/// Relative difference of numbers that are the same but for their errors.
+const SAME: f64 = 1e-9;
+const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
+const AT_AN_END: &str = "at an end of the ranges of the surface";
+
+fn least(numbers: &[f64]) -> f64 {
+    numbers.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+fn most(numbers: &[f64]) -> f64 {
+    numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The name of a column with an end of another: `area_lower` of `area_m2`, as of corrected models,
+/// and `separation_lower_m`.
+fn head_of_end(head: &str, end: &str) -> String {
+    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
+    match (quantity, head.strip_suffix("_m")) {
+        (Some(quantity), _) => column_beside(quantity, end),
+        (None, Some(length)) => format!("{length}_{end}_m"),
+        (None, None) => format!("{head}_{end}"),
+    }
+}

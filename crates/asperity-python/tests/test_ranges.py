@@ -1,0 +1,61 @@
+"""Scenes whose surface is known within ranges."""
+
+from __future__ import annotations
+
+import pickle
+
+import asperity
+import numpy as np
+import pytest
+
+STEEL = asperity.Body(210e9, 0.3, hardness=2e9)
+PAIR = asperity.Interface.between(STEEL, STEEL)
+GROUND = {"ra": "0.8 um", "finish": "ground"}
+
+
+def scene(**keys: object) -> asperity.Scene:
+    return asperity.Scene(PAIR, {**GROUND, **keys}, nominal_area=1e-4)
+
+
+def test_keys_are_kept_and_single_numbers_refused() -> None:
+    ground = scene(counterface=GROUND)
+    assert pickle.loads(pickle.dumps(ground)) == ground  # noqa: S301
+    assert asperity.Scene.parse(ground.to_toml()) == ground
+    assert "'finish': 'ground'" in repr(ground)
+    model = asperity.model("ke")
+    for ask in (
+        lambda: model.solve(ground, load=10.0),
+        lambda: model.solve([ground, ground], load=10.0),
+        lambda: model.compile(ground),
+        lambda: ground.surface,
+        lambda: ground.plasticity_index,
+        lambda: asperity.correlated_conductance("cmy", ground, pressure=1e6),
+        lambda: asperity.recommend(ground, pressure=1e6),
+    ):
+        with pytest.raises(ValueError, match=r"within ranges only|no model"):
+            ask()
+    with pytest.raises(ValueError, match="finish is missing"):
+        asperity.Scene(PAIR, {"ra": "0.8 um"}, nominal_area=1e-4)
+
+
+def test_ranges_are_those_of_the_corners() -> None:
+    ground, model = scene(counterface=GROUND), asperity.model("ke")
+    pressures = np.array([1e6, 1e7])
+
+    def area(one: asperity.Scene) -> object:
+        return model.solve(one, pressure=pressures, quantities="area").area
+
+    found = asperity.ranges(ground, area)
+    assert found.middle.shape == (2,)
+    assert np.all((found.lower < found.middle) & (found.middle < found.upper))
+    assert np.allclose(sum(found.shares.values()), 1.0)
+    checked = ground.check("ke", pressure=1e6).numbers
+    ends = [checked[name] for name in ("area", "area_lower", "area_upper")]
+    assert np.allclose(ends, [found.middle[0], found.lower[0], found.upper[0]], rtol=1e-9)
+
+
+def test_a_known_surface_has_no_ranges() -> None:
+    known = asperity.Scene(PAIR, {"rq": "1 um", "rdq": 0.1, "bandwidth": 10.0}, nominal_area=1e-4)
+    found = asperity.ranges(known, lambda one: one.plasticity_index)
+    assert found.lower == found.upper == known.plasticity_index
+    assert found.shares == {}
