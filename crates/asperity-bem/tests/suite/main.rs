@@ -6,6 +6,7 @@ mod closed_forms;
 mod codes;
 
 mod inputs;
+mod leaks;
 mod invariants;
 mod light_contacts;
 mod light_loads;

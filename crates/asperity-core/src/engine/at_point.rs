@@ -50,6 +50,7 @@ impl AtPoint<'_> {
             Derivation::Ratio(above, below) => self.ratio(quantity, (above, below), integrals),
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
+            Derivation::GapMap => Err(ContactError::NotRequested { quantity }),
         }
     }
 

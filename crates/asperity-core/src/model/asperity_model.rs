@@ -1,6 +1,7 @@
 //! What to write for a model of one asperity: its laws.
 
 use crate::law::contact_radii;
+use crate::recommended::BEM;
 use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 
@@ -60,7 +61,8 @@ impl dyn AsperityModel + '_ {
     /// The law whose average over the heights is this quantity.
     ///
     /// # Errors
-    /// [`ContactError::NoLaw`] for a quantity that is derived from others, and those of the law.
+    /// [`ContactError::NoLaw`] for a quantity that is derived from others,
+    /// [`ContactError::Unsupported`] for one that needs the map of the gap, and those of the law.
     pub fn law(
         &self,
         asperity: &Asperity,
@@ -70,6 +72,10 @@ impl dyn AsperityModel + '_ {
         let law = match quantity.derivation() {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
+            Derivation::GapMap => {
+                let what = format!("`{quantity}`: the map of the gap is needed; use `{BEM}`");
+                return Err(ContactError::Unsupported { model: self.id().into(), what });
+            }
             _ => None,
         };
         law.ok_or_else(|| ContactError::NoLaw { model: self.id().into(), quantity })

@@ -68,9 +68,10 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral(_) | Derivation::IntegralOrSlope(..) | Derivation::Slope(_) => {
-                self
-            }
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
+            | Derivation::Slope(_)
+            | Derivation::GapMap => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -95,6 +96,12 @@ impl Quantity {
     #[must_use]
     pub fn is_of_joint(self) -> bool {
         self.radius_factor().is_some()
+    }
+
+    /// Whether this is a flow through the gap, for which its map must be known.
+    #[must_use]
+    pub fn needs_gap_map(self) -> bool {
+        matches!(self.derivation(), Derivation::GapMap)
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.

@@ -27,6 +27,8 @@ pub(crate) enum Derivation {
     Logarithm(Quantity),
     /// The share of a regime in the force.
     RegimeShare(Regime),
+    /// Flow through the map of the gap, which no law of asperities has.
+    GapMap,
 }
 
 /// An entry of the table.
@@ -215,5 +217,24 @@ quantities! {
         name: "plastic-share", symbol: "F_p/F", unit: "", label: "plastic share of the force",
         definition: "Share of the force on plastic asperities.",
         derivation: Derivation::RegimeShare(Regime::Plastic),
+    }
+    HydraulicGapX {
+        name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",
+        definition: "Even gap that lets as much fluid pass along the rows of the scan as the gap of \
+            the contact, 0 where no open path is left.",
+        derivation: Derivation::GapMap,
+    }
+    HydraulicGapY {
+        name: "hydraulic-gap-y", symbol: "h_y", unit: "m", label: "hydraulic gap along y",
+        definition: "Even gap that lets as much fluid pass along the columns of the scan as the gap \
+            of the contact, 0 where no open path is left.",
+        derivation: Derivation::GapMap,
+    }
+    EffectiveMediumGap {
+        name: "effective-medium-gap", symbol: "h_m", unit: "m",
+        label: "hydraulic gap of the effective medium",
+        definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
+            (Bruggeman), 0 where half of the area or more is closed.",
+        derivation: Derivation::GapMap,
     }
 }
