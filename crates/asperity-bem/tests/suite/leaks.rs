@@ -80,6 +80,13 @@ fn dense(gaps: &[f64], columns: usize, periodic: bool) -> f64 {
             pairs.push((k, (k + columns) % count));
         }
     }
+    let is_face = |k: usize| k % columns == 0 || (k + 1) % columns == 0;
+    let mut leads: Vec<bool> = (0..count).map(|k| cube(k) > 0.0 && is_face(k)).collect();
+    for _ in 0..count {
+        for (a, b) in pairs.iter().filter(|(a, b)| edge(*a, *b) > 0.0) {
+            (leads[*a], leads[*b]) = (leads[*a] || leads[*b], leads[*a] || leads[*b]);
+        }
+    }
     let (mut matrix, mut right) = (DMatrix::<f64>::zeros(count, count), DVector::zeros(count));
     for (a, b) in pairs {
         let link = edge(a, b);
@@ -94,10 +101,7 @@ fn dense(gaps: &[f64], columns: usize, periodic: bool) -> f64 {
         matrix[(last, last)] += 2.0 * cube(last);
         right[first] = 2.0 * cube(first);
     }
-    // Closed pixels, and a trace of leakage where a part is connected to no face.
-    for k in 0..count {
-        matrix[(k, k)] += if cube(k) > 0.0 { 1e-14 * matrix[(k, k)] } else { 1.0 };
-    }
+    (0..count).filter(|k| !leads[*k]).for_each(|k| matrix[(k, k)] += 1.0);
     let pressures = matrix.lu().solve(&right).unwrap();
     let out: f64 =
         (0..rows).map(|i| (i + 1) * columns - 1).map(|k| 2.0 * cube(k) * pressures[k]).sum();
@@ -114,9 +118,9 @@ fn flows_are_those_of_dense_systems() {
             open.iter().map(|x| if *x < closed { 0.0 } else { 0.1 + x * x }).collect();
         for (boundary, periodic) in BOTH.into_iter().zip([true, false]) {
             let [found, _] = cubes(&gaps, columns, boundary);
-            // The dense system subtracts, and leaks 1e-14 per pixel.
+            // The dense system subtracts.
             let expected = dense(&gaps, columns, periodic);
-            assert!((found - expected).abs() <= 1e-10 * expected.max(1e-3), "{found} {expected}");
+            assert!((found - expected).abs() <= 1e-11 * expected.max(1e-3), "{found} {expected}");
         }
     }
 }
@@ -135,23 +139,21 @@ fn rotating_the_map_swaps_the_directions() {
 }
 
 #[test]
-fn a_square_constriction_approaches_its_limit_as_pixels_halve() {
-    // A quarter of a period closed: of a square array of square holes the resistance converges with
-    // the corners' singularity, at least with the first power of the pixel.
+fn a_square_constriction_approaches_its_closed_form_as_pixels_halve() {
+    // A square array of closed squares on a quarter of the area: Obnosov (1999) has
+    // √((a + 3 b)/(3 a + b)) a for squares of b in a \[recalled, and met here\]. The corners leave an
+    // error that falls with the 4/3rd power of the pixel.
     let flow = |n: usize| {
         let inside = |k: usize| (n / 4..3 * n / 4).contains(&k);
         let gaps: Vec<f64> =
             (0..n * n).map(|k| if inside(k / n) && inside(k % n) { 0.0 } else { 1.0 }).collect();
         cubes(&gaps, n, Boundary::Periodic)
     };
-    let found: Vec<f64> = [16, 32, 64, 128].map(|n| flow(n)[0]).to_vec();
-    close(flow(32)[1], found[1], 1e-13);
-    let steps: Vec<f64> = found.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    assert!(steps.windows(2).all(|pair| pair[1].abs() < 0.5 * pair[0].abs()), "{steps:?}");
-    // Between Maxwell's 3/5, an upper bound for any isotropic medium that is a quarter closed, and
-    // the layers in series: half of the length open, half of it half open.
-    assert!(found[3] < 0.6 && found[3] > 0.5, "{found:?}");
-    println!("{found:?} {steps:?}");
+    let [coarse, fine] = [64, 128].map(flow);
+    close(fine[1], fine[0], 1e-13);
+    let exact = 3f64.sqrt().recip();
+    let [coarse, fine] = [coarse, fine].map(|[x, _]| (x / exact - 1.0).abs());
+    assert!(fine < 2e-3 && fine < 0.45 * coarse, "{coarse} {fine}");
 }
 
 /// A periodic field of conductivities without closed pixels.
