@@ -32,7 +32,8 @@ fn check(name: &str) -> Result<(), FitError> {
 }
 
 fn quantity(name: &str) -> Option<Quantity> {
-    Quantity::ALL.into_iter().find(|quantity| quantity.column() == name)
+    let models_have = |quantity: &Quantity| !quantity.needs_gap_map();
+    Quantity::ALL.into_iter().filter(models_have).find(|quantity| quantity.column() == name)
 }
 
 /// The columns of a table that a fit reads.

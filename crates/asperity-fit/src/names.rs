@@ -47,8 +47,9 @@ fn known_columns() -> Vec<Known> {
     let places =
         [(LOAD, "load", "N"), (PRESSURE, "pressure", "Pa"), (SEPARATION, "separation", "m")]
             .map(|(column, quantity, si)| (column.to_string(), quantity.to_string(), si));
-    // Pressure is a place and a quantity.
-    let quantities = Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Pressure);
+    // Pressure is a place and a quantity; no model of a fit has the map of the gap.
+    let quantities = Quantity::ALL.into_iter();
+    let quantities = quantities.filter(|q| *q != Quantity::Pressure && !q.needs_gap_map());
     let quantities = quantities.map(|q| (q.column(), q.to_string().replace('-', "_"), q.unit()));
     let known = |(column, quantity, si)| Known { column, quantity, si: unit_in_name(si) };
     places.into_iter().chain(quantities).map(known).collect()

@@ -171,14 +171,16 @@ impl DrawnArgs {
 }
 
 fn quantities_help() -> String {
-    let names = |circles: bool| {
-        let listed = Quantity::ALL.into_iter().filter(|q| q.needs_circles() == circles);
+    let names = |circles: bool, gap: bool| {
+        let is_one = |q: &Quantity| q.needs_circles() == circles && q.needs_gap_map() == gap;
+        let listed = Quantity::ALL.into_iter().filter(is_one);
         listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
     };
     format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}",
-        names(false),
-        names(true)
+        "Quantities: {}; for asperities of one radius with circular contacts also {}; for bem also {}",
+        names(false, false),
+        names(true, false),
+        names(false, true)
     )
 }
 
