@@ -42,7 +42,7 @@ pub struct Press<'a> {
 }
 
 /// The hydraulic gap in each direction, and the column of the flow through it.
-const FLOWS: [(Quantity, Direction, &str); 2] = [
+pub const FLOWS: [(Quantity, Direction, &str); 2] = [
     (Quantity::HydraulicGapX, Direction::X, "flow_x_m3_per_s"),
     (Quantity::HydraulicGapY, Direction::Y, "flow_y_m3_per_s"),
 ];
@@ -151,11 +151,12 @@ impl Press<'_> {
                     });
                     cells.push(value.map(|value| value.value()).into());
                 }
-                for (leak, (gap, direction, _)) in self.leak.iter().flat_map(|l| FLOWS.map(|f| (l, f))) {
-                    let found = summary.gaps.iter().find(|(known, _)| *known == gap);
-                    let gap = found.and_then(|(_, gap)| gap.as_ref().ok());
-                    cells.push(gap.map(|gap| leak.flow(*gap, bem.map(), direction)).into());
-                }
+                let flow = |leak: Leak, (gap, direction, _)| {
+                    let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
+                    Some(leak.flow(*gap.as_ref().ok()?, bem.map(), direction))
+                };
+                let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
+                cells.extend(flows.into_iter().flatten());
                 answers[index] = Some(cells);
                 kept[index] = self.keep.then_some(solution);
             }

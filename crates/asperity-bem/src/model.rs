@@ -143,7 +143,9 @@ impl ContactModel for Bem {
         let all = given.into_iter().zip(all);
         let all: Vec<Solved> =
             all.map(|(given, solution)| (given, contact.summary(solution))).collect();
-        notes.extend(all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::sealed)));
+        notes.extend(
+            all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::sealed)),
+        );
         contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         contact.keep(all);
         Ok(Box::new(contact))

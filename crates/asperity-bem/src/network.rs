@@ -225,7 +225,8 @@ impl Network {
             let pixel = links.inner[place];
             for (other, conductance) in self.edges(pixel).into_iter().flatten() {
                 // A neighbour in a part brought this edge, a line has it once.
-                let found = links.place(other).filter(|at| *at >= links.inner.len() || other > pixel);
+                let found =
+                    links.place(other).filter(|at| *at >= links.inner.len() || other > pixel);
                 found.into_iter().for_each(|found| links.add([place, found], conductance));
             }
             for (face, conductance) in faces.into_iter().zip(self.to_faces(pixel)) {

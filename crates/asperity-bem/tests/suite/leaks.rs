@@ -110,9 +110,14 @@ fn dense(gaps: &[f64], columns: usize, periodic: bool) -> f64 {
 
 #[test]
 fn flows_are_those_of_dense_systems() {
-    for (rows, columns, closed, seed) in
-        [(40, 40, 0.0, 1), (40, 40, 0.25, 2), (40, 40, 0.38, 3), (5, 60, 0.1, 4), (60, 5, 0.1, 5), (2, 2, 0.0, 6)]
-    {
+    for (rows, columns, closed, seed) in [
+        (40, 40, 0.0, 1),
+        (40, 40, 0.25, 2),
+        (40, 40, 0.38, 3),
+        (5, 60, 0.1, 4),
+        (60, 5, 0.1, 5),
+        (2, 2, 0.0, 6),
+    ] {
         let open = numbers(rows * columns, seed);
         let gaps: Vec<f64> =
             open.iter().map(|x| if *x < closed { 0.0 } else { 0.1 + x * x }).collect();
@@ -128,10 +133,13 @@ fn flows_are_those_of_dense_systems() {
 #[test]
 fn rotating_the_map_swaps_the_directions() {
     let gaps: Vec<f64> = numbers(33 * 48, 8).iter().map(|x| (x - 0.2).max(0.0)).collect();
-    let turned: Vec<f64> =
-        (0..48).flat_map(|j| (0..33).rev().map(move |i| (i, j))).map(|(i, j)| gaps[i * 48 + j]).collect();
+    let turned: Vec<f64> = (0..48)
+        .flat_map(|j| (0..33).rev().map(move |i| (i, j)))
+        .map(|(i, j)| gaps[i * 48 + j])
+        .collect();
     for boundary in BOTH {
-        let ([x, y], [turned_x, turned_y]) = (cubes(&gaps, 48, boundary), cubes(&turned, 33, boundary));
+        let ([x, y], [turned_x, turned_y]) =
+            (cubes(&gaps, 48, boundary), cubes(&turned, 33, boundary));
         close(turned_x, y, 1e-12);
         close(turned_y, x, 1e-12);
         assert!((x / y - 1.0).abs() > 1e-3);
@@ -173,7 +181,8 @@ fn the_dual_field_conducts_the_inverse_across() {
         let field = waves(n);
         let gaps: Vec<f64> = field.iter().map(|k| k.cbrt()).collect();
         let inverse: Vec<f64> = field.iter().map(|k| k.cbrt().recip()).collect();
-        let ([x, _], [_, y]) = (cubes(&gaps, n, Boundary::Free), cubes(&inverse, n, Boundary::Free));
+        let ([x, _], [_, y]) =
+            (cubes(&gaps, n, Boundary::Free), cubes(&inverse, n, Boundary::Free));
         x * y
     };
     let [coarse, fine] = [64, 128].map(|n| (product(n) - 1.0).abs());

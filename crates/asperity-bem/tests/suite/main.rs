@@ -6,8 +6,8 @@ mod closed_forms;
 mod codes;
 
 mod inputs;
-mod leaks;
 mod invariants;
+mod leaks;
 mod light_contacts;
 mod light_loads;
 mod lists;

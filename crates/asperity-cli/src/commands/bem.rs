@@ -163,7 +163,8 @@ impl BemCommand {
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
             if let Some(path) = &self.map {
-                let maps: Vec<&[f64]> = solutions.iter().map(|found| &found.pressures[..]).collect();
+                let maps: Vec<&[f64]> =
+                    solutions.iter().map(|found| &found.pressures[..]).collect();
                 contact_map::write(path, &maps, bem.map().shape())?;
             }
             if let [solution] = &solutions[..] {
@@ -193,8 +194,7 @@ impl BemCommand {
         let interface = &scene.file.scene.interface;
         if let Some(path) = &self.picture {
             let hardness = bem.hardness(interface)?;
-            let map =
-                contact_map::picture(bem, &solution.pressures, sheet, hardness, &scene.name);
+            let map = contact_map::picture(bem, &solution.pressures, sheet, hardness, &scene.name);
             draw(path, &map)?;
         }
         if let Some(path) = &self.flow_picture {
