@@ -85,7 +85,7 @@ impl Press<'_> {
             found.extend(new);
             rows
         });
-        sheet.report(self.file, found);
+        sheet.extend(self.file.accepted(found));
         sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
         sheet.heads.extend(flows.iter().map(|(.., head)| (*head).to_string()));
         let width = sheet.heads.len();

@@ -110,9 +110,12 @@ impl ContactSummary {
         let closed = self.gaps.iter().filter(|(_, gap)| *gap == Ok(0.0));
         closed.filter_map(|(quantity, _)| {
             let (direction, percent) = (direction(*quantity)?, 100.0 * self.area);
-            let note = Finding::note("sealed", "area_fraction", self.area);
+            // Of several loads the smallest area is shown.
+            let note = Finding::note("sealed", "area_fraction", self.area)
+                .usual([1.0, f64::INFINITY])
+                .of_quantity(*quantity);
             Some(note.at(At::Pressure(self.mean_pressure)).fact(format!(
-                "sealed: no open path of pixels leads along {direction} with {percent:.1} % of the area in contact, and the hydraulic gap is 0"
+                "no open path of pixels leads along {direction} with {percent:.1} % of the area in contact, and the hydraulic gap is 0"
             )))
         })
     }
