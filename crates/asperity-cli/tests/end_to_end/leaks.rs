@@ -20,9 +20,8 @@ fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
     // Sealed: 0 is the answer, with a note for each direction.
     assert_eq!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]], [0.0; 3]);
     for direction in ["x", "y"] {
-        let text = format!(
-            "note[sealed]: 96 x 96 pixels: no open path of pixels leads along {direction}"
-        );
+        let text =
+            format!("note[sealed]: 96 x 96 pixels: no open path of pixels leads along {direction}");
         assert!(run.messages.contains(&text), "{}", run.messages);
     }
     // Unasked, there are none.

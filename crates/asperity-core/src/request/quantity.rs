@@ -217,7 +217,11 @@ mod tests {
         let refused = |name: &str| name.parse::<Quantity>().unwrap_err().to_string();
         for name in ["separation", "mean_gap", "Separation_m"] {
             let text = refused(name);
-            assert!(text.ends_with("plastic-share (separations come with every answer, unasked)"));
+            assert!(
+                text.ends_with(
+                    "effective-medium-gap (separations come with every answer, unasked)"
+                )
+            );
             assert!(
                 text.starts_with(&format!("quantity {name:?} is not known: the quan")),
                 "{text}"
