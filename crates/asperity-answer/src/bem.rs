@@ -1,6 +1,6 @@
 //! Boundary elements on the scan of a scene.
 
-use asperity::bem::{Bem, BemError, Continuation, LoadCase, Progress, Solution};
+use asperity::bem::{Bem, BemError, Continuation, Direction, Leak, LoadCase, Progress, Solution};
 use asperity::{ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
@@ -33,18 +33,26 @@ pub struct Press<'a> {
     pub given: &'a [LoadCase],
     /// Quantities besides those of every solution.
     pub quantities: &'a [Quantity],
+    /// The fluid whose flow in both directions is asked for.
+    pub leak: Option<Leak>,
     /// Whether the same is solved on half the grid.
     pub refine: bool,
-    /// Whether the pressures are kept.
+    /// Whether the solutions are kept.
     pub keep: bool,
 }
 
-/// The cells of each solution, `None` without one, the maps that are kept, and the findings.
-type Solved = (Vec<Option<Vec<Cell>>>, Vec<Vec<f64>>, Findings);
+/// The hydraulic gap in each direction, and the column of the flow through it.
+pub const FLOWS: [(Quantity, Direction, &str); 2] = [
+    (Quantity::HydraulicGapX, Direction::X, "flow_x_m3_per_s"),
+    (Quantity::HydraulicGapY, Direction::Y, "flow_y_m3_per_s"),
+];
+
+/// The cells of each solution, `None` without one, the solutions that are kept, and the findings.
+type Solved = (Vec<Option<Vec<Cell>>>, Vec<Solution>, Findings);
 
 impl Press<'_> {
-    /// Fills a sheet with a row for each load or gap, and returns the pressures \[Pa\] of the
-    /// solved contacts, if they are kept. Where the work is stopped, the rows are those solved by
+    /// Fills a sheet with a row for each load or gap, and returns the solutions, if they are kept.
+    /// Where the work is stopped, the rows are those solved by
     /// then.
     ///
     /// # Errors
@@ -54,16 +62,19 @@ impl Press<'_> {
         &self,
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Result<Vec<Vec<f64>>, AnswerError> {
+    ) -> Result<Vec<Solution>, AnswerError> {
         sheet.under(&[&["load_N", "pressure_Pa"], &COLUMNS.map(|(head, _)| head)]);
-        let mut quantities = once(self.quantities);
+        let flows = self.leak.map_or(&[][..], |_| &FLOWS);
+        let mut quantities = self.quantities.to_vec();
+        quantities.extend(flows.iter().map(|(gap, ..)| *gap));
+        let mut quantities = once(&quantities);
         quantities.retain(|quantity| sheet.column(&quantity.column()).is_none());
         // Refuses what boundary elements or the scene lack before anything is solved.
         let request = Request::new(quantities.iter().copied());
         self.bem.compile(&self.file.scene, &request)?;
         // Before the hours of the whole grid.
         let half = self.refine.then(|| half_grid(self.bem)).transpose()?;
-        let (whole, maps, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
+        let (whole, kept, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
         let half = half.filter(|_| !watch.is_stopped());
         let half = half.map(|half| self.rows(&half, &quantities, sheet, watch)).transpose()?;
         let half = half.map(|(rows, _, of_half)| {
@@ -74,8 +85,9 @@ impl Press<'_> {
             found.extend(new);
             rows
         });
-        sheet.report(self.file, found);
+        sheet.extend(self.file.accepted(found));
         sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
+        sheet.heads.extend(flows.iter().map(|(.., head)| (*head).to_string()));
         let width = sheet.heads.len();
         if half.is_some() {
             let of_half = |name: &String| format!("{name}_half_grid");
@@ -101,7 +113,7 @@ impl Press<'_> {
         if sheet.rows.is_empty() && !watch.is_stopped() {
             return Err(format!("{}: no load was solved", self.name).into());
         }
-        Ok(maps)
+        Ok(kept)
     }
 
     /// The loads or gaps on a grid.
@@ -115,7 +127,7 @@ impl Press<'_> {
         let ([rows, columns], scene) = (bem.map().shape(), &self.file.scene);
         let elements = bem.elements(&scene.interface)?;
         let mut answers: Vec<Option<Vec<Cell>>> = vec![None; self.given.len()];
-        let mut maps = vec![vec![]; self.given.len()];
+        let mut kept: Vec<Option<Solution>> = vec![None; self.given.len()];
         let (mut found, mut errors, mut lacks) = (Vec::<Finding>::new(), vec![], vec![]);
         let progress = |progress: &Progress| {
             watch.step(&format!(
@@ -131,6 +143,7 @@ impl Press<'_> {
                 found.extend(solution.notes.iter().cloned());
                 let mut cells = cells(&solution, scene.nominal_area);
                 let summary = elements.summary(&solution, quantities);
+                found.extend(summary.sealed());
                 for quantity in quantities {
                     let value = summary.evaluate(*quantity, scene).unwrap_or_else(|error| {
                         lacks.push(format!("no {quantity}: {error}"));
@@ -138,19 +151,23 @@ impl Press<'_> {
                     });
                     cells.push(value.map(|value| value.value()).into());
                 }
+                let flow = |leak: Leak, (gap, direction, _)| {
+                    let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
+                    Some(leak.flow(*gap.as_ref().ok()?, bem.map(), direction))
+                };
+                let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
+                cells.extend(flows.into_iter().flatten());
                 answers[index] = Some(cells);
-                if self.keep {
-                    maps[index] = solution.pressures;
-                }
+                kept[index] = self.keep.then_some(solution);
             }
             Err(BemError::Cancelled) => {}
             Err(error) => errors.push(error.to_string()),
         });
-        maps.retain(|map| !map.is_empty());
         errors.append(&mut lacks);
         once(&errors).iter().for_each(|text| sheet.warn("unsolved", text));
         let grid = format!("{rows} x {columns} pixels");
-        Ok((answers, maps, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
+        let kept = kept.into_iter().flatten().collect();
+        Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
     }
 }
 

@@ -23,7 +23,7 @@ mod unloading_scan;
 mod watch;
 
 pub use asked::{Asked, Line};
-pub use bem::{Press, half_grid};
+pub use bem::{FLOWS, Press, half_grid};
 pub use blanks::Blanks;
 pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;

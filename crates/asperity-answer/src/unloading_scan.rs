@@ -39,6 +39,7 @@ pub fn unloading_scan(
         };
         watch.progress(&format!("{id}: the greatest load"));
         let path = bem.elements(&scene.interface)?.unloading_from(greatest)?;
+        sheet.report(subject.file, path.notes().iter().cloned().collect());
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, POINTS));
         let found = path.at_retreats(&retreats, |progress| {

@@ -1,4 +1,5 @@
-//! Seconds and iterations of contacts that are each started cold.
+//! Seconds and iterations of contacts that are each started cold, and seconds of the flow through
+//! each gap along x and y.
 //!
 //! ```sh
 //! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5] [free]
@@ -10,7 +11,7 @@
 use std::error::Error;
 use std::time::Instant;
 
-use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
+use asperity_bem::{Boundary, BoundaryElements, Direction, HeightMap, LoadCase};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -39,7 +40,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let solution = solver.solve(LoadCase::MeanPressure(pressure))?;
         let seconds = start.elapsed().as_secs_f64();
-        println!("{pressure:e} {seconds:.4} {} {}", solution.iterations, solution.pixel_area);
+        let start = Instant::now();
+        for direction in Direction::ALL {
+            solver.hydraulic_gap(&solution, direction)?;
+        }
+        let flows = start.elapsed().as_secs_f64();
+        let (iterations, area) = (solution.iterations, solution.pixel_area);
+        println!("{pressure:e} {seconds:.4} {iterations} {area} {flows:.4}");
     }
     Ok(())
 }

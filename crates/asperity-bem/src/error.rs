@@ -125,6 +125,16 @@ pub enum BemError {
         /// Number of loads tried.
         trials: usize,
     },
+    /// The flows through both faces of the gap differ.
+    #[error(
+        "the flow through the gap is {inlet:e} at the inlet and {outlet:e} at the outlet, over that of an even gap: the same to 1e-6 was required"
+    )]
+    Unbalanced {
+        /// Flow through the inlet.
+        inlet: f64,
+        /// Flow through the outlet.
+        outlet: f64,
+    },
     /// The caller's progress function requested a stop, at this load or an earlier one.
     #[error("the solution was stopped by the caller")]
     Cancelled,

@@ -139,10 +139,14 @@ impl ContactModel for Bem {
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
         let solutions = all.iter().filter_map(|solution| solution.as_ref().ok());
-        let notes: Findings = solutions.flat_map(|solution| solution.notes.clone()).collect();
-        contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
+        let mut notes: Findings = solutions.flat_map(|solution| solution.notes.clone()).collect();
         let all = given.into_iter().zip(all);
-        let all = all.map(|(given, solution)| (given, contact.summary(solution))).collect();
+        let all: Vec<Solved> =
+            all.map(|(given, solution)| (given, contact.summary(solution))).collect();
+        notes.extend(
+            all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::sealed)),
+        );
+        contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         contact.keep(all);
         Ok(Box::new(contact))
     }
@@ -186,7 +190,9 @@ impl OnScene {
     fn summary(&self, solution: Result<Solution, BemError>) -> Result<ContactSummary, BemError> {
         match solution {
             Ok(solution) => Ok(self.elements.summary(&solution, &self.quantities)),
-            Err(BemError::NothingTouches { gap, .. }) => Ok(ContactSummary::open(gap)),
+            Err(BemError::NothingTouches { gap, .. }) => {
+                Ok(self.elements.open_summary(gap, &self.quantities))
+            }
             Err(error) => Err(error),
         }
     }

@@ -44,8 +44,15 @@ fn halves<T: Send>(slots: &mut [T], runs: usize, run: &(dyn Fn(&mut [T]) + Sync)
 
 /// Both at the same time. Not generic: the pool's code is compiled once, not for every pass.
 #[cfg(feature = "rayon")]
-fn join(first: &mut (dyn FnMut() + Send), second: &mut (dyn FnMut() + Send)) {
+pub(crate) fn join(first: &mut (dyn FnMut() + Send), second: &mut (dyn FnMut() + Send)) {
     rayon::join(first, second);
+}
+
+/// Both, one after the other.
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn join(first: &mut dyn FnMut(), second: &mut dyn FnMut()) {
+    first();
+    second();
 }
 
 /// `f` inside the pool: from outside, each of its passes would wait for a thread to wake.

@@ -1,8 +1,10 @@
 //! The quantities of a solved contact, by the names that all models share.
 
-use asperity_core::{ContactError, Evaluation, Quantity, Scene};
+use asperity_core::{At, ContactError, Evaluation, Finding, Quantity, Scene};
 
-use crate::{BemError, BoundaryElements, Solution};
+use crate::Bem;
+use crate::hydraulic::GapMap;
+use crate::{BemError, BoundaryElements, Direction, Solution};
 
 /// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
 /// between them.
@@ -26,6 +28,8 @@ pub struct ContactSummary {
     /// [Slope of first loading](BoundaryElements::loading_stiffness) \[Pa/m\]; `None` if no
     /// quantity needs it.
     pub loading_stiffness: Option<Result<f64, BemError>>,
+    /// The hydraulic gaps \[m\] that are required.
+    pub gaps: Vec<(Quantity, Result<f64, BemError>)>,
 }
 
 impl BoundaryElements {
@@ -37,7 +41,40 @@ impl BoundaryElements {
         let stiffness = quantities.iter().any(|quantity| quantity.is_of_joint()).then(fixed);
         let loading = || self.loading_stiffness(solution);
         let loading_stiffness = quantities.iter().any(|quantity| is_slope(*quantity)).then(loading);
-        ContactSummary { mean_pressure, area, mean_gap, stiffness, loading_stiffness }
+        let gap_map = || self.gap_map(solution);
+        let gaps = hydraulic(quantities, gap_map);
+        ContactSummary { mean_pressure, area, mean_gap, stiffness, loading_stiffness, gaps }
+    }
+
+    /// Likewise of surfaces that do not touch, apart by this mean gap \[m\].
+    pub(crate) fn open_summary(&self, mean_gap: f64, quantities: &[Quantity]) -> ContactSummary {
+        let gaps = hydraulic(quantities, || Ok(self.open_gap_map(mean_gap)));
+        ContactSummary { gaps, ..ContactSummary::open(mean_gap) }
+    }
+}
+
+/// The quantities that need the map of the gap.
+fn hydraulic<'m>(
+    quantities: &[Quantity],
+    gap_map: impl FnOnce() -> Result<GapMap<'m>, BemError>,
+) -> Vec<(Quantity, Result<f64, BemError>)> {
+    let wanted: Vec<Quantity> =
+        quantities.iter().copied().filter(|q| q.only_of() == Some(Bem::ID)).collect();
+    let Some(map) = (!wanted.is_empty()).then(gap_map) else { return vec![] };
+    let of = |map: &GapMap<'_>, quantity| match direction(quantity) {
+        Some(direction) => map.hydraulic_gap(direction),
+        None => Ok(map.effective_medium()),
+    };
+    let of = |quantity| map.as_ref().map_err(Clone::clone).and_then(|map| of(map, quantity));
+    wanted.into_iter().map(|quantity| (quantity, of(quantity))).collect()
+}
+
+/// The direction of a hydraulic gap.
+fn direction(quantity: Quantity) -> Option<Direction> {
+    match quantity {
+        Quantity::HydraulicGapX => Some(Direction::X),
+        Quantity::HydraulicGapY => Some(Direction::Y),
+        _ => None,
     }
 }
 
@@ -48,10 +85,13 @@ fn is_slope(quantity: Quantity) -> bool {
 }
 
 /// Whether boundary elements give a quantity: force, area and what follows from them; the slope of
-/// loading; stiffnesses and conductances of joints.
+/// loading; stiffnesses and conductances of joints; hydraulic gaps.
 #[must_use]
 pub(crate) fn known(quantity: Quantity) -> bool {
-    quantity.follows_from_totals() || quantity.is_of_joint() || is_slope(quantity)
+    quantity.follows_from_totals()
+        || quantity.is_of_joint()
+        || is_slope(quantity)
+        || quantity.only_of() == Some(Bem::ID)
 }
 
 /// An error of boundary elements as one of the model.
@@ -63,7 +103,23 @@ impl ContactSummary {
     /// Surfaces apart by this mean gap \[m\].
     pub(crate) fn open(mean_gap: f64) -> Self {
         let [stiffness, loading_stiffness] = [Some(Ok(0.0)), Some(Ok(0.0))];
-        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness, loading_stiffness }
+        let gaps = vec![];
+        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness, loading_stiffness, gaps }
+    }
+
+    /// Notes where no open path of pixels is left in a required direction.
+    pub fn sealed(&self) -> impl Iterator<Item = Finding> + '_ {
+        let closed = self.gaps.iter().filter(|(_, gap)| *gap == Ok(0.0));
+        closed.filter_map(|(quantity, _)| {
+            let (direction, percent) = (direction(*quantity)?, 100.0 * self.area);
+            // Of several loads the smallest area is shown.
+            let note = Finding::note("sealed", "area_fraction", self.area)
+                .usual([1.0, f64::INFINITY])
+                .of_quantity(*quantity);
+            Some(note.at(At::Pressure(self.mean_pressure)).fact(format!(
+                "no open path of pixels leads along {direction} with {percent:.1} % of the area in contact, and the hydraulic gap is 0"
+            )))
+        })
     }
 
     /// A quantity on the nominal area of `scene`, for which the map stands. Stiffness and tangent
@@ -73,7 +129,7 @@ impl ContactSummary {
     ///
     /// # Errors
     /// [`ContactError::Missing`] for a property of the interface that the quantity needs,
-    /// [`ContactError::Refused`] where the stiffness was not found.
+    /// [`ContactError::Refused`] where the stiffness or the hydraulic gap was not found.
     pub fn evaluate(
         &self,
         quantity: Quantity,
@@ -89,6 +145,11 @@ impl ContactSummary {
                 let stiffness = stiffness.clone().map_err(refused)?;
                 let sum = stiffness * nominal / (2.0 * scene.interface.equivalent_modulus);
                 Evaluation::of_contact_radii(quantity, sum, scene, ERROR)
+            }
+            _ if quantity.only_of() == Some(Bem::ID) => {
+                let gap = self.gaps.iter().find(|(known, _)| *known == quantity);
+                let gap = gap.map(|(_, gap)| gap.clone().map_err(refused)).transpose()?;
+                Ok(gap.map(|gap| Evaluation::new(gap, ERROR)))
             }
             _ => {
                 let totals = (self.mean_pressure * nominal, self.area * nominal);

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::Quantity;
+use asperity_core::{Finding, Quantity};
 
 use crate::{BemError, BoundaryElements, ContactSummary, LoadCase, Progress};
 
@@ -15,6 +15,7 @@ pub struct UnloadingPath {
     closest: ContactSummary,
     /// Mean gap of `closest` from the mean plane of the flattened surface \[m\].
     open_gap: f64,
+    notes: Vec<Finding>,
 }
 
 impl BoundaryElements {
@@ -28,6 +29,7 @@ impl BoundaryElements {
             flattened: self.flattened_by(&solution)?,
             closest: self.summary(&solution, &[Quantity::UnloadingStiffness]),
             open_gap: solution.mean_open_gap,
+            notes: solution.notes,
         })
     }
 }
@@ -37,6 +39,12 @@ impl UnloadingPath {
     #[must_use]
     pub fn closest(&self) -> &ContactSummary {
         &self.closest
+    }
+
+    /// Limits of the solution at the greatest load.
+    #[must_use]
+    pub fn notes(&self) -> &[Finding] {
+        &self.notes
     }
 
     /// The retreat at which the last pixel parts \[m\].

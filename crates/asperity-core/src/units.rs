@@ -5,12 +5,13 @@ pub type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// The SI unit as in the template, an example, and the units with their powers of ten. In units,
 /// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-pub const UNITS: [Units; 15] = [
+pub const UNITS: [Units; 16] = [
     (
         "Pa",
         "5 MPa",
         &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
     ),
+    ("Pa s", "1 mPa s", &[("Pas", 0), ("mPas", -3), ("uPas", -6), ("cP", -3)]),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
     ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),

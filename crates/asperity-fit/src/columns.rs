@@ -32,7 +32,7 @@ fn check(name: &str) -> Result<(), FitError> {
 }
 
 fn quantity(name: &str) -> Option<Quantity> {
-    let mut of_contact = Quantity::ALL.into_iter().filter(|quantity| !quantity.is_flow_factor());
+    let mut of_contact = Quantity::ALL.into_iter().filter(|quantity| quantity.only_of().is_none());
     of_contact.find(|quantity| quantity.column() == name)
 }
 

@@ -47,9 +47,9 @@ fn known_columns() -> Vec<Known> {
     let places =
         [(LOAD, "load", "N"), (PRESSURE, "pressure", "Pa"), (SEPARATION, "separation", "m")]
             .map(|(column, quantity, si)| (column.to_string(), quantity.to_string(), si));
-    // Pressure is a place and a quantity; factors of flow depend on no parameter of a fit.
+    // Pressure is a place and a quantity; no model of a fit has quantities of one model.
     let is_own =
-        |quantity: &Quantity| *quantity != Quantity::Pressure && !quantity.is_flow_factor();
+        |quantity: &Quantity| *quantity != Quantity::Pressure && quantity.only_of().is_none();
     let quantities = Quantity::ALL.into_iter().filter(is_own);
     let quantities = quantities.map(|q| (q.column(), q.to_string().replace('-', "_"), q.unit()));
     let known = |(column, quantity, si)| Known { column, quantity, si: unit_in_name(si) };

@@ -332,3 +332,24 @@ def test_a_yielded_scan_opens_along_its_own_path() -> None:
         asperity.bem_unloading(heights, pressure=[1e6, 2e6], **given)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="retreat is -1"):
         asperity.bem_unloading(heights, pressure=1e7, retreat=-1.0, **given)
+
+
+def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:
+    given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["effective-medium-gap"]}
+    fluid: dict[str, Any] = {"viscosity": "1 mPa s", "pressure_drop": "1 MPa"}
+    contacts = asperity.bem(scan(), interface=STEEL, pressure=[1e7, 2e8], **given, **fluid)
+    found = contacts.quantities
+    assert list(found) == [
+        "effective_medium_gap", "hydraulic_gap_x", "hydraulic_gap_y", "flow_x", "flow_y",
+    ]  # fmt: skip
+    # A square scan: h^3 dp/(12 mu).
+    assert found["flow_y"] == pytest.approx(found["hydraulic_gap_y"] ** 3 * 1e6 / 12e-3)
+    assert found["hydraulic_gap_x"] == pytest.approx(found["effective_medium_gap"], rel=0.2)
+    assert (found["flow_x"][1] < found["flow_x"][0]) and (found["flow_x"] > 0).all()
+    with pytest.warns(asperity.ContactWarning, match=r"sealed: no open path of pixels leads along [xy]"):
+        sealed = asperity.bem(scan(), interface=STEEL, pressure=5e9, **given, **fluid)
+    assert sealed.quantities["hydraulic_gap_x"] == sealed.quantities["flow_x"] == 0
+    with pytest.raises(TypeError, match="both or neither"):
+        asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=1e-3)
+    with pytest.raises(ValueError, match="viscosity is -1: a positive, finite number was required"):
+        asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=-1.0, pressure_drop=1.0)

@@ -28,6 +28,8 @@ pub struct Truth {
     pub models: Vec<(Model, ContactState)>,
     /// Models whose area would exceed the nominal one, and the finding.
     pub refused: Vec<(Model, Finding)>,
+    /// Findings of models of independent asperities whose contacts merge.
+    pub merging: Vec<Finding>,
     /// Models that lack a number, and the error of the first that they lack.
     pub missing: Vec<(Model, ContactError)>,
 }
@@ -104,6 +106,7 @@ pub fn compare_with_bem(
                 .filter(|stiffness| stiffness.is_finite() && *stiffness > 0.0),
         };
         let (mut models, mut refused, mut missing) = (vec![], vec![], vec![]);
+        let mut merging = vec![];
         for (model, contact) in &contacts {
             let (state, lacks) = match contact {
                 Ok(contact) => state(contact.as_ref(), *pressure),
@@ -115,10 +118,13 @@ pub fn compare_with_bem(
             models.push(((*model).clone(), state));
             match why {
                 Some(why) => refused.push(((*model).clone(), why)),
-                None => missing.extend(lacks.map(|lacks| ((*model).clone(), lacks))),
+                None => {
+                    merging.extend(area.and_then(|area| Check::merging(*model, *pressure, area)));
+                    missing.extend(lacks.map(|lacks| ((*model).clone(), lacks)));
+                }
             }
         }
-        Ok(Truth { pressure: *pressure, bem, rms_height, notes, models, refused, missing })
+        Ok(Truth { pressure: *pressure, bem, rms_height, notes, models, refused, merging, missing })
     };
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
 }

@@ -123,14 +123,16 @@ impl Truths {
         Ok(all)
     }
 
-    /// Limits of the solutions, and of models whose area would exceed the nominal one.
+    /// Limits of the solutions, and of models whose contacts merge or have more than the nominal
+    /// area.
     #[must_use]
     pub fn findings(&self) -> Findings {
         let of_truth = |truth: &Truth| {
             let refused = truth.refused.iter().map(|(_, why)| why.clone());
-            truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+            let merging = truth.merging.iter().cloned();
+            truth.notes.iter().cloned().chain(refused).chain(merging).collect::<Vec<_>>()
         };
-        self.found.iter().flat_map(of_truth).collect()
+        self.found.iter().flat_map(of_truth).collect::<Findings>().by_cause()
     }
 
     /// What models lack, by their ids: one reason per model and kind, as others differ only in the

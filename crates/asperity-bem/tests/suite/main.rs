@@ -7,6 +7,7 @@ mod codes;
 
 mod inputs;
 mod invariants;
+mod leaks;
 mod light_contacts;
 mod light_loads;
 mod lists;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result, bail};
 use asperity::Quantity;
-use asperity::bem::{Bem, Continuation, LoadCase};
+use asperity::bem::{Bem, Continuation, Leak, LoadCase, Solution};
 use asperity_answer::{AnswerError, Press, Sheet, rounded, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -13,7 +13,7 @@ use clap::{ArgAction, Args};
 
 use crate::input::args::{OutputArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure};
+use crate::input::numbers::{length, load, pressure, viscosity};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
 use crate::output::{self, contact_map, show};
@@ -31,7 +31,7 @@ pub struct BemCommand {
     #[command(flatten)]
     places: Places,
     /// Compare models with boundary elements: area, mean gap and stiffness, with deviations
-    #[arg(long, conflicts_with_all = ["quantities", "gaps", "map", "picture"])]
+    #[arg(long, conflicts_with_all = ["quantities", "gaps", "map", "picture", "viscosity", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -49,9 +49,17 @@ pub struct BemCommand {
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
     /// electrical-conductance,
-    /// -per-area), or any other that follows from load and area
+    /// -per-area), flows through the gap (hydraulic-gap-x, hydraulic-gap-y, effective-medium-gap),
+    /// or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
+    /// Add the flow in m3/s along x and y of a fluid of this viscosity in Pa s, or with a unit, for
+    /// example "1 mPa s"
+    #[arg(long, value_name = "VALUE", value_parser = viscosity, requires = "pressure_drop")]
+    viscosity: Option<f64>,
+    /// Fall of the fluid's pressure from one side of the scan to the other, in Pa
+    #[arg(long, value_name = "VALUE", value_parser = pressure, requires = "viscosity")]
+    pressure_drop: Option<f64>,
     /// Add the results on every second pixel, to show their dependence on the grid
     #[arg(long)]
     refine: bool,
@@ -62,6 +70,10 @@ pub struct BemCommand {
     #[arg(long, value_name = "FILE.svg|png")]
     #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png"))]
     picture: Option<PathBuf>,
+    /// Draw the flow along x through the gap at one load; png is the map without labels
+    #[arg(long, value_name = "FILE.svg|png")]
+    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png"))]
+    flow_picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -113,9 +125,11 @@ impl BemCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_scan(&self.scene, self.periodic(), self.compare)?;
         let given = self.places.given(scene.file.scene.nominal_area);
-        if self.picture.is_some() && given.len() > 1 {
-            let text = format!("--picture draws one load, not {}", given.len());
-            usage_error("bem", ErrorKind::ArgumentConflict, &text);
+        for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
+            if path.is_some() && given.len() > 1 {
+                let text = format!("{name} draws one load, not {}", given.len());
+                usage_error("bem", ErrorKind::ArgumentConflict, &text);
+            }
         }
         let bem = self.bem(&scene)?;
         let (file, name) = (&scene.file, &*scene.name);
@@ -125,8 +139,9 @@ impl BemCommand {
             bem: &bem,
             given: &given,
             quantities: &self.quantities,
+            leak: self.leak()?,
             refine: self.refine,
-            keep: self.map.is_some() || self.picture.is_some(),
+            keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
         };
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| match self.compare {
@@ -143,20 +158,48 @@ impl BemCommand {
         };
         // The reason alone: it names the scene where that is meant.
         let reason = |error: AnswerError| Error::msg(error.to_string());
-        let (sheet, maps) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
+        let (sheet, solutions) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
         drop(watch);
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
             if let Some(path) = &self.map {
+                let maps: Vec<&[f64]> =
+                    solutions.iter().map(|found| &found.pressures[..]).collect();
                 contact_map::write(path, &maps, bem.map().shape())?;
             }
-            if let (Some(path), [pressures]) = (&self.picture, &maps[..]) {
-                let hardness = bem.hardness(&file.scene.interface)?;
-                draw(path, &contact_map::picture(&bem, pressures, &sheet, hardness, name))?;
+            if let [solution] = &solutions[..] {
+                self.draw(&scene, &bem, solution, &sheet)?;
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
             interrupt::end(sheet.rows.len(), given.len());
+        }
+        Ok(())
+    }
+
+    /// The fluid whose flow is asked for.
+    fn leak(&self) -> Result<Option<Leak>> {
+        let given = self.viscosity.zip(self.pressure_drop);
+        Ok(given.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose()?)
+    }
+
+    /// Draws the maps of a solved contact.
+    fn draw(
+        &self,
+        scene: &LoadedScene,
+        bem: &Bem,
+        solution: &Solution,
+        sheet: &Sheet,
+    ) -> Result<()> {
+        let interface = &scene.file.scene.interface;
+        if let Some(path) = &self.picture {
+            let hardness = bem.hardness(interface)?;
+            let map = contact_map::picture(bem, &solution.pressures, sheet, hardness, &scene.name);
+            draw(path, &map)?;
+        }
+        if let Some(path) = &self.flow_picture {
+            let elements = bem.elements(interface)?;
+            draw(path, &contact_map::flow(bem, &elements, solution, &scene.name)?)?;
         }
         Ok(())
     }

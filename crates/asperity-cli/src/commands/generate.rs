@@ -107,7 +107,7 @@ impl Generate {
             let bytes = surface.x3p()?;
             return output::write(Some(&self.output), |out| out.write_all(&bytes));
         }
-        contact_map::write(&self.output, &[map.heights().to_vec()], shape)?;
+        contact_map::write(&self.output, &[map.heights()], shape)?;
         let text = format!("read it with --unit m --pixel-size {dx:e},{dy:e} --periodic");
         output::note(
             "heights-in-metres",

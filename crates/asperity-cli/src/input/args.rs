@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::Bem;
-use asperity::recommended::FLOW;
+use asperity::recommended::{BEM, FLOW};
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
@@ -208,9 +208,10 @@ fn quantities_help() -> String {
         listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
     };
     format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {FLOW} {}",
-        names(|q| !q.needs_circles() && !q.is_flow_factor()),
+        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of {FLOW} {}",
+        names(|q| !q.needs_circles() && q.only_of().is_none()),
         names(Quantity::needs_circles),
+        names(|q| q.only_of() == Some(BEM)),
         names(Quantity::is_flow_factor),
     )
 }

@@ -1,6 +1,7 @@
 //! Files that two arguments name: refused before any work, so that no result is lost after it.
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -50,10 +51,17 @@ pub fn check(program: &Command, matches: &ArgMatches) {
             if is_option(id) && id != "with" {
                 // Those that write scenes have --force.
                 let of_scene = id == "scene" || command == "init";
-                if !of_scene && file.extension().is_some_and(|end| end == "toml") && file.exists() {
+                let is_scene = !of_scene && file.extension().is_some_and(|end| end == "toml");
+                let is_binary = matches!(id, "map" | "picture" | "flow_picture");
+                if is_scene && file.exists() {
                     let file = file.display();
                     refuse(&format!(
                         "--{id} {file} exists and may be a scene; choose another name"
+                    ));
+                } else if !is_result(&file, is_binary || command == "generate") {
+                    let (id, file) = (id.replace('_', "-"), file.display());
+                    refuse(&format!(
+                        "--{id} {file} exists and is no result of this kind, perhaps a scan; choose another name"
                     ));
                 }
                 DESTINATIONS.lock().unwrap_or_else(PoisonError::into_inner).push(file.clone());
@@ -61,6 +69,29 @@ pub fn check(program: &Command, matches: &ArgMatches) {
             named.push((id, file));
         }
     }
+}
+
+/// First bytes of binary files that are written, by their endings.
+const BINARY: [(&str, &[u8]); 3] = [("npy", b"\x93NUMPY"), ("png", b"\x89PNG"), ("x3p", b"PK")];
+/// Whether a file is absent, or of the kind that will be written there: text or, where an output
+/// may be `binary`, what its ending names.
+fn is_result(file: &Path, binary: bool) -> bool {
+    let mut first = [0; 512];
+    let read = |mut file: fs::File| file.read(&mut first);
+    let is_file = fs::metadata(file).is_ok_and(|found| found.is_file());
+    let Ok(length) = fs::File::open(file).and_then(read) else { return true };
+    let first = &first[..length];
+    let is_one = |(ending, _): &&(&str, &[u8])| {
+        binary && file.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending))
+    };
+    let is_kind = match BINARY.iter().find(is_one) {
+        Some((_, magic)) => first.starts_with(magic),
+        // Scans in SDF may be text.
+        None => {
+            !first.contains(&0) && !matches!(first.get(1..5), Some(b"ISO-" | b"BCR-" | b"NPL-"))
+        }
+    };
+    !is_file || first.is_empty() || is_kind
 }
 
 /// Refuses an input that an output would overwrite, and protects it.

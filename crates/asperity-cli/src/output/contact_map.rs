@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use asperity::bem::Bem;
+use asperity::bem::{Bem, BemError, BoundaryElements, Direction, Solution};
 use asperity_answer::Sheet;
 use asperity_plot::Map;
 
@@ -22,12 +22,7 @@ pub fn picture(
         let cell = sheet.column(column).and_then(|k| sheet.rows.first()?[k].number());
         cell.unwrap_or(f64::NAN)
     };
-    let [rows, columns] = bem.map().shape();
-    let [dy, dx] = bem.map().pixel();
-    let size = [columns as f64 * dx, rows as f64 * dy];
-    let lengths = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
-    let [(length, unit), (depth, of_depth)] =
-        [size[0], value("mean_gap_m").abs()].map(|value| scaled(value, &lengths));
+    let (depth, of_depth) = scaled(value("mean_gap_m").abs(), &LENGTHS);
     let top = hardness.unwrap_or_else(|| pressures.iter().copied().fold(0.0, f64::max));
     let (pressure, of_pressure) =
         scaled(top, &[(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]);
@@ -49,14 +44,53 @@ pub fn picture(
         title: format!("Contact pressure on {name}"),
         caption,
         values: pressures.iter().map(|p| p / pressure).collect(),
-        columns,
-        size: size.map(|side| side / length),
-        unit: unit.into(),
         label: format!("pressure ({of_pressure})"),
         top: top / pressure,
         white: "white: no contact".into(),
-        ..Map::default()
+        ..outline(bem)
     }
+}
+
+/// The map of the flow along x through the gap of a contact.
+pub fn flow(
+    bem: &Bem,
+    elements: &BoundaryElements,
+    solution: &Solution,
+    name: &str,
+) -> Result<Map, BemError> {
+    let gap = elements.hydraulic_gap(solution, Direction::X)?;
+    let values = elements.flux(solution, Direction::X)?;
+    let mut order: Vec<f64> = values.iter().copied().filter(|flux| *flux > 0.0).collect();
+    order.sort_unstable_by(f64::total_cmp);
+    // Single constrictions have many times the flow of all others.
+    let top = order.get(order.len() * 99 / 100).copied();
+    let (length, unit) = scaled(gap, &LENGTHS);
+    let passes = match gap > 0.0 {
+        true => format!("the hydraulic gap is {} {unit}", rounded(gap / length)),
+        false => "no open path of pixels leads from side to side".into(),
+    };
+    let area = 100.0 * solution.area;
+    Ok(Map {
+        title: format!("Flow from left to right through the gap of {name}"),
+        caption: vec![format!("{area:.3} % of the area is in contact; {passes}.")],
+        values,
+        label: "flow per width, over its mean".into(),
+        top: top.unwrap_or(1.0),
+        white: "white: no flow".into(),
+        ..outline(bem)
+    })
+}
+
+/// Lengths of a map.
+const LENGTHS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
+
+/// A map with the shape and size of a scan.
+fn outline(bem: &Bem) -> Map {
+    let [rows, columns] = bem.map().shape();
+    let [dy, dx] = bem.map().pixel();
+    let size = [columns as f64 * dx, rows as f64 * dy];
+    let (length, unit) = scaled(size[0], &LENGTHS);
+    Map { columns, size: size.map(|side| side / length), unit: unit.into(), ..Map::default() }
 }
 
 /// The unit in which a number is at least 1 and short.
@@ -65,7 +99,7 @@ fn scaled(value: f64, units: &[(f64, &'static str)]) -> (f64, &'static str) {
 }
 
 /// A matrix, or a stack of them, as NumPy's `.npy`.
-pub fn write(path: &Path, maps: &[Vec<f64>], [rows, columns]: [usize; 2]) -> Result<()> {
+pub fn write(path: &Path, maps: &[&[f64]], [rows, columns]: [usize; 2]) -> Result<()> {
     let stack = if maps.len() == 1 { String::new() } else { format!("{}, ", maps.len()) };
     let shape = format!("({stack}{rows}, {columns})");
     let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
@@ -75,6 +109,7 @@ pub fn write(path: &Path, maps: &[Vec<f64>], [rows, columns]: [usize; 2]) -> Res
         out.write_all(b"\x93NUMPY\x01\x00")?;
         out.write_all(&(length as u16).to_le_bytes())?;
         writeln!(out, "{head:<0$}", length - 1)?;
-        maps.iter().flatten().try_for_each(|number| out.write_all(&number.to_le_bytes()))
+        let mut numbers = maps.iter().copied().flatten();
+        numbers.try_for_each(|number| out.write_all(&number.to_le_bytes()))
     })
 }

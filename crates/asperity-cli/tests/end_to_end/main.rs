@@ -17,6 +17,7 @@ mod fit_refusals;
 mod generate;
 mod help;
 mod joints;
+mod leaks;
 mod messages;
 mod pairs;
 mod random;

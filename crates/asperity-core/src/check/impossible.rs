@@ -1,6 +1,6 @@
 //! Answers that no contact has, though a formula gives a number.
 
-use super::findings::CROWDED;
+use super::findings::{CROWDED, crowded};
 use super::{Check, Scene};
 use crate::finding::short;
 use crate::recommended::WHOLE_SURFACE;
@@ -19,6 +19,14 @@ impl Check {
         let at = At::Pressure(pressure);
         beyond_full_contact(model, scene, at, [pressure, area_fraction])
             .or_else(|| Self::no_answer(model, pressure, area_fraction))
+    }
+
+    /// A warning where independent asperities of a model have so much area at a pressure that
+    /// contacts merge.
+    #[must_use]
+    pub fn merging(model: &dyn ContactModel, pressure: f64, area_fraction: f64) -> Option<Finding> {
+        let found = crowded(model, At::Pressure(pressure), area_fraction);
+        found.filter(|_| model.validity().asperities)
     }
 
     /// A warning where a model's real area at a pressure exceeds the nominal area.

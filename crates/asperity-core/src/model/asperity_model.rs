@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 use crate::law::contact_radii;
-use crate::recommended::FLOW;
 use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Scene, Tolerance};
 
@@ -86,7 +85,8 @@ impl dyn AsperityModel + '_ {
     /// The law whose average over the heights is this quantity.
     ///
     /// # Errors
-    /// [`ContactError::NoLaw`] for a quantity that is derived from others, and those of the law.
+    /// [`ContactError::NoLaw`] for a quantity that is derived from others,
+    /// [`ContactError::Unsupported`] for one that no law has, and those of the law.
     pub fn law(
         &self,
         asperity: &Asperity,
@@ -96,9 +96,8 @@ impl dyn AsperityModel + '_ {
         let law = match quantity.derivation() {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
-            Derivation::FlowFactor => {
-                let what =
-                    format!("factors of flow, which follow from the film alone: use `{FLOW}`");
+            Derivation::Only(id) => {
+                let what = format!("`{quantity}`, which no law of asperities has: use `{id}`");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
             _ => None,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::law::contact_radii::RadiusFactor;
+use crate::recommended::FLOW;
 use crate::request::quantity_table::Derivation;
 use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
@@ -71,7 +72,7 @@ impl Quantity {
             Derivation::Integral(_)
             | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
-            | Derivation::FlowFactor => self,
+            | Derivation::Only(_) => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -95,7 +96,7 @@ impl Quantity {
     /// alone, not on a model of contact.
     #[must_use]
     pub fn is_flow_factor(self) -> bool {
-        matches!(self.derivation(), Derivation::FlowFactor)
+        self.only_of() == Some(FLOW)
     }
 
     /// Whether this is a stiffness or a conductance of a joint, per area or not: a multiple of the
@@ -110,6 +111,16 @@ impl Quantity {
     #[must_use]
     pub fn property(self) -> Option<&'static str> {
         self.radius_factor().map(|factor| factor.field)
+    }
+
+    /// The id of the only model that has this quantity, where no law of asperities has it: flows
+    /// through the map of the gap, and factors of the flow of a film.
+    #[must_use]
+    pub fn only_of(self) -> Option<&'static str> {
+        match self.derivation() {
+            Derivation::Only(id) => Some(id),
+            _ => None,
+        }
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
@@ -225,9 +236,11 @@ mod tests {
         let refused = |name: &str| name.parse::<Quantity>().unwrap_err().to_string();
         for name in ["separation", "mean_gap", "Separation_m"] {
             let text = refused(name);
-            assert!(text.ends_with(
-                "friction-pressure-factor (separations come with every answer, unasked)"
-            ));
+            assert!(
+                text.ends_with(
+                    "effective-medium-gap (separations come with every answer, unasked)"
+                )
+            );
             assert!(
                 text.starts_with(&format!("quantity {name:?} is not known: the quan")),
                 "{text}"

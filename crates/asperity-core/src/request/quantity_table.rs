@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
+use crate::recommended::{BEM, FLOW};
 use crate::{Asperity, AsperityModel, ContactError, Law, Regime, Tolerance};
 
 /// A law of a model, or whether it has one.
@@ -27,8 +28,8 @@ pub(crate) enum Derivation {
     Logarithm(Quantity),
     /// The share of a regime in the force.
     RegimeShare(Regime),
-    /// A factor of the flow of a film, which models of flow give.
-    FlowFactor,
+    /// Of the model with this id, and of no law of asperities.
+    Only(&'static str),
 }
 
 /// An entry of the table.
@@ -222,36 +223,55 @@ quantities! {
         name: "pressure-flow-factor-x", symbol: "phi_x", unit: "", label: "pressure flow factor along x",
         definition: "Mean flow along x, the direction of sliding, under a pressure gradient, over \
             that between smooth surfaces at the same film.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
     }
     PressureFlowFactorY {
         name: "pressure-flow-factor-y", symbol: "phi_y", unit: "", label: "pressure flow factor along y",
         definition: "Mean flow across the direction of sliding under a pressure gradient, over that \
             between smooth surfaces at the same film.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
     }
     ShearFlowFactor {
         name: "shear-flow-factor", symbol: "phi_s", unit: "", label: "shear flow factor",
         definition: "Additional flow that sliding rough surfaces carry, over half the sliding speed \
             times sigma; positive if the first surface moves.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
     }
     FrictionFlowFactor {
         name: "friction-flow-factor", symbol: "phi_f", unit: "", label: "friction factor of the film",
         definition: "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean \
             shear stress over that of smooth surfaces.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
     }
     FrictionShearFactor {
         name: "friction-shear-factor", symbol: "phi_fs", unit: "", label: "friction shear factor",
         definition: "Correction of the mean shear stress on the surfaces by their roughness, in \
             (phi_f +- phi_fs) times viscosity times sliding speed over film.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
     }
     FrictionPressureFactor {
         name: "friction-pressure-factor", symbol: "phi_fp", unit: "", label: "friction pressure factor",
         definition: "Factor of the mean shear stress by a pressure gradient, half the film times the \
             gradient.",
-        derivation: Derivation::FlowFactor,
+        derivation: Derivation::Only(FLOW),
+    }
+    HydraulicGapX {
+        name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",
+        definition: "Even gap that lets as much fluid pass along the rows of the scan as the gap of \
+            the contact, 0 where no open path is left.",
+        derivation: Derivation::Only(BEM),
+    }
+    HydraulicGapY {
+        name: "hydraulic-gap-y", symbol: "h_y", unit: "m", label: "hydraulic gap along y",
+        definition: "Even gap that lets as much fluid pass along the columns of the scan as the gap \
+            of the contact, 0 where no open path is left.",
+        derivation: Derivation::Only(BEM),
+    }
+    EffectiveMediumGap {
+        name: "effective-medium-gap", symbol: "h_m", unit: "m",
+        label: "hydraulic gap of the effective medium",
+        definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
+            (Bruggeman), 0 where half of the area or more is closed.",
+        derivation: Derivation::Only(BEM),
     }
 }

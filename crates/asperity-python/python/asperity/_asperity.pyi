@@ -396,6 +396,7 @@ def bem(
     given: tuple[str, Sequence[_Float]],
     maps_and_mask: tuple[bool, bool],
     quantities: str | Iterable[str] | None,
+    leak: tuple[_Float, _Float] | None,
 ) -> tuple[_Fields, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
     pressed: _Pressed,

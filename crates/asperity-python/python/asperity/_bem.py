@@ -72,6 +72,8 @@ def bem(
     elastic: bool = False,
     boundary: Boundary | None = None,
     quantities: Sequence[str] = (),
+    viscosity: float | str | None = None,
+    pressure_drop: float | str | None = None,
     maps: bool = True,
     errors: str = "raise",
 ) -> BemContacts:
@@ -105,7 +107,13 @@ def bem(
         "tangential-stiffness", "thermal-conductance", "electrical-conductance", the last two also
         with "-per-area"; ``BemContacts.quantities`` has them. In those of joints the contact pixels
         are held, so that interaction and shapes of contacts are included; with a free boundary
-        their approach is that of distant points.
+        their approach is that of distant points. Also "hydraulic-gap-x" and "hydraulic-gap-y" [m],
+        the even gaps that let as much fluid pass along rows and along columns, 0 where no path is
+        left, and "effective-medium-gap", their estimate from the distribution of the gap alone.
+    viscosity, pressure_drop : float
+        Of a fluid [Pa s], and the fall of its pressure from one side of the scan to the other [Pa]:
+        ``BemContacts.quantities`` has the hydraulic gaps and the flows ``flow_x`` and ``flow_y``
+        [m^3/s] through the outline of the scan; both or neither.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
@@ -126,7 +134,11 @@ def bem(
     maps_and_mask = maps, checked_errors(errors) == "mask"
     scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
     given = name, values.ravel().tolist()
-    found, kept, pixels = _asperity.bem(scan, given, maps_and_mask, quantities or None)
+    viscosity, pressure_drop = in_si(viscosity, "Pa s"), in_si(pressure_drop, "Pa")
+    if (viscosity is None) != (pressure_drop is None):
+        raise TypeError("viscosity and pressure_drop: both or neither was required")
+    leak = None if viscosity is None else (viscosity, pressure_drop)
+    found, kept, pixels = _asperity.bem(scan, given, maps_and_mask, quantities or None, leak)
     failures = found["failures"]
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::{BemError, Solution};
+use asperity::bem::{BemError, ContactSummary, Leak, Solution};
 use asperity::{ContactModel, Findings, Request, linspace};
-use asperity_answer::{Truths, Watch, beside_table, summary};
+use asperity_answer::{FLOWS, Truths, Watch, beside_table, once, summary};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -45,9 +45,14 @@ pub(crate) fn bem<'py>(
     given: (String, Vec<f64>),
     maps_and_mask: (bool, bool),
     quantities: Option<Quantities>,
+    leak: Option<(f64, f64)>,
 ) -> PyResult<Contacts<'py>> {
     let (maps, mask) = maps_and_mask;
-    let quantities = quantities.map_or(vec![], |quantities| quantities.0);
+    let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
+    let leak = leak.map_err(value_error)?;
+    let mut quantities = quantities.map_or(vec![], |quantities| quantities.0);
+    quantities.extend(leak.iter().flat_map(|_| FLOWS.map(|(gap, ..)| gap)));
+    let quantities = once(&quantities);
     let Pressed { bem, scene, accept } = Pressed::new(pressed)?;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
@@ -95,6 +100,7 @@ pub(crate) fn bem<'py>(
                         all[index * pixels..][..pixels].copy_from_slice(map);
                     }
                     notes.extend(solution.notes);
+                    notes.extend(summary.iter().flat_map(ContactSummary::sealed));
                 }
                 Err(error) => fail(index, value_error(&error), error.to_string()),
             },
@@ -106,7 +112,16 @@ pub(crate) fn bem<'py>(
     notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
     let names = HEADS.iter().map(|(name, _)| (*name).to_string());
     let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
-    let fields = arrays(py, names.zip(columns))?;
+    let mut names: Vec<String> = names.collect();
+    for (leak, (gap, direction, head)) in leak.iter().flat_map(|leak| FLOWS.map(|one| (leak, one)))
+    {
+        let gaps = quantities.iter().position(|one| *one == gap).map(|k| &columns[HEADS.len() + k]);
+        let flow = |gap: &f64| leak.flow(*gap, bem.map(), direction);
+        let flows: Vec<f64> = gaps.into_iter().flatten().map(flow).collect();
+        columns.push(flows);
+        names.push(head.trim_end_matches("_m3_per_s").into());
+    }
+    let fields = arrays(py, names.into_iter().zip(columns))?;
     fields.set_item("failures", failures)?;
     fields.set_item("boundary", bem.continuation().name())?;
     fields.set_item("nominal_area", area)?;

@@ -1,0 +1,217 @@
+//! Flow of a fluid through the gap of a contact: div(g³ ∇P) = 0 between two faces of the map.
+//!
+//! P falls by 1 from the first column to the last (along y: row); contact pixels are closed. A
+//! periodic map is continued across the flow, nothing flows through the sides of a free one. Finite
+//! volumes: an edge of two pixels has the harmonic mean of their g³.
+//!
+//! A flow per width q = h³ Δp/(12 μ L) defines the hydraulic gap h. Beside it, the effective medium
+//! of Bruggeman depends on the distribution of the gap alone: the mean of (g³ - K)/(g³ + K) is 0.
+
+use std::fmt;
+
+use asperity_quadrature::bracketed_root;
+
+use crate::height_map::positive;
+use crate::network::Network;
+use crate::parallel::inside;
+use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
+
+/// Largest difference of the flows through both faces, relative to them.
+const BALANCE: f64 = 1e-6;
+
+/// A direction of flow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the rows of the map, from its first column to its last.
+    X,
+    /// Along its columns, from its first row to its last.
+    Y,
+}
+
+impl Direction {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::X, Self::Y];
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(if *self == Self::X { "x" } else { "y" })
+    }
+}
+
+/// A fluid and the fall of its pressure from one side of a scan to the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leak {
+    viscosity: f64,
+    pressure_drop: f64,
+}
+
+impl Leak {
+    /// Viscosity \[Pa s\] and fall of the pressure \[Pa\].
+    ///
+    /// # Errors
+    /// [`BemError::OutOfRange`] for one that is not a positive number.
+    pub fn new(viscosity: f64, pressure_drop: f64) -> Result<Self, BemError> {
+        let viscosity = positive("viscosity", viscosity)?;
+        Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
+    }
+
+    /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ) times
+    /// width over length. It does not depend on their size.
+    #[must_use]
+    pub fn flow(&self, hydraulic_gap: f64, map: &HeightMap, direction: Direction) -> f64 {
+        let ([rows, columns], [height, width]) = (map.shape(), map.pixel());
+        let sides = [columns as f64 * width, rows as f64 * height];
+        let [length, width] = if direction == Direction::X { sides } else { [sides[1], sides[0]] };
+        hydraulic_gap.powi(3) * self.pressure_drop / (12.0 * self.viscosity) * width / length
+    }
+}
+
+/// The gap map of a contact; its cubes count from the largest.
+pub(crate) struct GapMap<'a> {
+    map: &'a HeightMap,
+    periodic: bool,
+    largest: f64,
+    /// g³ over that of the largest gap, row after row; 0 in contact.
+    cubes: Vec<f64>,
+}
+
+impl BoundaryElements {
+    /// The hydraulic gap \[m\] of `solution`; 0 where no path of open pixels leads from face to
+    /// face.
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::Unbalanced`] where
+    /// the flows through both faces differ by more than 1e-6 of them.
+    pub fn hydraulic_gap(
+        &self,
+        solution: &Solution,
+        direction: Direction,
+    ) -> Result<f64, BemError> {
+        self.gap_map(solution)?.hydraulic_gap(direction)
+    }
+
+    /// The flow through every pixel per width, over its mean over the width of the map: 1
+    /// everywhere in an even gap, 0 where the path is closed.
+    ///
+    /// # Errors
+    /// Those of [`hydraulic_gap`](Self::hydraulic_gap).
+    pub fn flux(&self, solution: &Solution, direction: Direction) -> Result<Vec<f64>, BemError> {
+        self.gap_map(solution)?.flux(direction)
+    }
+
+    /// The hydraulic gap \[m\] of the effective medium (Bruggeman), which depends on the
+    /// distribution of the gap alone; 0 where half of the area or more is closed.
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size.
+    pub fn effective_medium_gap(&self, solution: &Solution) -> Result<f64, BemError> {
+        Ok(self.gap_map(solution)?.effective_medium())
+    }
+
+    pub(crate) fn gap_map(&self, solution: &Solution) -> Result<GapMap<'_>, BemError> {
+        self.pixels_of(solution)?;
+        let gaps = solution.gaps.iter().zip(&solution.pressures);
+        Ok(self.gap_map_of(gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap })))
+    }
+
+    /// The gap map of surfaces that do not touch, apart by this mean gap \[m\].
+    pub(crate) fn open_gap_map(&self, mean_gap: f64) -> GapMap<'_> {
+        self.gap_map_of(self.map().heights().iter().map(|height| mean_gap - height))
+    }
+
+    fn gap_map_of(&self, gaps: impl Iterator<Item = f64>) -> GapMap<'_> {
+        let mut cubes: Vec<f64> = gaps.map(|gap| gap.max(0.0)).collect();
+        let largest = cubes.iter().copied().fold(0.0, f64::max);
+        if largest > 0.0 {
+            cubes.iter_mut().for_each(|gap| *gap = (*gap / largest).powi(3));
+        }
+        let periodic = self.boundary_condition() == Boundary::Periodic;
+        GapMap { map: self.map(), periodic, largest, cubes }
+    }
+}
+
+impl GapMap<'_> {
+    /// The network along x; a flow along y is one along x on the transposed map.
+    fn network(&self, direction: Direction) -> Network {
+        let ([rows, columns], [height, width]) = (self.map.shape(), self.map.pixel());
+        let periodic = self.periodic;
+        match direction {
+            Direction::X => Network {
+                conductivities: self.cubes.clone(),
+                shape: [rows, columns],
+                pixel: [height, width],
+                periodic,
+            },
+            Direction::Y => Network {
+                conductivities: transposed(&self.cubes, columns),
+                shape: [columns, rows],
+                pixel: [width, height],
+                periodic,
+            },
+        }
+    }
+
+    pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
+        let network = self.network(direction);
+        let [rows, columns] = network.shape;
+        let [height, width] = network.pixel;
+        let [inlet, outlet] = inside(|| network.flows());
+        let balanced = (inlet - outlet).abs() <= BALANCE * outlet;
+        if !balanced {
+            return Err(BemError::Unbalanced { inlet, outlet });
+        }
+        let per_width = outlet * (columns as f64 * width) / (rows as f64 * height);
+        Ok(self.largest * per_width.cbrt())
+    }
+
+    fn flux(&self, direction: Direction) -> Result<Vec<f64>, BemError> {
+        let network = self.network(direction);
+        let [rows, columns] = network.shape;
+        let [height, width] = network.pixel;
+        let flows = inside(|| network.edge_flows());
+        let total: f64 = flows.chunks(columns).map(|row| row[columns - 1][0]).sum();
+        if total == 0.0 {
+            return Ok(vec![0.0; flows.len()]);
+        }
+        let mean = total / (rows as f64 * height);
+        let into = |at: usize| {
+            let (i, j) = (at / columns, at % columns);
+            let above = flows[(i + rows - 1) % rows * columns + j][1];
+            // What comes from the inlet is what else leaves.
+            let left = if j > 0 { flows[at - 1][0] } else { flows[at][0] + flows[at][1] - above };
+            [left, above]
+        };
+        let of = |at: usize| {
+            let ([left, above], [right, below]) = (into(at), flows[at]);
+            (0.5 * (left + right) / height).hypot(0.5 * (above + below) / width) / mean
+        };
+        let flux: Vec<f64> = (0..flows.len()).map(of).collect();
+        Ok(match direction {
+            Direction::X => flux,
+            Direction::Y => transposed(&flux, columns),
+        })
+    }
+
+    pub(crate) fn effective_medium(&self) -> f64 {
+        let open: Vec<f64> = self.cubes.iter().copied().filter(|cube| *cube > 0.0).collect();
+        let lowest = open.iter().copied().fold(1.0, f64::min).ln();
+        let closed = (self.cubes.len() - open.len()) as f64;
+        let mean = |logarithm: f64| {
+            let medium = logarithm.exp();
+            open.iter().map(|cube| 1.0 - 2.0 / (cube / medium + 1.0)).sum::<f64>() - closed
+        };
+        // A medium of the smallest open gap is too little, if any is enough.
+        let mut low = lowest;
+        while open.len() as f64 > closed && mean(low) < 0.0 && low > f64::MIN_POSITIVE.ln() {
+            low = 2.0 * low - 1.0;
+        }
+        let found = bracketed_root(mean, low, 0.0);
+        found.map_or(0.0, |logarithm| self.largest * (logarithm / 3.0).exp())
+    }
+}
+
+fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
+    let column = |j: usize| values.iter().skip(j).step_by(columns).copied();
+    (0..columns).flat_map(column).collect()
+}

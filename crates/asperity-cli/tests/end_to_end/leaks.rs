@@ -1,0 +1,69 @@
+//! `bem`: hydraulic gaps, flows and their map.
+
+use crate::bem::bench;
+use crate::bench::{column, csv};
+
+#[test]
+fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
+    let bench = bench();
+    let fluid = ["--viscosity", "1 mPa s", "--pressure-drop", "2bar"];
+    let arguments = "bem scan.toml --elastic --pressure 1e8,4e10 --format csv";
+    let mut command = bench.command();
+    command.args(arguments.split(' ')).args(fluid);
+    let run = crate::bench::Run::of(command.output().unwrap());
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let of = |name: &str| column(&run.out, name);
+    let (gaps, flows) = (of("hydraulic_gap_x_m"), of("flow_x_m3_per_s"));
+    // A square: h³ Δp/(12 μ).
+    assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
+    assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
+    // Sealed: 0 is the answer, with a note for each direction.
+    assert_eq!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]], [0.0; 3]);
+    for direction in ["x", "y"] {
+        let text =
+            format!("note[sealed]: 96 x 96 pixels: no open path of pixels leads along {direction}");
+        assert!(run.messages.contains(&text), "{}", run.messages);
+    }
+    // Unasked, there are none.
+    let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
+    assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));
+}
+
+#[test]
+fn the_map_of_the_flow_shows_contact_and_path() {
+    let bench = bench();
+    let run = bench.run("bem scan.toml --pressure 1e9 --flow-picture flow.svg --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let svg = bench.read("flow.svg");
+    for text in [
+        "Flow from left to right through the gap of scan.toml",
+        "hydraulic gap is",
+        "white: no flow",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let closed = bench.run("bem scan.toml --elastic --pressure 4e10 --flow-picture flow.svg");
+    assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path of pixels"));
+    let two = bench.run("bem scan.toml --pressure 1e8,1e9 --flow-picture two.svg");
+    assert!(two.code == Some(2) && two.messages.contains("--flow-picture draws one load, not 2"));
+}
+
+#[test]
+fn models_without_a_gap_map_refuse_with_the_reason() {
+    let bench = bench();
+    let run = bench.run("curve scan.toml --model ke,bem --pressure 1e8 --quantity area,hydraulic-gap-x --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let why = "ke: no hydraulic-gap-x: ke cannot give hydraulic-gap-x: the map of the gap is needed; use bem";
+    assert!(run.messages.contains(why), "{}", run.messages);
+    let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
+    assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");
+    for (arguments, why) in [
+        ("--viscosity 1e-3", "--pressure-drop <VALUE>"),
+        ("--viscosity 0 --pressure-drop 1e5", "0 is not above 0"),
+        ("--viscosity 1Pa --pressure-drop 1e5", "is not a number in Pa s"),
+        ("--viscosity 1cP --pressure-drop 1N", "1N is a load"),
+    ] {
+        let run = bench.run(&format!("bem scan.toml --pressure 1e8 {arguments}"));
+        assert!(run.code == Some(2) && run.messages.contains(why), "{}", run.messages);
+    }
+}
