@@ -32,7 +32,8 @@ const FRICTION_TO: f64 = 7.0;
 /// φ_x, the pressure flow factor along the direction in which γ is measured.
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] for H below 0.5 (below 1 for γ below 1), and for γ outside 1/9 to 9.
+/// [`ContactError::OutOfRange`] for H below 0.5 (below 1 for γ below 1), and for γ outside 1/9
+/// to 9.
 pub fn pressure_flow_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
     let least = if gamma < 1.0 { FROM_1 } else { FROM_HALF };
     between(film, gamma, least, |Fit { gamma, pressure: [c, r], .. }| match *gamma > 1.0 {
