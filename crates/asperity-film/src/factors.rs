@@ -32,7 +32,8 @@ const FRICTION_TO: f64 = 7.0;
 /// φ_x, the pressure flow factor along the direction in which γ is measured.
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] for H below 0.5 (below 1 for γ below 1), and for γ outside 1/9 to 9.
+/// [`ContactError::OutOfRange`] for H below 0.5 (below 1 for γ below 1), and for γ outside 1/9
+/// to 9.
 pub fn pressure_flow_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
     let least = if gamma < 1.0 { FROM_1 } else { FROM_HALF };
     between(film, gamma, least, |Fit { gamma, pressure: [c, r], .. }| match *gamma > 1.0 {
@@ -112,9 +113,10 @@ fn far(z: f64) -> f64 {
 /// φ_fp of isotropic surfaces.
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] for H below 0.75, and for γ other than 1.
+/// [`ContactError::OutOfRange`] for H below 0.75, and for γ outside 0.9 to 1.1.
 pub fn friction_pressure_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
-    within(GAMMA, gamma, (gamma - 1.0).abs() < 1e-9, "1 (no other fit was available)")?;
+    let required = "0.9 to 1.1, as of isotropic surfaces, for `friction-pressure-factor`,";
+    within(GAMMA, gamma, (0.9..=1.1).contains(&gamma), required)?;
     at_least(film, (0.75, "at least 0.75, the range of the fit of `friction-pressure-factor`,"))?;
     Ok(1.0 - 1.40 * (-0.66 * film).exp())
 }
@@ -238,9 +240,7 @@ mod tests {
         for gamma in [0.1, 9.1, -1.0, f64::NAN] {
             assert!(text(shear_flow_factor(2.0, gamma)).starts_with("peklenik_number is "));
         }
-        assert!(
-            text(friction_pressure_factor(2.0, 3.0)).contains("1 (no other fit was available)")
-        );
+        assert!(text(friction_pressure_factor(2.0, 3.0)).contains("0.9 to 1.1, as of isotropic"));
         for film in [-1.0, f64::NAN, f64::INFINITY] {
             assert!(friction_factor(film, 0.01).is_err() && shear_flow_factor(film, 1.0).is_err());
         }

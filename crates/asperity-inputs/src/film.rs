@@ -3,7 +3,6 @@
 use asperity::film::PatirCheng;
 use asperity_topography::{Lay, Topography};
 
-use crate::keys::COUNTERFACE;
 use crate::{ModelOptions, Place, SceneError, SceneFile};
 
 /// The largest angle between the lay of a scan and its rows or columns.
@@ -31,15 +30,18 @@ impl SceneFile {
                 Err(reason) => return refused(reason),
             },
             (None, None) if self.measured.is_some() => {
-                let both = format!("it is measured of one scan only; set {PEKLENIK} in [surface]");
-                return refused(format!("{both} and [{COUNTERFACE}]"));
+                return refused(format!(
+                    "it is measured of one scan only; set {PEKLENIK} in [surface]"
+                ));
             }
             (None, None) => 1.0,
         };
+        // Two scans of `files` have one number, as they have one section.
+        let of_scans = if self.measured.is_some() { moving } else { 1.0 };
         let friction_cut_off =
             options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
-            peklenik_numbers: [moving, resting.unwrap_or(1.0)],
+            peklenik_numbers: [moving, resting.unwrap_or(of_scans)],
             share_at_rest,
             friction_cut_off,
         })
@@ -112,6 +114,12 @@ mod tests {
         };
         write("along.txt", 0.0);
         write("oblique.txt", 35.0);
+        let two = "files = [\"along.txt\", \"along.txt\"]\nunit = \"m\"\npixel_size = 1e-6\n";
+        let refused = flow(two, folder.path()).unwrap_err();
+        assert!(refused.contains("it is measured of one scan only"), "{refused}");
+        let both = flow(&format!("{two}peklenik_number = 0.4"), folder.path()).unwrap();
+        assert_eq!(both.peklenik_numbers.map(f64::to_bits), [0.4; 2].map(f64::to_bits));
+        assert!((both.share_at_rest - 0.5).abs() < 1e-12);
         let scan = |name: &str, more: &str| {
             let keys = format!("file = \"{name}\"\nunit = \"m\"\npixel_size = 1e-6\n{more}");
             flow(&keys, folder.path())
@@ -124,6 +132,6 @@ mod tests {
             "{refused}"
         );
         let given = scan("oblique.txt", "peklenik_number = 2").unwrap();
-        assert_eq!(given.peklenik_numbers.map(f64::to_bits), [2.0, 1.0].map(f64::to_bits));
+        assert_eq!(given.peklenik_numbers[0].to_bits(), 2f64.to_bits());
     }
 }

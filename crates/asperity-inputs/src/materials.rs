@@ -72,19 +72,16 @@ impl SceneFile {
     /// of a pure metal conduct less.
     #[must_use]
     pub fn conduction_findings(&self, quantities: &[Quantity]) -> Findings {
+        let listed = |body: &Body| materials().iter().find(|material| material.body == *body);
+        let is_needed =
+            |key: &&Field<Body>| quantities.iter().any(|q| q.property() == Some(key.name));
         let mut found: Vec<Finding> = vec![];
-        for body in &self.bodies {
-            let material = materials().iter().find(|material| material.body == *body);
-            let needed = |key: &&Field<Body>| {
-                let conducts = ["thermal_conductivity", "electrical_resistivity"];
-                conducts.contains(&key.name)
-                    && quantities.iter().any(|quantity| quantity.property() == Some(key.name))
-            };
-            let needed = material
-                .into_iter()
-                .flat_map(|m| BODY.iter().filter(needed).map(move |key| (m, key)));
-            let new = needed.filter_map(|(material, key)| material.conduction(key));
-            found.extend(new.filter(|new| !found.contains(new)).collect::<Vec<_>>());
+        for material in self.bodies.iter().filter_map(listed) {
+            for new in BODY.iter().filter(is_needed).filter_map(|key| material.conduction(key)) {
+                if found.iter().all(|known| known.message() != new.message()) {
+                    found.push(new);
+                }
+            }
         }
         self.accepted(found.into_iter().collect())
     }

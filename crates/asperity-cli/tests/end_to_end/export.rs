@@ -346,10 +346,13 @@ fn a_table_of_films_has_pressure_and_factors_and_the_numbers_that_codes_take() {
     for number in [surface.asperity_density, surface.asperity_radius] {
         assert!(table.contains(&asperity::short(number)), "{table}");
     }
-    let in_mm =
-        bench.data("export scene.toml --model ke --as film --film 1um:3um:3 --units mm-N-MPa");
-    assert!((column(&in_mm, "film_mm")[2] / 3e-3 - 1.0).abs() < 1e-12);
-    let in_pascals = bench.data("curve scene.toml --model ke --film 1um:3um:3 --quantity pressure");
-    let (mega, pascals) = (column(&in_mm, "pressure_MPa"), column(&in_pascals, "pressure_Pa"));
-    assert!(mega.iter().zip(pascals).all(|(one, other)| (1e6 * one / other - 1.0).abs() < 1e-12));
+    let films = bench.data("export scene.toml --model ke --as film --film 1um:3um:3");
+    let curve = bench.data("curve scene.toml --model ke --film 1um:3um:3 --quantity pressure");
+    for name in ["film_m", "pressure_Pa"] {
+        let both = column(&films, name).into_iter().zip(column(&curve, name));
+        assert!(both.into_iter().all(|(one, other)| (one / other - 1.0).abs() < 1e-10), "{films}");
+    }
+    let refused =
+        bench.run("export scene.toml --model ke --as film --lambda 1:2:3 --units mm-N-MPa");
+    assert!(refused.messages.contains("a table of films is in SI units"), "{}", refused.messages);
 }

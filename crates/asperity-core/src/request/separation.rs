@@ -91,8 +91,8 @@ impl Separation {
         Self { value, unit: SeparationUnit::Metres, from: Datum::AsperityMean }
     }
 
-    /// The film ratio λ = h/σ of a film h between the mean planes of the surfaces, with the standard
-    /// deviation σ of the surface heights.
+    /// The film ratio λ = h/σ of a film h between the mean planes of the surfaces, with the
+    /// standard deviation σ of the surface heights.
     #[must_use]
     pub fn film_ratio(value: f64) -> Self {
         Self { value, unit: SeparationUnit::SurfaceStd, from: Datum::SurfaceMean }

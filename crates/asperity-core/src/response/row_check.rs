@@ -72,7 +72,8 @@ impl RowCheck {
             true => (quantity.origin(), behind(quantity.origin()).unwrap_or(0.0)),
             false => (quantity, value),
         };
-        if signed < 0.0 {
+        // The factors of the resting surface are negative.
+        if signed < 0.0 && !quantity.is_flow_factor() {
             found(if adhesive { Oddity::Adhesion } else { Oddity::Negative }, of, signed);
         }
         if value == 0.0 && evaluation.scaled != 0.0 && !absolute {

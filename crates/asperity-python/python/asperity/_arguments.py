@@ -129,7 +129,7 @@ def place(
     pressure: Any,
     separation_unit: str,
     name: str = "separation",
-    **films: Any,
+    films: Mapping[str, Any] | None = None,
 ) -> tuple[str, Any]:
     """The meaning of the given numbers, and the numbers; TypeError unless one of them is given."""
     unit = checked_unit(separation_unit)
@@ -137,11 +137,11 @@ def place(
     if in_metres is not separation:
         separation, unit = in_metres, "m"
     given = {unit: separation, "load": in_si(load, "N"), "pressure": in_si(pressure, "Pa")}
-    films = {axis: in_si(film, "m") for axis, film in films.items() if film is not None}
-    given |= films
+    given_films = {a: in_si(x, "m") for a, x in (films or {}).items() if x is not None}
+    given |= given_films
     found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
     if len(found) != 1:
-        names = ", ".join([name, "load", *films])
+        names = ", ".join([name, "load", *given_films])
         raise TypeError(f"exactly one of {names} and pressure was required")
     return found[0]
 

@@ -206,7 +206,7 @@ class Model(Engine):
                [7.15e-07]])
         """
         films = {"film": film, "lambda_ratio": lambda_ratio}
-        rows = Rows(scene, *place(separation, load, pressure, separation_unit, **films))
+        rows = Rows(scene, *place(separation, load, pressure, separation_unit, films=films))
         checked_errors(errors)
         if corrected:
             return CorrectedCurve.of(self, rows, rtol, separation_unit, quantities, errors)
