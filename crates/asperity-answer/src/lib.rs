@@ -15,6 +15,7 @@ mod pull_off;
 mod recommend;
 mod sheet;
 mod slip;
+mod slip_scan;
 mod subject;
 mod truth;
 mod unloading;
@@ -37,6 +38,7 @@ pub use pull_off::pull_off;
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
+pub use slip_scan::stick_map;
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, summary, truth, unranked,

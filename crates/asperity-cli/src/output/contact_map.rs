@@ -59,6 +59,24 @@ pub fn picture(
     }
 }
 
+/// The map of a contact that slips: 1 where a pixel slips, 2 where it sticks.
+pub fn stick_picture(bem: &Bem, states: &[f64], name: &str) -> Map {
+    let [rows, columns] = bem.map().shape();
+    let [dy, dx] = bem.map().pixel();
+    Map {
+        title: format!("Stick and slip on {name}"),
+        values: states.to_vec(),
+        columns,
+        size: [columns as f64 * dx * 1e6, rows as f64 * dy * 1e6],
+        unit: "µm".into(),
+        label: "1: slips".into(),
+        top: 2.0,
+        white: "white: no contact".into(),
+        full: "2: sticks".into(),
+        ..Map::default()
+    }
+}
+
 /// The unit in which a number is at least 1 and short.
 fn scaled(value: f64, units: &[(f64, &'static str)]) -> (f64, &'static str) {
     units.iter().copied().rev().find(|(unit, _)| value >= *unit).unwrap_or(units[0])
