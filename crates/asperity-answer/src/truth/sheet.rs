@@ -53,7 +53,7 @@ pub fn truth(
     for text in by_reason(solved.missing()) {
         sheet.warn("no-value", text);
     }
-    sheet.note("nearest", summary(found));
+    sheet.note("nearest", summary(found, &solved.half));
     for line in beside_table(file, found) {
         sheet.note("evidence", line);
     }
