@@ -229,7 +229,7 @@ mod tests {
             let mut half = coarse.clone();
             half.bem.area_fraction = half.bem.area_fraction.map(|fraction| fraction * area);
             half.bem.stiffness = None;
-            summary(&[coarse.clone()], &[Some(half)])
+            summary(std::slice::from_ref(&coarse), &[Some(half)])
         };
         let near = off(1.0003);
         assert!(
