@@ -16,6 +16,7 @@ mod ranges;
 mod recommend;
 mod sheet;
 mod slip;
+mod slip_scan;
 mod subject;
 mod truth;
 mod unloading;
@@ -39,6 +40,7 @@ pub use ranges::{drawn_with_ranges, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
+pub use slip_scan::stick_map;
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, summary, truth, unranked,

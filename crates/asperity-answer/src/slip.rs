@@ -1,22 +1,24 @@
 //! Partial slip of a joint: a first shift and a steady cycle, or cycles at several preloads.
 
+use asperity::bem::{Bem, BemError};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
 
 use crate::blanks::Blanks;
 use crate::number::{rounded, within};
+use crate::slip_scan::ScanSlip;
 use crate::subject::{Outcome, Subject};
-use crate::{AnswerError, Sheet};
+use crate::{AnswerError, Sheet, Watch};
 
 /// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
 
-/// A joint that slips.
+/// A joint that slips, by a model of asperities or by boundary elements on a scan.
 #[derive(Debug, Clone, Copy)]
 pub struct Slip<'a> {
     /// The model on its scene.
     pub subject: Subject<'a>,
-    /// Unloading law of the asperities.
+    /// Unloading law of the asperities; a scan has its own.
     pub law: UnloadingLaw,
     /// Coefficient of friction, above 0.
     pub friction: f64,
@@ -43,21 +45,34 @@ impl Slip<'_> {
         amplitudes: &[Amplitude],
         points: usize,
         sheet: &mut Sheet,
+        watch: &dyn Watch,
     ) -> Result<(), AnswerError> {
         self.subject.fill(sheet, |sheet| match (preloads, amplitudes) {
-            ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet),
-            _ => self.cycles(preloads, amplitudes, sheet),
+            ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet, watch),
+            _ => self.cycles(preloads, amplitudes, sheet, watch),
         })
     }
 
     /// The slip at a preload, with its load \[N\], pressure \[Pa\] and separation over σ_z.
-    fn at(&self, preload: At) -> Result<(PartialSlip, [f64; 3]), ContactError> {
-        let Subject { file, model, tolerance, .. } = self.subject;
+    fn at<'w>(
+        &self,
+        preload: At,
+        sheet: &mut Sheet,
+        watch: &'w dyn Watch,
+    ) -> Outcome<(Box<dyn Sliding + 'w>, [f64; 3])> {
+        let Subject { file, id, model, tolerance, .. } = self.subject;
+        if id == Bem::ID {
+            let found = ScanSlip::at(&self.subject, preload, self.friction, sheet, watch)?;
+            let (slip, [load, pressure], place) = found;
+            let separation = self.subject.place(place, SeparationUnit::Sigma)?;
+            return Ok((Box::new(slip), [load, pressure, separation]));
+        }
         let joint = Unloading::new(model, &file.scene, preload, self.law, tolerance)?;
         let load = joint.force(0.0)?.value();
         let separation = self.subject.place(joint.closest(), SeparationUnit::Sigma)?;
         let numbers = [load, load / file.scene.nominal_area, separation];
-        Ok((PartialSlip::new(&joint, self.friction)?, numbers.map(|x| self.digits(x))))
+        let slip = PartialSlip::new(&joint, self.friction)?;
+        Ok((Box::new(slip), numbers.map(|x| self.digits(x))))
     }
 
     fn digits(&self, x: f64) -> f64 {
@@ -71,14 +86,17 @@ impl Slip<'_> {
         amplitude: Amplitude,
         points: usize,
         sheet: &mut Sheet,
+        watch: &dyn Watch,
     ) -> Outcome {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
         sheet.under(&[&heads]);
         let id = self.subject.id;
-        let (slip, _) = self.at(preload)?;
-        let amplitude = shift_of(&slip, amplitude)?;
+        let (slip, _) = self.at(preload, sheet, watch)?;
+        let amplitude = shift_of(&*slip, amplitude)?;
+        // All rows need these shifts alone.
+        slip.prepare(&linspace(0.0, amplitude, points))?;
         // First, so that the error for a tiny amplitude names the amplitude.
-        let loss = rounded(slip.loss(amplitude)?.value());
+        let loss = rounded(slip.loss(amplitude)?);
         let factor = rounded(slip.loss_factor(amplitude)?);
         for shift in linspace(-amplitude, amplitude, points) {
             let path = |forth| slip.loop_force(shift, amplitude, forth).map(Some);
@@ -86,12 +104,9 @@ impl Slip<'_> {
             let [force, loss, factor] = match shift {
                 shift if shift < 0.0 => [None; 3],
                 0.0 => [Some(0.0); 3],
-                shift => [
-                    slip.force(shift)?.value(),
-                    slip.loss(shift)?.value(),
-                    slip.loss_factor(shift)?,
-                ]
-                .map(Some),
+                shift => {
+                    [slip.force(shift)?, slip.loss(shift)?, slip.loss_factor(shift)?].map(Some)
+                }
             };
             let numbers = [Some(shift), force, back, forth, loss, factor];
             sheet.add(&[id], numbers.map(|x| x.map(|x| self.digits(x))));
@@ -105,23 +120,37 @@ impl Slip<'_> {
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
         sheet.note("gross-slip", text);
+        if let Some(share) = slip.sticking(amplitude)? {
+            let percent = rounded(100.0 * share);
+            sheet.note(
+                "stick",
+                format!("{id}: at this amplitude {percent} % of the contact sticks"),
+            );
+        }
         Ok(())
     }
 
     /// A row for each cycle; blank where there is none.
-    fn cycles(&self, preloads: &[At], amplitudes: &[Amplitude], sheet: &mut Sheet) -> Outcome {
+    fn cycles(
+        &self,
+        preloads: &[At],
+        amplitudes: &[Amplitude],
+        sheet: &mut Sheet,
+        watch: &dyn Watch,
+    ) -> Outcome {
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let by_shift = matches!(amplitudes, [Amplitude::Shift(_), ..]);
         sheet.under(&[&heads, if by_shift { &FORCES } else { &SHIFTS }]);
         let (id, scene) = (self.subject.id, &self.subject.file.scene);
         let (mut blanks, mut answered) = (Blanks::default(), false);
         for &at in preloads {
-            let known = self.at(at);
+            let known = self.at(at, sheet, watch);
             let given = [at.load(scene), at.pressure(scene), None];
             let place = known.as_ref().map_or(given, |(_, numbers)| numbers.map(Some));
             for &amplitude in amplitudes {
-                let cycle = known.as_ref().map_err(|error| error.clone().into());
-                let cycle = match cycle.and_then(|(slip, _)| self.under(slip, amplitude)) {
+                let cycle = known.as_ref().map_err(ToString::to_string);
+                let cycle = cycle.map_err(AnswerError::from);
+                let cycle = match cycle.and_then(|(slip, _)| self.under(&**slip, amplitude)) {
                     Ok(cycle) => {
                         answered = true;
                         cycle.map(Some)
@@ -147,13 +176,13 @@ impl Slip<'_> {
     }
 
     /// The numbers of a cycle, in the order of [`FORCES`] or [`SHIFTS`].
-    fn under(&self, slip: &PartialSlip, amplitude: Amplitude) -> Outcome<[f64; 5]> {
+    fn under(&self, slip: &dyn Sliding, amplitude: Amplitude) -> Outcome<[f64; 5]> {
         let shift = shift_of(slip, amplitude)?;
         let force = match amplitude {
-            Amplitude::Shift(_) => slip.force(shift)?.value(),
+            Amplitude::Shift(_) => slip.force(shift)?,
             Amplitude::Force(force) => force,
         };
-        let numbers = [force / shift, slip.loss(shift)?.value(), slip.loss_factor(shift)?];
+        let numbers = [force / shift, slip.loss(shift)?, slip.loss_factor(shift)?];
         let [stiffness, loss, factor] = numbers.map(|x| self.digits(x));
         Ok(match amplitude {
             Amplitude::Shift(_) => {
@@ -173,17 +202,96 @@ const SHIFTS: [&str; 5] =
     ["tangential_force_N", "amplitude_m", "secant_stiffness_N_per_m", "loss_J", "loss_factor"];
 
 /// The amplitude of shift of a cycle.
-fn shift_of(slip: &PartialSlip, amplitude: Amplitude) -> Outcome<f64> {
+fn shift_of(slip: &dyn Sliding, amplitude: Amplitude) -> Outcome<f64> {
     let force = match amplitude {
         Amplitude::Shift(shift) => return Ok(shift),
         Amplitude::Force(force) => force,
     };
     slip.amplitude_at(force).or_else(|error| {
-        let ContactError::OutOfRange { field: "tangential_force", .. } = error else {
-            return Err(error.into());
-        };
+        let slides = matches!(
+            error,
+            AnswerError::Contact(ContactError::OutOfRange { field: "tangential_force", .. })
+                | AnswerError::Bem(BemError::OutOfRange { field: "traction", .. })
+        );
+        if !slides {
+            return Err(error);
+        }
         let (force, limit) = (shortest_digits(force), rounded(slip.limit()?));
         Err(format!("a tangential force of {force} N reaches mu F = {limit} N: the joint slides")
             .into())
     })
+}
+
+/// A joint at one preload: forces \[N\] and energies \[J\] of shifts \[m\].
+pub(crate) trait Sliding {
+    /// The tangential force of a first shift.
+    fn force(&self, shift: f64) -> Outcome<f64>;
+
+    /// The energy that a cycle of this amplitude dissipates.
+    fn loss(&self, amplitude: f64) -> Outcome<f64>;
+
+    /// The force at which all slides.
+    fn limit(&self) -> Outcome<f64>;
+
+    /// The shift at which the force reaches a share of the limit.
+    fn shift_at(&self, share: f64) -> Outcome<f64>;
+
+    /// The shift of a force.
+    fn amplitude_at(&self, force: f64) -> Outcome<f64>;
+
+    /// The force in a steady cycle, as [`PartialSlip::loop_force`].
+    fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Outcome<f64> {
+        // Both branches are point-symmetric.
+        let turned = if forth { -shift } else { shift };
+        let back = self.force(amplitude)? - 2.0 * self.force(0.5 * (amplitude - turned))?;
+        Ok(if forth { -back } else { back })
+    }
+
+    /// The loss factor of a cycle, as [`PartialSlip::loss_factor`].
+    fn loss_factor(&self, amplitude: f64) -> Outcome<f64> {
+        let spring = std::f64::consts::PI * self.force(amplitude)? * amplitude;
+        Ok(self.loss(amplitude)? / spring)
+    }
+
+    /// Computes what these shifts need.
+    fn prepare(&self, shifts: &[f64]) -> Outcome {
+        let _ = shifts;
+        Ok(())
+    }
+
+    /// The share of the contact that sticks, if single contacts are known.
+    fn sticking(&self, amplitude: f64) -> Outcome<Option<f64>> {
+        let _ = amplitude;
+        Ok(None)
+    }
+}
+
+impl Sliding for PartialSlip {
+    fn force(&self, shift: f64) -> Outcome<f64> {
+        Ok(PartialSlip::force(self, shift)?.value())
+    }
+
+    fn loss(&self, amplitude: f64) -> Outcome<f64> {
+        Ok(PartialSlip::loss(self, amplitude)?.value())
+    }
+
+    fn limit(&self) -> Outcome<f64> {
+        Ok(PartialSlip::limit(self)?)
+    }
+
+    fn shift_at(&self, share: f64) -> Outcome<f64> {
+        Ok(PartialSlip::shift_at(self, share)?)
+    }
+
+    fn amplitude_at(&self, force: f64) -> Outcome<f64> {
+        Ok(PartialSlip::amplitude_at(self, force)?)
+    }
+
+    fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Outcome<f64> {
+        Ok(PartialSlip::loop_force(self, shift, amplitude, forth)?)
+    }
+
+    fn loss_factor(&self, amplitude: f64) -> Outcome<f64> {
+        Ok(PartialSlip::loss_factor(self, amplitude)?)
+    }
 }

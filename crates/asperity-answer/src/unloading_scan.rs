@@ -1,10 +1,11 @@
 //! The opening of a scan along its own path, by boundary elements.
 
-use asperity::bem::{BemError, LoadCase};
-use asperity::{At, Datum, Separation, SeparationUnit, linspace};
+use asperity::bem::BemError;
+use asperity::{At, Separation, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
+use crate::slip_scan::load_case;
 use crate::subject::Subject;
 use crate::unloading::{Retreats, metres};
 use crate::{AnswerError, Sheet, Watch};
@@ -30,13 +31,7 @@ pub fn unloading_scan(
         let retreats = retreats.map(|given| metres(sheet, scene, given));
         let bem = subject.file.bem(None, false)?;
         sheet.findings.extend(bem.note());
-        let greatest = match closest {
-            At::Separation(place) => {
-                let gap = place.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, scene)?;
-                LoadCase::MeanGap(gap.value)
-            }
-            _ => LoadCase::MeanPressure(closest.pressure(scene).ok_or("a load or a pressure")?),
-        };
+        let greatest = load_case(scene, closest)?;
         watch.progress(&format!("{id}: the greatest load"));
         let path = bem.elements(&scene.interface)?.unloading_from(greatest)?;
         sheet.report(subject.file, path.notes().iter().cloned().collect());

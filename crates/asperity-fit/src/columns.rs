@@ -4,13 +4,13 @@ use asperity_core::{At, Datum, Quantity, Separation};
 
 use crate::doubt::plural;
 use crate::names::unknown_column;
-use crate::observation::{LOAD, PRESSURE, Position, SEPARATION, STD};
+use crate::observation::{CLOSURE, LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
 
 /// Columns of `curve` without information: sigma is unknown, and a fit has its own models.
 const IGNORED: [&str; 2] = ["separation_over_sigma", "model"];
 /// Columns of places. Pressure is a quantity as well.
-const PLACES: [&str; 3] = [LOAD, PRESSURE, SEPARATION];
+const PLACES: [&str; 4] = [LOAD, PRESSURE, SEPARATION, CLOSURE];
 
 /// Whether a column of this name is one of a fit, also in another unit or mistyped, or one of
 /// `asperity curve` that a fit ignores.
@@ -69,7 +69,12 @@ impl<'c> Columns<'c> {
                 found.columns.push((name, values));
             }
         }
-        let has = |name: &str| found.columns.iter().any(|(known, _)| *known == name);
+        let has = |name: &str| found.has(name);
+        if has(CLOSURE) && has(SEPARATION) {
+            let reason =
+                format!("{SEPARATION} is the same with the other sign; leave one of the two out");
+            return refused(CLOSURE, reason);
+        }
         if !PLACES.into_iter().any(has) {
             // At separations, a load is what was measured.
             let renamed = match has("force_N") {
@@ -77,7 +82,7 @@ impl<'c> Columns<'c> {
                 false => String::new(),
             };
             return Err(FitError::Data(format!(
-                "the data have no load or separation: a column {LOAD}, {PRESSURE} or {SEPARATION} was required{renamed}"
+                "the data have no load or separation: a column {LOAD}, {PRESSURE}, {SEPARATION} or {CLOSURE} was required{renamed}"
             )));
         }
         let is_alone = |name: &&str| name.strip_suffix(STD).is_some_and(|of| !has(of));
@@ -85,6 +90,11 @@ impl<'c> Columns<'c> {
             Some(name) => refused(name, "the column of its values is missing".into()),
             None => Ok(found),
         }
+    }
+
+    /// Whether there is a column of this name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.columns.iter().any(|(known, _)| *known == name)
     }
 
     /// The value of a row, if it is given.
@@ -123,7 +133,9 @@ impl<'c> Columns<'c> {
         if let Some(value) = load.filter(|value| *value <= 0.0) {
             return self.refused(carrier, row, value, "a load above 0");
         }
-        let separation = self.number(SEPARATION, row)?;
+        let closure = self.number(CLOSURE, row)?.map(|closure| -closure);
+        let separation = self.number(SEPARATION, row)?.or(closure);
+        let place = if self.has(CLOSURE) { CLOSURE } else { SEPARATION };
         let under = |value| if has_loads { At::Load(value) } else { At::Pressure(value) };
         let reading = |value| At::from(Separation { from, ..Separation::metres(value) });
         let at = load.map(under).or(separation.map(reading));
@@ -150,7 +162,7 @@ impl<'c> Columns<'c> {
             return self.refused(column, row, value, required);
         }
         if let (Some(load), Some(separation)) = (load, separation) {
-            found.push(match self.std(SEPARATION, row)? {
+            found.push(match self.std(place, row)? {
                 Some(std) => new(under(load), Measured::Separation, separation, Some(std)),
                 None => {
                     let quantity = if has_loads { Quantity::Force } else { Quantity::Pressure };

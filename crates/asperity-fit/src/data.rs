@@ -5,7 +5,7 @@ use std::ops::Deref;
 use asperity_core::{At, Datum, short};
 
 use crate::columns::Columns;
-use crate::observation::{MeasuredTable, Observation, Position};
+use crate::observation::{CLOSURE, MeasuredTable, Observation, Position};
 use crate::{DataColumn, FitError};
 
 /// Measured values, all with a standard deviation or all without.
@@ -28,6 +28,8 @@ pub struct Data {
     lines: Vec<usize>,
     /// Rows with a load and a pressure.
     both_loads: Vec<(usize, [f64; 2])>,
+    /// Whether separations are known as closures.
+    closure: bool,
 }
 
 /// Loads and pressures times the nominal area may differ by this much, relative, as both may be
@@ -51,7 +53,8 @@ impl Data {
     /// `pressure_Pa` beside `load_N` is compared with it by [`check_loads`](Self::check_loads);
     /// `separation_over_sigma` and `model` are ignored.
     /// Separations have no relative error: without `separation_m_std`, a separation beside a load
-    /// is compared by the load at that separation.
+    /// is compared by the load at that separation. `closure_m`, the approach since any first reading,
+    /// is a separation with the other sign and an unknown offset.
     ///
     /// # Errors
     /// [`FitError`] naming the column or the row, its value and what is required.
@@ -89,7 +92,8 @@ impl Data {
                 position.name
             )));
         }
-        Ok(Self { observations, from, lines, both_loads })
+        let closure = table.has(CLOSURE);
+        Ok(Self { observations, from, lines, both_loads, closure })
     }
 
     /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
@@ -110,6 +114,12 @@ impl Data {
             }
         }
         Ok(())
+    }
+
+    /// Whether separations are known as closures, which need a free `separation_offset`.
+    #[must_use]
+    pub fn has_closure(&self) -> bool {
+        self.closure
     }
 
     /// Whether standard deviations are given.
@@ -150,7 +160,7 @@ impl Data {
     /// Other observations of the same table.
     pub(crate) fn with(&self, observations: Vec<Observation>) -> Self {
         let lines = self.lines.clone();
-        Self { observations, from: self.from, lines, both_loads: vec![] }
+        Self { observations, from: self.from, lines, both_loads: vec![], closure: self.closure }
     }
 
     /// The line of an observation, or its row.

@@ -3,7 +3,7 @@
 use asperity_core::{Quantity, nearest_name, plain_unit, short, units_of};
 
 use crate::FitError;
-use crate::observation::{LOAD, PRESSURE, SEPARATION};
+use crate::observation::{CLOSURE, LOAD, PRESSURE, SEPARATION};
 
 /// Quantities and their other names, in lower case.
 const OTHER_NAMES: [(&str, &[&str]); 6] = [
@@ -63,7 +63,7 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
     let column = |reason: String| FitError::Column { column: name.clone(), reason };
     if DISPLACEMENTS.iter().any(|other| usual.starts_with(other)) {
         return column(format!(
-            "a displacement grows where the separation falls: name the column {SEPARATION}, change the sign of its values, in m, and fit separation_offset"
+            "a displacement grows where the separation falls: name the column {CLOSURE}, with values in m"
         ));
     }
     let named = with_unit(&name, &known);

@@ -7,6 +7,8 @@ use asperity_core::{At, Quantity, Separation};
 pub(crate) const LOAD: &str = "load_N";
 pub(crate) const PRESSURE: &str = "pressure_Pa";
 pub(crate) const SEPARATION: &str = "separation_m";
+/// Approach since the first reading: a separation with the other sign and an unknown offset.
+pub(crate) const CLOSURE: &str = "closure_m";
 /// The end of the name of a column of standard deviations.
 pub(crate) const STD: &str = "_std";
 

@@ -55,8 +55,8 @@ impl SceneFile {
         Ok(Some(shape.with_hurst(self.hurst())))
     }
 
-    /// The given Hurst exponent, or that of the scan (of two surfaces, the rougher one), if its
-    /// spectrum follows a power law. Fitted once: of 1024 x 1024 points it takes a tenth of a
+    /// The Hurst exponent of the scan (of two surfaces, the rougher one), or, if its spectrum follows
+    /// no power law, the given one: an option of `persson` does not change the scan. Fitted once: of 1024 x 1024 points it takes a tenth of a
     /// second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
         let fit = || {
@@ -64,7 +64,7 @@ impl SceneFile {
             let Spectra { radial, .. } = scan.spectra().ok()?;
             Some(PowerLaw::fit(&radial?).ok()?.hurst)
         };
-        self.options.hurst_exponent.or_else(|| *self.hurst.get_or_init(fit))
+        self.hurst.get_or_init(fit).or(self.options.hurst_exponent)
     }
 }
 
@@ -118,5 +118,19 @@ mod tests {
         let dug = basis(summary(&Topography::new(dug, 128, [1e-6; 2]).unwrap()));
         let wanted = "no boundary-element solution is close: measured_kurtosis is ";
         assert!(dug.starts_with(wanted) && dug.ends_with("use `asperity bem --compare`"), "{dug}");
+    }
+
+    /// An option of `persson` does not state that stiffnesses of a rough scan are known.
+    #[test]
+    fn the_hurst_exponent_is_that_of_the_scan() {
+        let file = |fitted: Option<f64>| {
+            let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
+            let statistics = scan(1.0).statistics(asperity_topography::Estimator::Moments).unwrap();
+            file.measured = Some(Measured { statistics, pixel_size: 1e-6, long_wavelength: None });
+            file.options.hurst_exponent = Some(0.9);
+            file.hurst.set(fitted).unwrap();
+            file.surface_shape().unwrap().unwrap().hurst
+        };
+        assert_eq!((file(Some(0.3)), file(None)), (Some(0.3), Some(0.9)));
     }
 }

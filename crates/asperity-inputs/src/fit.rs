@@ -23,7 +23,7 @@ impl SceneFile {
 
     /// The free parameters, which start from the values of this scene. By default their bounds are
     /// a factor 30 either way, those of `separation_offset` 30 asperity_height_std beyond the
-    /// readings.
+    /// readings, which is free, too, where closures were measured.
     ///
     /// # Errors
     /// Those of [`inputs`](Self::inputs), and [`SceneError::Fit`] for bounds that are out of order
@@ -34,7 +34,11 @@ impl SceneFile {
         free: &[Free],
         data: &Data,
     ) -> Result<Vec<Parameter>, SceneError> {
-        free.iter().map(|free| self.free_parameter(free, data)).collect()
+        let name = "separation_offset";
+        let is_lacking = data.has_closure() && free.iter().all(|free| free.name != name);
+        let offset = Free { name: name.into(), bounds: None, has_unit: false };
+        let free = free.iter().chain(is_lacking.then_some(&offset));
+        free.map(|free| self.free_parameter(free, data)).collect()
     }
 
     fn free_parameter(&self, free: &Free, data: &Data) -> Result<Parameter, SceneError> {

@@ -193,7 +193,7 @@ def test_the_scan_gives_persson_its_gaps(scene: asperity.Scene) -> None:
     rows = asperity.truth(scene, load=loads, models=["persson-fudge"], elastic=True, refine=True)
     assert [row["model"] for row in rows] == ["bem", "bem-half-grid", "persson-fudge"] * 2
     # 17 patches and fewer.
-    assert rows.nearest is not None and rows.nearest.startswith("models are not ranked")
+    assert rows.nearest is not None and rows.nearest.startswith(("models are not ranked", "over these loads"))
     for row, tangent in zip(rows[2::3], fudge.tangent, strict=True):
         assert row["stiffness"] == pytest.approx(tangent)
         assert row["stiffness_deviation"] is not None and abs(row["stiffness_deviation"]) < 0.3

@@ -220,17 +220,32 @@ mod tests {
         // Loads that few pixels carry take no part in what is said of all.
         let [mut clear, mut few] = [soft.clone(), soft];
         (clear.notes, few.notes) = (vec![], vec![Finding::warning("few-pixels", "pixels", 33.0)]);
-        let both = summary(&[clear.clone(), few.clone()]);
+        let both = summary(&[clear.clone(), few.clone()], &[]);
         assert!(
             both.starts_with("over the loads with enough pixels and patches in contact (1 of 2), "),
             "{both}"
         );
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");
-        assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
-        assert!(summary(&[few]).starts_with("models are not ranked: too few pixels"));
+        assert!(summary(&[clear.clone(), clear.clone()], &[]).starts_with("over these loads, "));
+        assert!(summary(&[few], &[]).starts_with("models are not ranked: too few pixels"));
         let notes = vec![Finding::warning("short-waves", "shortest_wavelength", 3.0)];
-        let coarse = Truth { notes, ..clear };
-        assert!(summary(&[coarse]).starts_with("models are not ranked: the grid is too coarse"));
+        let coarse = Truth { notes, ..usual };
+        // Half the grid is nearer than the models, or it is not.
+        let off = |area: f64| {
+            let mut half = coarse.clone();
+            half.bem.area_fraction = half.bem.area_fraction.map(|fraction| fraction * area);
+            half.bem.stiffness = None;
+            summary(std::slice::from_ref(&coarse), &[Some(half)])
+        };
+        let near = off(1.0003);
+        assert!(
+            near.starts_with("over these loads, nearest to boundary elements in area"),
+            "{near}"
+        );
+        assert!(off(1.9).starts_with("models are not ranked: the grid is too coarse"));
+        assert!(
+            summary(&[coarse], &[]).starts_with("models are not ranked: the grid is too coarse")
+        );
     }
 
     #[test]

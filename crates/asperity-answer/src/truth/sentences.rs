@@ -6,7 +6,7 @@ use asperity::{
 };
 use asperity_inputs::SceneFile;
 
-use super::Truth;
+use super::{ContactState, Truth};
 
 /// Number of models listed.
 const MOST_LISTED: usize = 3;
@@ -29,6 +29,10 @@ impl Truth {
     /// A quantity of a model relative to boundary elements on this scan.
     fn ratio(&self, id: &str, quantity: Compared) -> Option<Ratio> {
         let (_, state) = self.models.iter().find(|(model, _)| model.id() == id)?;
+        self.ratio_of(state, quantity)
+    }
+
+    fn ratio_of(&self, state: &ContactState, quantity: Compared) -> Option<Ratio> {
         let off = self.deviation(state);
         match quantity {
             Compared::Area => off.area_fraction.map(|off| Ratio::exactly(1.0 + off)),
@@ -46,7 +50,7 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
     match codes {
         _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
-            "the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels",
+            "the grid is too coarse for the shortest waves of the scan; set `smooth` to 16 pixels or more, measure on smaller pixels, or compare with half the grid (refine)",
         ),
         _ if codes.iter().all(|codes| has(&FEW, codes)) => {
             Some("too few pixels or patches are in contact")
@@ -57,10 +61,18 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
 
 /// Which models are nearest to boundary elements over these loads, in area and in stiffness in
 /// first loading. Loads that few pixels or patches carry do not count; on a grid too coarse for the
-/// shortest waves of the scan no model is ranked.
+/// shortest waves of the scan models are ranked where `half` the grid differs by less than each of
+/// them.
 #[must_use]
-pub fn summary(found: &[Truth]) -> String {
-    let codes = |truth: &Truth| truth.notes.iter().map(|note| note.code).collect();
+pub fn summary(found: &[Truth], half: &[Option<Truth>]) -> String {
+    let mut ranked = RANKED.to_vec();
+    if found.iter().any(|truth| truth.has_note(&COARSE)) {
+        ranked.retain(|(quantity, _)| grid_is_nearest(found, half, *quantity));
+    }
+    let codes = |truth: &Truth| {
+        let codes = truth.notes.iter().map(|note| note.code);
+        codes.filter(|code| ranked.is_empty() || !COARSE.contains(code)).collect()
+    };
     if let Some(why) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
         return format!("models are not ranked: {why}");
     }
@@ -75,7 +87,7 @@ pub fn summary(found: &[Truth]) -> String {
         let ids = models.iter().map(|(model, _)| model.id());
         nearest_to_bem(name, ids.map(|id| (id, off(id, *quantity))), MOST_LISTED)
     };
-    let nearest = match RANKED.iter().filter_map(nearest).collect::<Vec<_>>() {
+    let nearest = match ranked.iter().filter_map(nearest).collect::<Vec<_>>() {
         none if none.is_empty() => {
             let names = RANKED.map(|(_, name)| name).join(" or ");
             format!("no model can be compared with boundary elements in {names} everywhere")
@@ -88,6 +100,24 @@ pub fn summary(found: &[Truth]) -> String {
             "over the loads with enough pixels and patches in contact ({count} of {all}), {nearest}"
         ),
     }
+}
+
+/// Whether, at their worst loads, half the grid differs from the whole one by less than each model.
+fn grid_is_nearest(found: &[Truth], half: &[Option<Truth>], quantity: Compared) -> bool {
+    let worst = |states: Vec<Option<&ContactState>>| {
+        let off = |(truth, state): (&Truth, Option<&ContactState>)| {
+            Some(truth.ratio_of(state?, quantity)?.deviation(quantity).abs())
+        };
+        let all: Option<Vec<f64>> = found.iter().zip(states).map(off).collect();
+        all?.into_iter().reduce(f64::max)
+    };
+    let count = found.first().map_or(0, |first| first.models.len());
+    let of_model = |k: usize| {
+        worst(found.iter().map(|truth| truth.models.get(k).map(|(_, state)| state)).collect())
+    };
+    let nearest = (0..count).filter_map(of_model).reduce(f64::min);
+    let grid = worst(half.iter().map(|half| half.as_ref().map(|half| &half.bem)).collect());
+    grid.zip(nearest).is_some_and(|(grid, nearest)| grid < nearest)
 }
 
 /// How far the usual reference model is from boundary elements on the scan of a scene, and whether

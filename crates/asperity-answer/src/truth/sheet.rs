@@ -53,10 +53,12 @@ pub fn truth(
         };
     }
     sheet.report(file, solved.findings());
-    for text in by_reason(solved.missing()) {
-        sheet.warn("no-value", text);
-    }
-    sheet.note("nearest", summary(found));
+    // What a model never has is no fault of the scene.
+    let never = |(_, why): &(&str, &ContactError)| matches!(why, ContactError::Unsupported { .. });
+    let (unsupported, missing): (Vec<_>, Vec<_>) = solved.missing().into_iter().partition(never);
+    by_reason(missing).into_iter().for_each(|text| sheet.warn("no-value", text));
+    by_reason(unsupported).into_iter().for_each(|text| sheet.note("no-value", text));
+    sheet.note("nearest", summary(found, &solved.half));
     for line in beside_table(file, found) {
         sheet.note("evidence", line);
     }

@@ -221,7 +221,7 @@ impl BemCommand {
 }
 
 /// Writes a map as svg or, without labels, as png.
-fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
+pub(super) fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
     if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
         return output::write_text(Some(path), &draw_map(map)?);
     }

@@ -6,22 +6,22 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, stick_map, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
-use super::joint_plots;
-use crate::input::args::{DrawnArgs, loads, model_id, separation_unit, tolerance};
+use super::{bem, joint_plots};
+use crate::input::args::{DrawnArgs, file_ending, loads, model_id, separation_unit, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
-use crate::output::once;
+use crate::output::{contact_map, once};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Shifts of a loop by default.
-const POINTS: usize = 101;
+/// Shifts of a loop by default, and on a scan, where each is solved.
+const POINTS: [usize; 2] = [101, 21];
 
 /// A joint that opens, follows a history of loads or, with --friction, slips
 #[derive(Debug, Args)]
@@ -55,9 +55,14 @@ pub struct Joint {
     friction: Option<f64>,
     #[command(flatten)]
     cycle: Cycle,
-    /// Number of shifts from -amplitude to +amplitude of one cycle [default: 101]
+    /// Number of shifts from -amplitude to +amplitude of one cycle [default: 101; 21 by bem]
     #[arg(long, value_name = "N", value_parser = count_up_to(100_000), requires = "friction")]
     points: Option<usize>,
+    /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
+    /// NumPy matrix
+    #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
+    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png"))]
+    stick_map: Option<PathBuf>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
@@ -129,7 +134,7 @@ impl Joint {
     pub fn run(self, command: &str) -> Result<()> {
         let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
         let named = scene.one_or_usual(self.model.as_deref())?;
-        let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID && self.friction.is_none());
+        let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
             usage_error(command, ErrorKind::ArgumentConflict, text);
@@ -142,6 +147,10 @@ impl Joint {
             usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
         let places = self.place.all(&scene, &named, self.unit);
+        if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
+            let text = "--stick-map needs --model bem and one load";
+            usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
@@ -177,9 +186,23 @@ impl Joint {
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
         let amplitudes = self.amplitudes();
-        let points = self.points.unwrap_or(POINTS);
-        let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet);
+        let is_scan = slip.subject.id == Bem::ID;
+        let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
+        let watch = terminal()?;
+        let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
         let (sheet, ()) = scene.answer(fill)?;
+        if let (Some(path), [preload], Some(shift)) =
+            (&self.stick_map, preloads, self.cycle.amplitude)
+        {
+            let states = stick_map(&slip.subject, *preload, slip.friction, shift, &watch)?;
+            let scan = scene.file.bem(None, false)?;
+            if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
+                contact_map::write(path, &[states], scan.map().shape())?;
+            } else {
+                bem::draw(path, &contact_map::stick_picture(&scan, &states, &scene.name))?;
+            }
+        }
+        drop(watch);
         self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
     }
 

@@ -93,6 +93,19 @@ fn outline(bem: &Bem) -> Map {
     Map { columns, size: size.map(|side| side / length), unit: unit.into(), ..Map::default() }
 }
 
+/// The map of a contact that slips: 1 where a pixel slips, 2 where it sticks.
+pub fn stick_picture(bem: &Bem, states: &[f64], name: &str) -> Map {
+    Map {
+        title: format!("Stick and slip on {name}"),
+        values: states.to_vec(),
+        label: "1: slips".into(),
+        top: 2.0,
+        white: "white: no contact".into(),
+        full: "2: sticks".into(),
+        ..outline(bem)
+    }
+}
+
 /// The unit in which a number is at least 1 and short.
 fn scaled(value: f64, units: &[(f64, &'static str)]) -> (f64, &'static str) {
     units.iter().copied().rev().find(|(unit, _)| value >= *unit).unwrap_or(units[0])

@@ -235,3 +235,24 @@ fn models_that_yield_find_the_elastic_law_within_them() {
         assert!(of("rms").iter().all(|rms| *rms < 1e-6), "{found}");
     }
 }
+
+/// A closure is a separation with the other sign and an unknown offset.
+#[test]
+fn closures_are_fitted_without_an_offset_of_ones_own() {
+    let bench = Bench::new();
+    let curve = bench.data("curve scene.toml --model gw --load 1:100:7:log --format csv");
+    let (loads, separations) = (column(&curve, "load_N"), column(&curve, "separation_m"));
+    let rows = |name: &str, sign: f64| {
+        let row = |(load, d): (&f64, &f64)| format!("{load},{:e}\n", sign * (d - separations[0]));
+        let rows: String = loads.iter().zip(&separations).map(row).collect();
+        format!("load_N,{name}\n{rows}")
+    };
+    bench.write("closure.csv", &rows("closure_m", -1.0));
+    bench.write("separation.csv", &rows("separation_m", 1.0));
+    let fit = |arguments: &str| bench.data(&format!("fit scene.toml {arguments} --model gw"));
+    let closure = fit("closure.csv --free asperity_height_std");
+    assert_eq!(closure, fit("separation.csv --free asperity_height_std,separation_offset"));
+    bench.write("both.csv", "load_N,separation_m,closure_m\n10,1e-6,1e-9\n");
+    let both = bench.run("fit scene.toml both.csv --model gw --free asperity_height_std");
+    assert!(both.messages.contains("leave one of the two out"), "{}", both.messages);
+}

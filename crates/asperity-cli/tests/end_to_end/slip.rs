@@ -179,3 +179,56 @@ fn forces_that_are_too_large_and_too_small_have_reasons_of_their_own() {
         assert!(run.messages.contains(wanted), "{}", run.messages);
     }
 }
+
+/// A periodic scan of 128 x 128 points between bodies with these lines.
+fn scan(bodies: [&str; 2]) -> String {
+    let bodies = bodies.map(|body| format!("[[body]]\n{body}\n")).concat();
+    format!(
+        "nominal_area = 1e-9\n{bodies}[surface]\nfile = 's.npy'\nunit = 'm'\npixel_size = '0.25 um'\nperiodic = true\n"
+    )
+}
+
+#[test]
+fn a_scan_slips_at_constant_load() {
+    let bench = Bench::new();
+    bench.data(
+        "generate --long 20um --short 2um --size 128x128 --pixel 0.25um --gradient 0.1 --output s.npy",
+    );
+    let steel = "youngs_modulus = '210 GPa'\npoissons_ratio = 0.3";
+    bench.write("scan.toml", &scan([steel; 2]));
+    let slip = "joint scan.toml --model bem --pressure 200MPa --friction 0.2";
+    let run = bench.run(&format!("{slip} --amplitude 10nm --points 5 --stick-map map.npy"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let [shifts, back, forth] = ["shift_m", "back_N", "forth_N"].map(|head| column(&run.out, head));
+    let force: Vec<f64> =
+        cells(&run.out, "force_N")[2..].iter().map(|cell| cell.parse().unwrap()).collect();
+    assert!(shifts.len() == 5 && force[0] == 0.0 && force[1] > 0.5 * force[2], "{force:?}");
+    assert!(force[2] < 0.04 && (back[4] / force[2] - 1.0).abs() < 1e-11, "{force:?}");
+    // The first shift halved is the start of the way back.
+    assert!((back[2] - (force[2] - 2.0 * force[1])).abs() < 1e-9 && forth[2] + back[2] == 0.0);
+    // The head of a NumPy file, and a number for each pixel.
+    assert_eq!(std::fs::read(bench.path("map.npy")).unwrap().len(), 128 + 8 * 128 * 128);
+    assert!(run.messages.contains("note[stick]: bem: at this amplitude "), "{}", run.messages);
+    // The amplitude of a force is the shift of that force.
+    let table = bench.data(&format!("{slip} --tangential-force {},0.03", force[2]));
+    assert!((column(&table, "amplitude_m")[0] / 1e-8 - 1.0).abs() < 1e-5, "{table}");
+    let refused = |name: &str, text: &str, what: &str| {
+        bench.write(name, text);
+        let run =
+            bench.run(&slip.replace("scan.toml", name).replace("200MPa", "200MPa --amplitude 1nm"));
+        assert!(run.code == Some(1) && run.messages.contains(what), "{}", run.messages);
+    };
+    let soft = format!("{steel}\nhardness = '7 GPa'");
+    refused("soft.toml", &scan([&soft; 2]), "share of the contact at the hardness is 0.");
+    let aluminium = "youngs_modulus = '70 GPa'\npoissons_ratio = 0.33";
+    refused("unlike.toml", &scan([steel, aluminium]), "like materials");
+    let sticky = scan([steel; 2]).replace("nominal", "work_of_adhesion = 0.1\nnominal");
+    refused("sticky.toml", &sticky, "slip of a scan has no adhesion");
+    let asperities =
+        bench.run("joint scene.toml --load 9 --friction 0.2 --amplitude 1nm --stick-map m.npy");
+    assert!(
+        asperities.messages.contains("--stick-map needs --model bem"),
+        "{}",
+        asperities.messages
+    );
+}

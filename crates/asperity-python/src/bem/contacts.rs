@@ -214,7 +214,8 @@ pub(crate) fn truth<'py>(
     }
     let failures = found.failed.iter().map(|(place, error)| (*place, error.to_string())).collect();
     let rows = object(py, &found.rows(scene.scene.nominal_area))?;
-    let nearest = (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found));
+    let nearest =
+        (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found, &found.half));
     let sentences = (nearest, py.detach(|| beside_table(scene, &found.found)));
     Ok((rows, sentences, refused, failures, bem.continuation().name()))
 }
