@@ -104,10 +104,14 @@ fn merge(found: &mut Value, ends: &[&Value]) {
                 let (shown, range) = interval(own, Some([lower, upper]), unit);
                 let [lower, upper] = [lower, upper].map(shortest_digits);
                 (found["lower"], found["upper"]) = (lower.into(), upper.into());
-                if let Some(by) = found["by"].as_str() {
-                    (found["by"], found["shown"]) = (format!("{range}, {by}").into(), shown.into());
-                } else {
-                    found["shown"] = format!("{shown} ({range})").into();
+                // Parts of the answer have a line below their value.
+                match ["by", "says"].into_iter().find(|key| found[key].is_string()) {
+                    Some(key) => {
+                        let beside = found[key].as_str().unwrap_or_default();
+                        found[key] = format!("{range}, {beside}").into();
+                        found["shown"] = shown.into();
+                    }
+                    None => found["shown"] = format!("{shown} ({range})").into(),
                 }
             }
             None => {
@@ -177,7 +181,7 @@ mod tests {
             let [value, lower, upper] = ["digits", "lower", "upper"]
                 .map(|key| number[key].as_str().unwrap().parse::<f64>().unwrap());
             assert!(lower <= value && value <= upper, "{number}");
-            let text = format!("{}{}", number["shown"], number["by"]);
+            let text = format!("{}{}{}", number["shown"], number["by"], number["says"]);
             assert!(text.contains(" to "), "{number}");
         }
         assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
