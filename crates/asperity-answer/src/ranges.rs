@@ -52,8 +52,8 @@ pub fn with_ranges<T, E: From<AnswerError>>(
     Ok(found)
 }
 
-/// The sheet of a picture: the rows of the middle and, where the scene has ranges, those of the ends
-/// under the names `ke lower` and `ke upper`.
+/// The sheet of a picture: the rows of the middle and, where the scene has ranges, those of the
+/// ends under the names `ke lower` and `ke upper`.
 #[must_use]
 pub fn drawn_with_ranges(file: &SceneFile, sheet: &Sheet) -> Sheet {
     let mut drawn = sheet.clone();

@@ -32,8 +32,8 @@ pub fn with_decimal_point(text: &str) -> Option<String> {
     is_number.then(|| format!("{whole}.{rest}"))
 }
 
-/// What is wrong with a number that is refused for its commas or points: "has a decimal comma; write
-/// 1.5" for `1,5`. `None` for other texts.
+/// What is wrong with a number that is refused for its commas or points: "has a decimal comma;
+/// write 1.5" for `1,5`. `None` for other texts.
 #[must_use]
 pub fn notation_hint(text: &str) -> Option<String> {
     let digits =

@@ -53,7 +53,8 @@ pub struct SceneFile {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub roughness: Option<Roughness>,
-    /// The rough surfaces whose numbers are known within ranges; their middles make `scene.surface`.
+    /// The rough surfaces whose numbers are known within ranges; their middles make
+    /// `scene.surface`.
     pub(crate) faces: Vec<Face>,
     /// The number of the surface that explains findings about the asperities.
     pub(crate) odd_number: Option<Finding>,

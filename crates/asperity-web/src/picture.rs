@@ -89,8 +89,13 @@ pub(crate) fn curves(
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
-    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(id));
-    panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
+    // The ends of the ranges of a model look like it.
+    let model = |id: &&str| id.split(' ').next().map(String::from);
+    let mut looks: Vec<Option<String>> = ids.iter().map(model).collect();
+    looks.dedup();
+    let look = |id: &&str| 1 + looks.iter().position(|known| *known == model(id)).unwrap_or(0);
+    let curves = ids.iter().filter(|id| drawn.contains(id));
+    panel.curves = curves.map(|id| Curve::new(look(id), id, id)).collect();
     if !solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, BEM));
     }

@@ -8,6 +8,7 @@ use asperity_answer::{AnswerError, Cell, Inquiry, Sheet, Silent, drawn_with_rang
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
+use crate::dialect::said;
 use crate::message::LoadKeys;
 use crate::refusal::Refusal;
 use crate::shown::interval;
@@ -17,17 +18,20 @@ use crate::{Desk, answer};
 pub(crate) struct Ranges {
     pub(crate) middle: Desk,
     ends: Vec<Desk>,
+    /// The unknowns with the ratios of their ends.
+    spreads: Vec<(&'static str, f64)>,
 }
 
 impl Ranges {
     /// The desks of a scene; none where its surface is known.
     pub(crate) fn of(file: &SceneFile) -> Result<Option<Self>, ContactError> {
-        if file.spreads().is_empty() {
+        let spreads = file.spreads();
+        if spreads.is_empty() {
             return Ok(None);
         }
         let (middle, ends) = file.corners()?;
         let ends = ends.into_iter().map(Desk::at_an_end).collect();
-        Ok(Some(Self { middle: Desk::at_an_end(middle), ends }))
+        Ok(Some(Self { middle: Desk::at_an_end(middle), ends, spreads }))
     }
 
     /// The values of models at a load and the answer there, each number with its ends.
@@ -44,13 +48,20 @@ impl Ranges {
             row["against"] = Value::Null;
         }
         let first = found["answer"]["first"].as_array().into_iter().flatten();
-        let said = first.filter_map(|part| {
+        let parts = first.filter_map(|part| {
             let word = |key: &str| part[key].as_str();
             Some(format!("{} {}, {}", word("name")?, word("shown")?, word("by")?))
         });
-        let said = said.collect::<Vec<_>>().join("; ");
-        found["answer"]["spoken"] = format!("At {}: {said}", same.text).into();
+        let spoken = parts.collect::<Vec<_>>().join("; ");
+        found["answer"]["spoken"] = format!("At {}: {spoken}", same.text).into();
         found["answer"]["surface"] = "known within ranges".into();
+        let spread = |(name, ratio): &(&'static str, f64)| format!("`{name}` within {ratio:.1}");
+        let spreads = self.spreads.iter().map(spread).collect::<Vec<_>>().join(", ");
+        let model = found["answer"]["use"]["model"].as_str().unwrap_or_default().to_string();
+        let basis = format!(
+            "Ranges by {model}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them."
+        );
+        found["answer"]["basis"] = said(&basis).into();
         Ok(found)
     }
 }
@@ -104,10 +115,14 @@ fn merge(found: &mut Value, ends: &[&Value]) {
                 let (shown, range) = interval(own, Some([lower, upper]), unit);
                 let [lower, upper] = [lower, upper].map(shortest_digits);
                 (found["lower"], found["upper"]) = (lower.into(), upper.into());
-                if let Some(by) = found["by"].as_str() {
-                    (found["by"], found["shown"]) = (format!("{range}, {by}").into(), shown.into());
-                } else {
-                    found["shown"] = format!("{shown} ({range})").into();
+                // Parts of the answer have a line below their value.
+                match ["by", "says"].into_iter().find(|key| found[key].is_string()) {
+                    Some(key) => {
+                        let beside = found[key].as_str().unwrap_or_default();
+                        found[key] = format!("{range}, {beside}").into();
+                        found["shown"] = shown.into();
+                    }
+                    None => found["shown"] = format!("{shown} ({range})").into(),
                 }
             }
             None => {
@@ -177,10 +192,14 @@ mod tests {
             let [value, lower, upper] = ["digits", "lower", "upper"]
                 .map(|key| number[key].as_str().unwrap().parse::<f64>().unwrap());
             assert!(lower <= value && value <= upper, "{number}");
-            let text = format!("{}{}", number["shown"], number["by"]);
+            let text = format!("{}{}{}", number["shown"], number["by"], number["says"]);
             assert!(text.contains(" to "), "{number}");
         }
         assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
+        let basis = found["answer"]["basis"].as_str().unwrap();
+        let words =
+            "Ranges by ke, of a surface with rq within 1.1, mean slope within 4.2, bandwidth";
+        assert!(basis.starts_with(words), "{basis}");
         assert_eq!(found["rows"][1]["model"], "ke");
     }
 

@@ -33,7 +33,9 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
     }
     let known = Model::named();
     let curves = curves(table, |_, id| {
-        let look = known.iter().position(|model| model.id() == id);
+        // The ends of the ranges of a model look like it.
+        let of = id.split(' ').next().unwrap_or(id);
+        let look = known.iter().position(|model| model.id() == of);
         Curve::new(look.unwrap_or(0), id, id)
     });
 
