@@ -18,7 +18,7 @@ fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
     assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
     assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
     // Sealed: 0 is the answer, with a note for each direction.
-    assert_eq!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]], [0.0; 3]);
+    assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
     for direction in ["x", "y"] {
         let text =
             format!("note[sealed]: 96 x 96 pixels: no open path of pixels leads along {direction}");

@@ -134,10 +134,10 @@ def bem(
     maps_and_mask = maps, checked_errors(errors) == "mask"
     scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
     given = name, values.ravel().tolist()
-    viscosity, pressure_drop = in_si(viscosity, "Pa s"), in_si(pressure_drop, "Pa")
     if (viscosity is None) != (pressure_drop is None):
         raise TypeError("viscosity and pressure_drop: both or neither was required")
-    leak = None if viscosity is None else (viscosity, pressure_drop)
+    fluid = in_si(viscosity, "Pa s"), in_si(pressure_drop, "Pa")
+    leak = None if viscosity is None else fluid
     found, kept, pixels = _asperity.bem(scan, given, maps_and_mask, quantities or None, leak)
     failures = found["failures"]
 
