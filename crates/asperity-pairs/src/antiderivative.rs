@@ -62,11 +62,11 @@ impl Antiderivative {
     /// Makes the pieces up to x.
     fn extend(&self, x: f64) -> Result<(), QuadratureError> {
         let reached = |pieces: &[Piece]| pieces.last().map_or(self.start, |piece| piece.high);
-        if reached(&self.pieces.read().unwrap_or_else(PoisonError::into_inner)) >= x {
+        if reached(&self.pieces.read().unwrap_or_else(PoisonError::into_inner)) >= x.min(self.end) {
             return Ok(());
         }
         let mut pieces = self.pieces.write().unwrap_or_else(PoisonError::into_inner);
-        while reached(&pieces) < x {
+        while reached(&pieces) < x.min(self.end) {
             let low = reached(&pieces);
             let kink = self.kinks.iter().copied().find(|kink| *kink > low);
             let high = (2.0 * low).min(self.end).min(kink.unwrap_or(f64::INFINITY));

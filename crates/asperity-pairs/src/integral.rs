@@ -59,8 +59,9 @@ fn grown(part: &Part, before: f64) -> (Formula, f64) {
             let mut grown: Vec<Power> = powers.iter().map(integral).collect();
             let at = |x: f64| grown.iter().map(|power| power.value(x)).sum::<f64>();
             let (first, last) = (at(start), at(end));
-            if before != first {
-                grown.push(Power::new(before - first, 0.0));
+            let rest = before - first;
+            if rest.is_nan() || rest.abs() > 0.0 {
+                grown.push(Power::new(rest, 0.0));
             }
             (Formula::Powers(grown), last - first)
         }

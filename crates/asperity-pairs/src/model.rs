@@ -34,9 +34,11 @@ impl AsperityPairs {
     fn law(
         &self,
         asperity: &Asperity,
-        one: impl Fn(&dyn AsperityModel) -> Result<Law, ContactError>,
+        one: impl Fn(&dyn AsperityModel, &Asperity) -> Result<Law, ContactError>,
     ) -> Result<Law, ContactError> {
-        sum(one(self.0.laws(&HeightDistribution::Gaussian)?)?, asperity)
+        let density = asperity.density.filter(|_| self.0.model().validity().density);
+        let own = Asperity { density, ..*asperity };
+        sum(one(self.0.laws(&HeightDistribution::Gaussian)?, &own)?, asperity)
     }
 }
 
@@ -70,11 +72,11 @@ impl AsperityModel for AsperityPairs {
     }
 
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one| one.force(asperity, tolerance))
+        self.law(asperity, |one, own| one.force(own, tolerance))
     }
 
     fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one| one.area(asperity, tolerance))
+        self.law(asperity, |one, own| one.area(own, tolerance))
     }
 
     fn stiffness(
@@ -83,13 +85,13 @@ impl AsperityModel for AsperityPairs {
         tolerance: Tolerance,
     ) -> Result<Option<Law>, ContactError> {
         match self.0.laws(&HeightDistribution::Gaussian)?.stiffness(asperity, tolerance)? {
-            Some(law) => self.law(asperity, |_| Ok(law.clone())).map(Some),
+            Some(law) => self.law(asperity, |_, _| Ok(law.clone())).map(Some),
             None => Ok(None),
         }
     }
 
     fn contacts(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one| one.contacts(asperity, tolerance))
+        self.law(asperity, |one, own| one.contacts(own, tolerance))
     }
 
     fn contact_radius(
@@ -97,6 +99,6 @@ impl AsperityModel for AsperityPairs {
         asperity: &Asperity,
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
-        self.law(asperity, |one| one.contact_radius(asperity, tolerance))
+        self.law(asperity, |one, own| one.contact_radius(own, tolerance))
     }
 }

@@ -26,7 +26,8 @@ def test_the_option_the_name_and_greenwood_tripp_are_the_same() -> None:
     # Two surfaces of one height std each.
     each = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
     both = each.replace(asperity_height_std=math.sqrt(2) * each.asperity_height_std)
-    found, wanted = (force(asperity.Scene(INTERFACE, of, 3e-5), "ke-pairs", 1.0) for of in (each, both))
+    scenes = [asperity.Scene(INTERFACE, of, 3e-5) for of in (each, both)]
+    found, wanted = (force(scene, "ke-pairs", 1.0) for scene in scenes)
     assert found == pytest.approx(wanted, rel=1e-12)
 
 
@@ -42,10 +43,10 @@ class Scaled:
         self.radius = one.radius
 
     def force(self, w: np.ndarray) -> np.ndarray:
-        return self.unit * w**1.5
+        return np.asarray(self.unit * w**1.5)
 
     def area(self, w: np.ndarray) -> np.ndarray:
-        return math.pi * self.radius * w
+        return np.asarray(math.pi * self.radius * w)
 
 
 class Plain(Scaled):
@@ -63,7 +64,8 @@ class Plain(Scaled):
 def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:
     for density in (1e8, 2e8):
         scene = SCENE.replace(asperity_density=density)
-        scaled, plain = (float(asperity.model(law).solve(scene, 1.0).force) for law in (Scaled, Plain))
+        laws = [asperity.model(Scaled), asperity.model(Plain)]
+        scaled, plain = (float(law.solve(scene, 1.0).force) for law in laws)
         assert scaled / plain == pytest.approx(density, rel=1e-10)
 
 
