@@ -197,7 +197,7 @@ impl Joint {
             let states = stick_map(&slip.subject, *preload, slip.friction, shift, &watch)?;
             let scan = scene.file.bem(None, false)?;
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
-                contact_map::write(path, &[states], scan.map().shape())?;
+                contact_map::write(path, &[&states], scan.map().shape())?;
             } else {
                 bem::draw(path, &contact_map::stick_picture(&scan, &states, &scene.name))?;
             }
