@@ -55,9 +55,9 @@ impl SceneFile {
         Ok(Some(shape.with_hurst(self.hurst())))
     }
 
-    /// The Hurst exponent of the scan (of two surfaces, the rougher one), or, if its spectrum follows
-    /// no power law, the given one: an option of `persson` does not change the scan. Fitted once: of 1024 x 1024 points it takes a tenth of a
-    /// second, and each corrected model asks for it.
+    /// The Hurst exponent of the scan (of two surfaces, the rougher one); if its spectrum follows
+    /// no power law, the given one: an option of `persson` does not change the scan. Fitted once:
+    /// of 1024 x 1024 points it takes a tenth of a second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
         let fit = || {
             let scan = self.scan.as_deref().or(self.rougher.as_deref())?;

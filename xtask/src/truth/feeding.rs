@@ -12,7 +12,7 @@ use super::rows::compiled;
 use crate::figures::truth_ranges::{NOTHING, ends, equal, shape_name};
 use crate::table::{markdown_head, markdown_row};
 
-/// The models that are compared: one law without and two with yielding, and the whole surface, elastic and yielding.
+/// The models that are compared: one law without and two with yielding, and the whole surface.
 const SHOWN: [&str; 6] = ["gw", "ke", "jg", "jg-random", "persson-fudge", "persson-plastic"];
 /// Maps whose differences are moments have 16 pixels per shortest wave, which leaves 2 % in m4.
 const FINER: usize = 2;
