@@ -153,7 +153,11 @@ impl Drawing<'_> {
         if let Some((slope, key)) = of_rdq.or(mean.map(|mean| (mean, "mean_slope"))) {
             return Ok((Unknown::given(NAMES[1], slope, key), 0.0));
         }
-        let (range, slope, power, text) = match self.number("rz")?.zip(self.number("rsm")?) {
+        let (rz, rsm) = (self.number("rz")?, self.number("rsm")?);
+        if rsm.is_some() && rz.is_none() {
+            return self.missing("rz", "rsm gives the slope with rz only".into());
+        }
+        let (range, slope, power, text) = match rz.zip(rsm) {
             Some((rz, rsm)) => {
                 let range = self.at_ratio("slope_over_rz_rsm", "rdq")?;
                 (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm")

@@ -25,7 +25,7 @@ use crate::{Measured, ModelOptions, Place, Roughness, SceneError, accept};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SceneFile {
-    /// The surfaces in contact.
+    /// The surfaces in contact; those of numbers with ranges in the middle of these.
     pub scene: Scene,
     /// The variants of the models.
     pub options: ModelOptions,

@@ -179,6 +179,10 @@ fn what_is_missing_or_does_not_go_together_is_refused() {
             "a scan and ranges do not add",
         ),
         (
+            "ra = 8e-7\nfinish = \"ground\"\nrsm = 1e-4",
+            "surface.rz is missing: rsm gives the slope with rz only",
+        ),
+        (
             "ra = 8e-7\nfinish = \"ground\"\nrdq = 0.1\nmean_slope = 0.1",
             "one of the two was required",
         ),
