@@ -51,6 +51,10 @@ enum Task {
         /// Evaluate the models anew, keep the committed boundary-element solutions, and draw
         #[arg(long, conflicts_with = "small")]
         models: bool,
+        /// Solve, in two hours, and fit what stands beside measurements and simulations of others:
+        /// xtask/data/world
+        #[arg(long, conflicts_with_all = ["quick", "small", "models", "kept", "anew"])]
+        world: bool,
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
@@ -111,11 +115,12 @@ fn main() -> Result<()> {
             vec![]
         }
         #[cfg(feature = "truth")]
-        Task::Truth { small, models, quick, kept, anew } => {
+        Task::Truth { small, models, quick, kept, anew, world } => {
             use xtask::truth;
             match (small, models) {
                 (true, _) => truth::write_small()?,
                 (_, true) => truth::update_models()?,
+                _ if world => truth::world::write()?,
                 _ if quick => truth::write_quick()?,
                 _ => truth::write(!kept, anew)?,
             }

@@ -13,6 +13,7 @@ pub(crate) mod paper;
 pub mod report_csv;
 pub mod truth;
 pub mod truth_ranges;
+pub mod world;
 
 use anyhow::Result;
 use asperity::Evidence;
@@ -35,7 +36,7 @@ fn truth_table(which: usize) -> Result<Table> {
 }
 
 /// All figures: those of the paper first.
-pub const FIGURES: [FigureSpec; 20] = [
+pub const FIGURES: [FigureSpec; 23] = [
     ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
     ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
     ("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
@@ -56,4 +57,7 @@ pub const FIGURES: [FigureSpec; 20] = [
     (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
     (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),
     (TRUTH[2].0, || truth_table(2), |csv| truth::style(csv, &TRUTH[2])),
+    ("world-sphere", world::sphere::table, world::sphere::style),
+    ("world-elastic", world::gfmd::table, world::gfmd::style),
+    ("world-closure", world::closure::table, world::closure::style),
 ];

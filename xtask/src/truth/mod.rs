@@ -13,6 +13,7 @@ mod plan;
 mod rows;
 mod solve;
 mod unseen;
+pub mod world;
 mod yielded;
 
 use std::path::{Path, PathBuf};

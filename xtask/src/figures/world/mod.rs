@@ -1,0 +1,37 @@
+//! Models held against numbers that nobody here made: measurements, and other people's
+//! simulations. Their numbers stand in `xtask/data/world`, each with its source.
+
+pub mod closure;
+pub mod gfmd;
+pub mod sphere;
+pub mod summary;
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use serde::de::DeserializeOwned;
+
+use crate::folder::root;
+
+/// The folder of the numbers.
+#[must_use]
+pub fn folder() -> PathBuf {
+    root().join("xtask/data/world")
+}
+
+/// The rows of a csv of the folder; lines with `#` are its source.
+///
+/// # Errors
+/// A file that cannot be read, or has other columns.
+pub fn rows<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
+    let read = || csv::ReaderBuilder::new().comment(Some(b'#')).from_path(folder().join(name));
+    let rows = read().and_then(|mut csv| csv.deserialize().collect());
+    rows.with_context(|| format!("xtask/data/world/{name}"))
+}
+
+/// The root mean square of values/references - 1.
+#[must_use]
+pub fn rms(ratios: &[f64]) -> f64 {
+    let squares: f64 = ratios.iter().map(|ratio| (ratio - 1.0).powi(2)).sum();
+    (squares / ratios.len() as f64).sqrt()
+}
