@@ -17,7 +17,7 @@ use crate::table::Table;
 const PIXELS: usize = 4096;
 /// Longest waves on the side of the surface beside GFMD: 8.2 pixels for the shortest wave.
 const LONGEST: f64 = 5.0;
-/// Seeds of that surface.
+/// Surfaces of that spectrum.
 const SEEDS: u64 = 1;
 /// Longest, roll-off and shortest wave of the Contact Mechanics Challenge \[m\].
 const CHALLENGE: [f64; 3] = [100e-6, 20e-6, 0.1e-6];

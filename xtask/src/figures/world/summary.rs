@@ -15,8 +15,8 @@ const PREFACE: &str = "\
 Root mean square deviations in per cent of what a column names: force and area of one sphere from
 finite elements, by interference over w_c; areas of an elastic surface (p/(E g) from 4e-4 to 1.8)
 and its mean gaps (up to 0.1) from Green's function molecular dynamics; areas of yielding isotropic
-Gaussian surfaces from the boundary elements of this project, which `bem` is here. Sources and figures are named in the
-[chapter](../crates/asperity-web/guide/world.md).
+Gaussian surfaces from the boundary elements of this project, which `bem` is here. Sources and
+figures are named in the [chapter](../crates/asperity-web/guide/world.md).
 
 ";
 const CLOSURES: &str = "
