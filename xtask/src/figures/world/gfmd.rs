@@ -10,6 +10,7 @@ use asperity_plot::{Axis, Curve, Figure, Mark};
 
 use super::rows;
 use crate::figures::models::{TOLERANCE, beside, named, of, panel};
+use crate::figures::truth_ranges::equal;
 use crate::table::Table;
 
 /// The ratio of the longest to the shortest wave.
@@ -88,7 +89,7 @@ pub fn table() -> Result<Table> {
         let mut gaps = vec![];
         for (p, area, _, gap, _) in &simulated {
             let mean = |k: usize| {
-                let own = solved.iter().filter(|(_, row)| row[0] == *p);
+                let own = solved.iter().filter(|(_, row)| equal(row[0], *p));
                 let (count, sum) =
                     own.fold((0.0, 0.0), |(n, sum), (_, row)| (n + 1.0, sum + row[k]));
                 sum / count

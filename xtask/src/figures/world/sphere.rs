@@ -65,7 +65,7 @@ impl Point {
 /// An asperity of the material of the elements, with E = 1 and R = 1.
 fn asperity(nu: f64, hardening: f64) -> Result<Asperity> {
     let mut interface = Interface::new(1.0, nu, 1.0 / STIFFNESS);
-    interface.tangent_modulus = (hardening > 0.0).then(|| hardening * 2.0 * (1.0 - nu * nu));
+    interface.tangent_modulus = (hardening > 0.0).then_some(hardening * 2.0 * (1.0 - nu * nu));
     Ok(Asperity::new(&interface, 1.0)?)
 }
 
