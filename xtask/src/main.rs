@@ -51,8 +51,8 @@ enum Task {
         /// Evaluate the models anew, keep the committed boundary-element solutions, and draw
         #[arg(long, conflicts_with = "small")]
         models: bool,
-        /// Solve, in ten minutes, and fit what stands beside measurements and simulations of others:
-        /// xtask/data/world
+        /// Solve, in ten minutes, and fit what stands beside measurements and simulations of
+        /// others: xtask/data/world
         #[arg(long, conflicts_with_all = ["quick", "small", "models", "kept", "anew"])]
         world: bool,
     },

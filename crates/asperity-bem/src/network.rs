@@ -2,8 +2,8 @@
 //!
 //! A pixel that is taken out of a network leaves its neighbours connected to each other: c_ij grows
 //! by c_ik c_kj/Σ_j c_kj. Nothing is subtracted, so that every conductance keeps its digits however
-//! far the conductivities are apart, and nothing is iterated. Nested dissection orders the pixels: a
-//! block is cut by a line of pixels, which is taken out after both halves are.
+//! far the conductivities are apart, and nothing is iterated. Nested dissection orders the pixels:
+//! a block is cut by a line of pixels, which is taken out after both halves are.
 
 use std::ops::Range;
 
@@ -126,7 +126,8 @@ impl Network {
         shares
     }
 
-    /// From the last line down: every block is reduced again, about twice the work of the flow alone.
+    /// From the last line down: every block is reduced again, about twice the work of the flow
+    /// alone.
     fn fill(&self, block: &Block, shares: &mut [[f64; 2]]) {
         let mut links = self.assembled(block);
         links.eliminate();

@@ -149,8 +149,8 @@ fn rotating_the_map_swaps_the_directions() {
 #[test]
 fn a_square_constriction_approaches_its_closed_form_as_pixels_halve() {
     // A square array of closed squares on a quarter of the area: Obnosov (1999) has
-    // √((a + 3 b)/(3 a + b)) a for squares of b in a \[recalled, and met here\]. The corners leave an
-    // error that falls with the 4/3rd power of the pixel.
+    // √((a + 3 b)/(3 a + b)) a for squares of b in a \[recalled, and met here\]. The corners leave
+    // an error that falls with the 4/3rd power of the pixel.
     let flow = |n: usize| {
         let inside = |k: usize| (n / 4..3 * n / 4).contains(&k);
         let gaps: Vec<f64> =
