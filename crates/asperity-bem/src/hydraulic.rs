@@ -56,8 +56,8 @@ impl Leak {
         Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
     }
 
-    /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ) times
-    /// width over length. It does not depend on their size.
+    /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ)
+    /// times width over length. It does not depend on their size.
     #[must_use]
     pub fn flow(&self, hydraulic_gap: f64, map: &HeightMap, direction: Direction) -> f64 {
         let ([rows, columns], [height, width]) = (map.shape(), map.pixel());
@@ -81,8 +81,8 @@ impl BoundaryElements {
     /// face.
     ///
     /// # Errors
-    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::Unbalanced`] where
-    /// the flows through both faces differ by more than 1e-6 of them.
+    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::Unbalanced`]
+    /// where the flows through both faces differ by more than 1e-6 of them.
     pub fn hydraulic_gap(
         &self,
         solution: &Solution,
