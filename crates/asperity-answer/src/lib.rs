@@ -15,6 +15,7 @@ mod pull_off;
 mod ranges;
 mod recommend;
 mod sheet;
+mod sliding;
 mod slip;
 mod slip_scan;
 mod subject;

@@ -4,7 +4,7 @@ use asperity::bem::{BemError, ContactSlip, LoadCase};
 use asperity::joints::coefficient_of_friction;
 use asperity::{At, Body, Datum, Scene, Separation, SeparationUnit, short};
 
-use crate::slip::Sliding;
+use crate::sliding::Sliding;
 use crate::subject::{Outcome, Subject};
 use crate::{AnswerError, Sheet, Watch};
 

@@ -72,7 +72,7 @@ impl Variant {
     }
 }
 
-/// A model that is a variant of another: what it states of itself is that of the other.
+/// A variant of a model: it has the citation and notes of that model, and its own id and name.
 pub trait IsVariant: std::fmt::Debug + Send + Sync {
     /// The variant.
     fn of(&self) -> &Variant;

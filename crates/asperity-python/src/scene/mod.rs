@@ -311,8 +311,8 @@ impl SceneFile {
         Ok(arguments)
     }
 
-    /// The scene in the middle of the ranges of its surface and those at the ends, and the names of
-    /// what has a range; a known scene alone.
+    /// The scene in the middle of the ranges of its surface, those at their ends, and the names of
+    /// the numbers that have a range; both lists are empty for a surface without ranges.
     fn _corners(&self) -> PyResult<(Self, Vec<Self>, Vec<&'static str>)> {
         let names: Vec<_> = self.0.spreads().into_iter().map(|(name, _)| name).collect();
         let made = |file| Self(Arc::new(file));
