@@ -177,8 +177,8 @@ def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
 
 def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:
     # Flows belong to models of their own.
-    names = asperity._asperity.quantities()
-    names = [name for name in names if "-factor" not in name and "-gap" not in name]
+    every = asperity._asperity.quantities()
+    names = [name for name in every if "-factor" not in name and "-gap" not in name]
     assert len(names) >= 20
     scene = scene.replace(thermal_conductivity=45.0, electrical_resistivity=2e-7)
     for scenes in (scene, [scene]):
