@@ -192,4 +192,31 @@ mod tests {
         assert!(work.len() == 9 && work.windows(2).all(|pair| pair[1].1 < pair[0].1 + 1e-3));
         Ok(())
     }
+
+    /// The force within 2 %, the area within 7 % where 20 elements touch: of all pairs, at most.
+    #[test]
+    fn another_program_finds_the_same_force_and_area() -> Result<()> {
+        let points: Vec<Point> = rows("sphere.csv")?;
+        let others: Vec<Point> = rows("sphere-calculix.csv")?;
+        assert_eq!(others.len(), 84);
+        for other in others {
+            // Of the run that ends next beyond it.
+            let alike = |p: &&Point| equal(p.nu, other.nu) && equal(p.hardening, other.hardening);
+            let beyond = points.iter().filter(alike).map(|p| p.x_max).filter(|x| *x >= other.x);
+            let end = beyond.min_by(f64::total_cmp).unwrap_or(f64::NAN);
+            let run = points.iter().filter(alike).filter(|p| p.is_loading() && equal(p.x_max, end));
+            let run: Vec<&Point> = run.filter(|p| p.elements < 50.0).collect();
+            let at = run.partition_point(|p| p.x < other.x).clamp(1, run.len() - 1);
+            let (low, high) = (run[at - 1], run[at]);
+            let share = (other.x / low.x).ln() / (high.x / low.x).ln();
+            let off = |low: f64, high: f64, found: f64| {
+                (found / (low * (high / low).powf(share)) - 1.0).abs()
+            };
+            let force = off(low.force, high.force, other.force);
+            assert!(force < 0.021, "{other:?}: {force}");
+            let area = off(low.area, high.area, other.area);
+            assert!(area < 0.07 || other.elements() < 20.0, "{other:?}: {area}");
+        }
+        Ok(())
+    }
 }
