@@ -69,6 +69,8 @@ fn peklenik_number(scan: &Topography) -> Result<f64, String> {
 mod tests {
     use std::path::Path;
 
+    use asperity::{ContactModel, Quantity, Request};
+
     use super::*;
 
     const HEAD: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n[surface]\n";
@@ -94,6 +96,29 @@ mod tests {
         assert!((both.share_at_rest - 0.36).abs() < 1e-6, "{both:?}");
         let refused = flow(&format!("{one}[options]\nfriction_cut_off = 1"), Path::new("."));
         assert!(refused.unwrap_err().contains("friction_cut_off is 1.0: 1e-6 to 0.1 was required"));
+    }
+
+    #[test]
+    fn models_of_pairs_and_factors_of_flow_have_one_film() {
+        let given = "asperity_radius = 2e-5\nasperity_density = 4e9\nasperity_height_std = 4e-7\n";
+        let roughness =
+            "asperity_radius = 2e-5\nasperity_density = 5e9\nsurface_height_std = 4e-7\n";
+        let facing = "counterface = { sq = 3e-7, spd = 3e10, spc = 2e5 }\n";
+        for keys in [given, roughness, &format!("{roughness}{facing}")] {
+            let text = format!("{HEAD}{keys}asperities = \"pairs\"\npeklenik_number = 3\n");
+            let file = crate::parse(&text, Path::new(".")).unwrap();
+            let request = Request::new([Quantity::Area]);
+            let gw = file.model("gw").unwrap().compile(&file.scene, &request).unwrap();
+            let (both, here) = (gw.scene().surface_height_std(), file.scene.surface_height_std());
+            assert!((both / here - 1.0).abs() < 1e-14, "{keys}: {both} {here}");
+            let flow = file.flow(&file.options).unwrap();
+            let alike = !keys.contains(facing);
+            assert_eq!(
+                flow.peklenik_numbers[1].to_bits(),
+                if alike { 3f64 } else { 1.0 }.to_bits()
+            );
+            assert_eq!((flow.share_at_rest - 0.5).abs() < 1e-12, alike);
+        }
     }
 
     #[test]

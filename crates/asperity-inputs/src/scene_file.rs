@@ -1,5 +1,6 @@
 //! Scene files.
 
+use std::f64::consts::SQRT_2;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
@@ -193,14 +194,19 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let measured = file.measured.as_ref().map(|found| found.statistics.sq);
     let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
     file.scene.surface_height_std = measured.or_else(given);
-    // Two like surfaces, of which one is described.
-    if options.asperities == Asperities::Pairs && !document.has(COUNTERFACE) {
-        let variance = file.scene.surface_height_std().powi(2);
-        file.counter_variance = variance;
-        file.scene.surface_height_std = Some((2.0 * variance).sqrt());
+    let is_alone = !document.has(COUNTERFACE) && !document.has("surface.files");
+    if let (Some(pair), Some(std)) = (&mut file.scene.pair, file.scene.surface_height_std) {
+        pair.surface_height_std = Some(if is_alone { SQRT_2 * std } else { std });
     }
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.number(&joined(section, "peklenik_number"))?;
+    }
+    // Two like surfaces, of which one is described.
+    if options.asperities == Asperities::Pairs && is_alone {
+        let both = file.scene.both_surfaces().surface_height_std();
+        file.counter_variance = 0.5 * both * both;
+        file.scene.surface_height_std = Some(both);
+        file.peklenik_numbers[1] = file.peklenik_numbers[0];
     }
     let (scene, table) = (&file.scene, file.table.as_ref());
     scene.asperity().map_err(|error| {

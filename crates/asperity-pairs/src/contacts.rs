@@ -24,8 +24,8 @@ pub(crate) fn of_contacts(scene: &Scene) -> Result<Scene, ContactError> {
     let like = Surface::new(2.0 * radius, density, FRAC_1_SQRT_2 * std);
     let mut like = Pair::new(like, like);
     (own.mean_plane_offset, like.mean_plane_offset) = (offset, offset);
+    own.surface_height_std = Some(pair.surface_height_std());
+    like.surface_height_std = own.surface_height_std;
     own.pair = Some(like);
-    let variances = pair.surfaces.iter().map(|surface| surface.moments().m0);
-    own.surface_height_std = Some(variances.sum::<f64>().sqrt());
     Ok(own)
 }

@@ -2,8 +2,8 @@
 
 use asperity::recommended::FLOW;
 use asperity::{
-    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Separation, SeparationUnit,
-    Surface, linspace, shortest_digits,
+    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, Separation,
+    SeparationUnit, Surface, linspace, shortest_digits,
 };
 
 use super::text::filled;
@@ -46,7 +46,7 @@ impl Export<'_> {
         sheet.under(&[&["film_m", "lambda"]]);
         let columns = contact.quantities().iter().chain(flow.quantities());
         sheet.heads.extend(columns.map(|quantity| quantity.column()));
-        let mut text = self.film_head(scene.surface_height_std())? + &sheet.heads.join(",") + "\n";
+        let mut text = self.film_head(scene)? + &sheet.heads.join(",") + "\n";
         for film in linspace(first.min(last), first.max(last), self.nodes.max(2)) {
             let places = vec![Some(film * scene.surface_height_std()), Some(film)];
             let row = [places, of(&*contact, film)?, of(&*flow, film)?].concat();
@@ -58,17 +58,20 @@ impl Export<'_> {
     }
 
     /// The comments at the head of the table.
-    fn film_head(&self, sigma: f64) -> Outcome<String> {
-        let (file, scene) = (self.subject.file, &self.subject.file.scene);
-        let Surface { asperity_radius: beta, asperity_density: eta, asperity_height_std, .. } =
-            scene.surface;
+    fn film_head(&self, scene: &Scene) -> Outcome<String> {
+        let file = self.subject.file;
+        // Models of pairs average over those of two like surfaces.
+        let like = scene.pair.filter(|_| scene.surface != file.scene.surface);
+        let each = like.map_or(scene.surface, |pair| pair.surfaces[0]);
+        let Surface { asperity_radius: beta, asperity_density: eta, .. } = each;
+        let sigma = scene.surface_height_std();
         let flow = file.flow(&file.options)?;
         let numbers = [
             ("eta", eta),
             ("beta", beta),
             ("sigma", sigma),
             ("product", eta * beta * sigma),
-            ("sigma_z", asperity_height_std),
+            ("sigma_z", scene.surface.asperity_height_std),
             ("modulus", scene.interface.equivalent_modulus),
             ("moving", flow.peklenik_numbers[0]),
             ("resting", flow.peklenik_numbers[1]),

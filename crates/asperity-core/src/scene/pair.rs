@@ -18,13 +18,17 @@ pub struct Pair {
     /// together \[m\], if measured; by default those of isotropic Gaussian surfaces.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
+    /// σ \[m\]: the standard deviation of the surface heights of both together, if known; by
+    /// default that of isotropic Gaussian surfaces.
+    #[serde(default)]
+    pub surface_height_std: Option<f64>,
 }
 
 impl Pair {
     /// Two surfaces, in either order.
     #[must_use]
     pub fn new(first: Surface, second: Surface) -> Self {
-        Self { surfaces: [first, second], mean_plane_offset: None }
+        Self { surfaces: [first, second], mean_plane_offset: None, surface_height_std: None }
     }
 
     /// The height of both together above their mean planes \[m\], measured or of isotropic
@@ -33,6 +37,13 @@ impl Pair {
     pub fn mean_plane_offset(&self) -> f64 {
         let gaussian = || self.surfaces.iter().map(Surface::mean_plane_offset).sum();
         self.mean_plane_offset.unwrap_or_else(gaussian)
+    }
+
+    /// σ of both together \[m\], known or of isotropic Gaussian surfaces.
+    #[must_use]
+    pub fn surface_height_std(&self) -> f64 {
+        let gaussian = || self.surfaces.iter().map(|surface| surface.moments().m0).sum::<f64>();
+        self.surface_height_std.unwrap_or_else(|| gaussian().sqrt())
     }
 
     /// This pair where the surface that stands for it has changed from one to another: radii,
@@ -46,7 +57,8 @@ impl Pair {
                 own.asperity_height_std * (to.asperity_height_std / from.asperity_height_std),
             )
         };
-        Self { surfaces: self.surfaces.map(of), mean_plane_offset: None }
+        let [first, second] = self.surfaces.map(of);
+        Self::new(first, second)
     }
 }
 
@@ -61,7 +73,7 @@ impl Scene {
             let std = FRAC_1_SQRT_2 * asperity_height_std;
             let one = Surface::new(asperity_radius, asperity_density, std);
             let mean_plane_offset = self.mean_plane_offset.map(|offset| 2.0 * offset);
-            Pair { surfaces: [one; 2], mean_plane_offset }
+            Pair { mean_plane_offset, ..Pair::new(one, one) }
         })
     }
 }

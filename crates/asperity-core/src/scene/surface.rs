@@ -1,17 +1,20 @@
 //! The equivalent rough surface, and the ways to arrive at it.
 
+use std::f64::consts::PI;
+
 use serde::{Deserialize, Serialize};
 
 use crate::error::{positive, require};
 use crate::{Asperity, ContactError, Interface};
 
 /// σ_z² = σ² - SUMMIT_VARIANCE/(ηR)² for an isotropic Gaussian surface. \[seen, derived\]
-const SUMMIT_VARIANCE: f64 = 3.716_954_9e-4;
+const SUMMIT_VARIANCE: f64 = BANDWIDTH_LOSS / (768.0 * PI);
 /// Mean of the asperity heights above the surface's mean plane, times ηR: 1/(4√3 π). \[seen,
 /// derived\]
 const SUMMIT_MEAN: f64 = 0.045_944_074_618_482_67;
 /// σ_z² = (1 - `BANDWIDTH_LOSS`/α) m₀. \[derived\]
-const BANDWIDTH_LOSS: f64 = 0.896_805_8;
+const BANDWIDTH_LOSS: f64 = 1.0 - 3.0 * SQRT_3 + 16.0 / PI;
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 /// Asperities of one radius on a nominally flat surface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
