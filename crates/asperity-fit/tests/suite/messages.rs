@@ -1,10 +1,10 @@
 //! The column or the standard deviations that explain a misfit.
 
-use asperity_core::{At, ContactModel, Quantity, Request};
+use asperity_core::Quantity;
 use asperity_fit::Fit;
 use asperity_ke::KogutEtsion;
 
-use crate::kit::{LOADS, TRUTH, columns, data, normal, parameters, varied};
+use crate::kit::{LOADS, columns, data, normal, parameters, varied};
 
 #[test]
 fn data_in_another_unit_are_not_described() {
