@@ -114,8 +114,14 @@ impl Asked {
         let pair = |(quantity, reason): &(Quantity, ContactError)| {
             (reason.marked(), format!("`{quantity}`"))
         };
-        let groups = grouped(self.refused.iter().map(pair)).into_iter();
-        groups.map(|(reason, names)| format!("no {}: {reason}", names.join(", "))).collect()
+        // The id of the model stands in front of the text.
+        let own = format!("`{}` ", self.model.id());
+        let text = |(reason, names): (String, Vec<String>)| match reason.strip_prefix(&own) {
+            Some(why) if names.iter().all(|name| reason.contains(name)) => why.into(),
+            Some(why) => format!("no {} ({why})", names.join(", ")),
+            None => format!("no {}: {reason}", names.join(", ")),
+        };
+        grouped(self.refused.iter().map(pair)).into_iter().map(text).collect()
     }
 
     /// The lines of these places, and the findings of their values.

@@ -2,7 +2,7 @@
 
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
 use asperity::{
-    At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit, usual_reference,
+    At, ContactModel, Datum, Finding, Model, Quantity, Request, SeparationUnit, usual_reference,
 };
 use asperity_inputs::SceneFile;
 
@@ -161,15 +161,12 @@ impl Conductance<'_> {
         // Liquids have no jump, and conduct better than any gas.
         let gas = if jump > 0.0 { conductivity } else { 0.0 };
         for (name, value, most, si, advice) in [
-            ("sigma", sigma, 1e-3, " m", "um is written 1.4um"),
-            ("the conductivity of the gas", gas, 0.3, " W/(m K)", "air has 0.026"),
-            ("the temperature-jump distance", jump, 1e-3, " m", "air at 1 bar has about 0.37um"),
+            ("sigma", sigma, 1e-3, "m", "um is written 1.4um"),
+            ("the conductivity of the gas", gas, 0.3, "W/(m K)", "air has 0.026"),
+            ("the temperature-jump distance", jump, 1e-3, "m", "air at 1 bar has about 0.37um"),
         ] {
-            if value > most {
-                let value = rounded(value);
-                let text = format!("{name} is {value}{si} (usual: at most {most}{si}): {advice}");
-                sheet.warn("likely-unit", text);
-            }
+            let found = Finding::warning("likely-unit", name, value).usual([0.0, most]).unit(si);
+            sheet.findings.extend((value > most).then(|| found.advice(advice)));
         }
     }
 

@@ -8,7 +8,6 @@ use crate::asked::{Asked, Line};
 use crate::blanks::Blanks;
 use crate::models::{NamedModel, grouped, once};
 use crate::sheet::warning;
-use crate::subject::with_likely_pressure;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// Rows evaluated at a time, which bounds the memory.
@@ -283,10 +282,7 @@ impl Found {
             let text = format!("{} {verb} no tension; use {ADHESIVE}", ids.join(", "));
             sheet.warn("no-tension", text);
         }
-        let of_places = std::mem::take(&mut self.of_places).into_iter();
-        let hardness = file.scene.interface.hardness;
-        let of_places = of_places.map(|found| with_likely_pressure(found, hardness)).collect();
-        let of_places = file.accepted(of_places);
+        let of_places = file.accepted(std::mem::take(&mut self.of_places));
         sheet.extend(of_places.at_least(asperity::Severity::Warning));
     }
 }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
     At, ContactError, ContactModel, Finding, Findings, Model, Scene, Separation, SeparationUnit,
-    Severity, Tolerance, short,
+    Severity, Tolerance,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
@@ -106,7 +106,7 @@ impl Subject<'_> {
     }
 }
 
-/// A warning of values that look like another unit, by the largest of them; `name` is their option.
+/// A warning of values of an unlikely size, by the largest of them; `name` is their option.
 #[must_use]
 pub fn unit_warning(
     name: &str,
@@ -117,22 +117,4 @@ pub fn unit_warning(
     let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     let remedy = "write lengths with their unit, for example 2um";
     mistaken_unit(name, value, unit, height_std, remedy)
-}
-
-/// Pressures \[Pa\] that look like MPa where few asperities touch.
-const FAINT: std::ops::RangeInclusive<f64> = 0.01..=500.0;
-
-/// A finding of few contacts at a pressure with the likely unit of the pressure.
-pub(crate) fn with_likely_pressure(found: Finding, hardness: Option<f64>) -> Finding {
-    match found.at {
-        Some(At::Pressure(pressure))
-            if found.code == "few-contacts"
-                && FAINT.contains(&pressure)
-                && hardness.is_none_or(|hardness| 1e6 * pressure < hardness) =>
-        {
-            let [given, meant] = [pressure, 1e6 * pressure].map(short);
-            found.likely_unit(format!("{given} looks like MPa; {given} MPa is {meant} Pa"))
-        }
-        _ => found,
-    }
 }

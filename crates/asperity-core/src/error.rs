@@ -110,8 +110,6 @@ pub enum ContactError {
         name: String,
         /// The nearest known name, if one is near.
         near: Option<String>,
-        /// All known names.
-        known: String,
     },
     /// The scale of a quantity exceeds the range of f64.
     Scale {
@@ -195,9 +193,9 @@ impl ContactError {
                 "quantity {name:?} is not known{}: the quantities are {known}",
                 nearest_hint(*near)
             ),
-            Self::UnknownModel { name, near, known } => {
-                let others = || format!(": the models are {known}");
-                let rest = near.as_ref().map_or_else(others, |near| nearest_hint(Some(near)));
+            Self::UnknownModel { name, near } => {
+                let all = || ": `asperity list models` lists all".into();
+                let rest = near.as_ref().map_or_else(all, |near| nearest_hint(Some(near)));
                 format!("model {name:?} is not known{rest}")
             }
             Self::Scale { quantity, scale } => format!(

@@ -34,7 +34,7 @@ mod units;
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
 #[doc(hidden)]
-pub use check::CHECK_UNIT;
+pub use check::likely_unit;
 pub use check::{Check, DerivedNumber};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;

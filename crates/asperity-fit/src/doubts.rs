@@ -7,7 +7,6 @@ use crate::distance::{LARGEST_DEVIATIONS, LARGEST_RMS, distance, rms};
 use crate::doubt::{
     Doubts, MISFIT, NOT_CONVERGED, NOTES, OTHER_COLUMN, UNDETERMINED, doubt, rounded,
 };
-use crate::likely_unit::likely_unit;
 use crate::outlier::contradicted_lines;
 use crate::problem::squares;
 use crate::ranking::bic;
@@ -44,7 +43,7 @@ impl Solution<'_> {
         let outlier = contradicted_lines(self.problem, &self.found.best, fitted)?;
         let misfit = match is_exact {
             true => None,
-            false => self.misfit(outlier.as_ref(), &limits)?,
+            false => self.misfit(outlier.as_ref(), &limits),
         };
         if let Some(ratio) = self.deviations().filter(|_| outlier.is_none()) {
             let [shown, chi] = [ratio, ratio * ratio].map(short);
@@ -112,23 +111,15 @@ impl Solution<'_> {
         (is_known && ratio > MANY && ratio.is_finite()).then_some(ratio)
     }
 
-    /// Data that are not described by the fitted values, with the line or the unit that explains
-    /// them, or else the limits.
-    fn misfit(
-        &self,
-        outlier: Option<&Finding>,
-        limits: &[Finding],
-    ) -> Result<Option<Finding>, FitError> {
+    /// Data that are not described by the fitted values, with the line that explains them, or else
+    /// the limits.
+    fn misfit(&self, outlier: Option<&Finding>, limits: &[Finding]) -> Option<Finding> {
         let (data, values) = (self.problem.data, &self.values);
         let far = distance(data, values);
         if far <= 1.0 {
-            return Ok(None);
+            return None;
         }
-        let known = match outlier {
-            Some(outlier) => Some(outlier.message()),
-            None => likely_unit(self.problem, far)?,
-        };
-        let advice = known.unwrap_or_else(|| {
+        let advice = outlier.map(Finding::message).unwrap_or_else(|| {
             let check = "check the columns and their units, and the other numbers of the scene";
             let limits = limits.iter().map(Finding::message);
             limits.chain([check.into()]).collect::<Vec<_>>().join("; ")
@@ -145,7 +136,7 @@ impl Solution<'_> {
             }
         };
         let text = format!("no values within the bounds describe the data: {size}; {advice}");
-        Ok(Some(doubt(MISFIT, "", far, text)))
+        Some(doubt(MISFIT, "", far, text))
     }
 
     /// A column of stiffnesses whose values are rather those of another one.

@@ -38,7 +38,7 @@ pub enum FitError {
         /// The numbers accepted.
         required: String,
     },
-    /// Data that contradict each other, or are too few, or are given in another unit.
+    /// Data that contradict each other or are too few.
     #[error("{0}")]
     Data(String),
     /// Bounds or a start that no fit can use.

@@ -8,7 +8,6 @@ use nalgebra::DVector;
 
 use crate::doubt::plural;
 use crate::forward::Forward;
-use crate::likely_unit::likely_unit;
 use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
 use crate::solution::Solution;
@@ -98,8 +97,8 @@ impl<'f> Fit<'f> {
     /// Fits a model; `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
-    /// [`FitError::NoStart`] if the model has no value for the data anywhere, [`FitError::Data`] if
-    /// it has them in another unit of a column, and [`FitError::Interrupted`].
+    /// [`FitError::NoStart`] if the model has no value for the data anywhere, and
+    /// [`FitError::Interrupted`].
     pub fn run_with(
         &self,
         model: &dyn ContactModel,
@@ -122,16 +121,7 @@ impl<'f> Fit<'f> {
         let forward = Forward::new(model, data)
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
         let problem = Problem { model, forward: &forward, data, parameters, scene, count: &count };
-        let mut found = match search(&problem, self.more_starts, PATIENCE) {
-            Err(error @ FitError::NoStart { .. }) => {
-                let unit = likely_unit(&problem, f64::INFINITY)?;
-                let unlike = |unit| {
-                    format!("{} has no value for the data within the bounds; {unit}", model.id())
-                };
-                return Err(unit.map_or(error, |unit| FitError::Data(unlike(unit))));
-            }
-            found => found?,
-        };
+        let mut found = search(&problem, self.more_starts, PATIENCE)?;
         found.best = near_the_start(&problem, found.best)?;
         let mut fitted = Solution::new(&problem, &found)?.describe()?;
         fitted.evaluations = counted.borrow().1.evaluations;

@@ -10,7 +10,6 @@ mod error;
 mod fit;
 mod fitted;
 mod forward;
-mod likely_unit;
 mod limits;
 mod names;
 mod observation;

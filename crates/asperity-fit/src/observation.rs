@@ -113,13 +113,6 @@ impl Observation {
         }
     }
 
-    /// Its columns, of the place and of the value, with their units and numbers.
-    pub(crate) fn columns(&self) -> [(String, &'static str, f64); 2] {
-        let ((place, number), measured) = (self.place(), self.measured);
-        let unit = place.rsplit('_').next().unwrap_or_default();
-        [(place.into(), unit, number), (measured.column(), measured.unit(), self.value)]
-    }
-
     /// The same value at another number of its place.
     pub(crate) fn placed_at(self, number: f64) -> Self {
         let at = match self.at {

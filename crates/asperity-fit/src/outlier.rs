@@ -140,7 +140,8 @@ impl Without {
         let (data, lines) = (problem.data, &self.lines);
         let (mut named, mut sizes) = (vec![], vec![]);
         for (one, residual) in lines {
-            let ([(place, _, at), (column, ..)], far) = (one.columns(), residual.abs());
+            let ((place, at), column) = (one.place(), one.measured.column());
+            let far = residual.abs();
             let [value, at] = [one.value, at].map(short);
             named.push(format!("{} ({column} = {value} at {place} = {at})", data.position(one)));
             // Residuals of shares and logarithms are differences.

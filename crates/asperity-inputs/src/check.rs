@@ -38,29 +38,26 @@ const ASPERITY_FIELDS: [&str; 6] = [
     "rms_slope",
 ];
 
-/// Fields of the interface that are unusual as a consequence of this field of a body. Modulus and
-/// hardness are checked against each other, so that either may be the cause.
-fn follows(body_field: &str) -> Vec<&str> {
-    match body_field.rsplit('.').next().unwrap_or(body_field) {
-        "youngs_modulus" | "hardness" | "yield_strength" => {
-            vec!["equivalent_modulus", "hardness", "yield_strength"]
-        }
-        field => vec![field],
-    }
-}
+/// Fields of the interface that follow from those of the bodies, whose findings are of the bodies.
+const OF_BODIES: [&str; 5] = [
+    "equivalent_modulus",
+    "hardness",
+    "yield_strength",
+    "thermal_conductivity",
+    "electrical_resistivity",
+];
 
 impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        let of_bodies = self.of_bodies();
-        let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
         let of_interface = self.scene.findings().into_iter();
         // Without asperities, these are numbers of a surface that stands in for them.
         let of_interface = of_interface.filter(|found| {
             let stands_in = self.no_asperities.is_some() && of_asperities(found);
-            !stands_in && !shown.contains(&&*found.field)
+            let of_bodies = !self.bodies.is_empty() && OF_BODIES.contains(&&*found.field);
+            !stands_in && !of_bodies
         });
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The numbers that were given, in place of findings about asperities that follow from them.
@@ -79,8 +76,7 @@ impl SceneFile {
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
         let of_pair = of_pair.chain(self.smooth_counterface());
-        let found = of_interface.into_iter().chain(of_bodies.clone()).chain(of_pair);
-        // Consequences of findings about the bodies are not repeated.
+        let found = of_interface.into_iter().chain(self.of_bodies()).chain(of_pair);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));

@@ -1,17 +1,19 @@
 //! The text of a scene file: its values in SI units, and their places.
 
+mod mistakes;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, Finding, nearest_name};
+use asperity::{ContactError, Finding};
 use serde::de::DeserializeOwned;
-use toml::de::{DeTable, DeValue, Error};
+use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
-use crate::likely::{notation_hint, number_hint};
+use crate::likely::number_hint;
 use crate::quantity::{converted, in_si};
 use crate::text_file::shorten;
 use crate::{Place, SceneError};
@@ -182,38 +184,6 @@ impl<'a> Document<'a> {
         base.try_into().map_err(|error| self.wrong(section, error.message()))
     }
 
-    /// The error for a value of the wrong kind, by the message of serde, whose end is what was
-    /// expected.
-    pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
-        let (name, meaning) = (section_and_name(path).1, Key::meaning(path));
-        let span = self.places.get(path).map(|[_, value]| value.clone());
-        let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
-        let found = shorten(found).replace(char::is_control, " ");
-        let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
-        let text = found.strip_prefix('"').and_then(|found| found.strip_suffix('"'));
-        let number = text.filter(|_| expected == "f64" || expected.starts_with("a length "));
-        if let Some(hint) = number.and_then(|text| number_hint(name, text)) {
-            return SceneError::Notation { at: self.place(path), found, hint };
-        }
-        let needed = match expected {
-            "f64" => format!("a number ({meaning})"),
-            "a boolean" => "true or false".into(),
-            "a sequence" if path == "body" => {
-                format!("a list ({meaning}), each written [[body]],")
-            }
-            "a sequence" => format!("a list ({meaning})"),
-            "path string" => format!("the path of a file, in quotes ({meaning}),"),
-            "string only" => "a name in quotes".into(),
-            names => names.replace('`', "\""),
-        };
-        // A number in quotes is an example, not a name.
-        let names = needed.split('"').skip(1).step_by(2);
-        let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
-        let near = nearest_name(found.trim_matches('"'), names);
-        let near = near.map(Into::into);
-        SceneError::Value { at: self.place(path), found, near, needed }
-    }
-
     /// Refuses the first key of a section that it does not have.
     pub(crate) fn check_keys(&self, section: &str, known: &[&str]) -> Result<(), SceneError> {
         let table = match (section, self.value(section)) {
@@ -235,41 +205,6 @@ impl<'a> Document<'a> {
         }
         let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);
         (1..=bodies).try_for_each(|k| self.check_keys(&format!("body[{k}]"), &keys_of("body")))
-    }
-
-    /// The error for an unknown key of a section.
-    fn unknown(&self, path: &str, keys: &[&str]) -> SceneError {
-        let (section, name) = section_and_name(path);
-        let mut allowed = format!("the keys here are {}", keys.join(", "));
-        let mut elsewhere = Key::find(section, name);
-        let mut near = match elsewhere {
-            None => nearest_name(name, keys.iter().copied()),
-            Some(_) => None,
-        };
-        if let Some((other, difference)) = Key::synonym(name) {
-            near = Some(other);
-            // A single body has no work of adhesion.
-            elsewhere = Key::find("", other).filter(|_| !keys.contains(&other));
-            allowed = format!("{difference}{allowed}");
-        }
-        if section == "interface" && name.starts_with("body") {
-            near = None;
-            allowed = "write [[body]] twice instead of [interface], once for each body".into();
-        }
-        if let Some(key) = elsewhere {
-            allowed = format!("it belongs to {}; {allowed}", key.home());
-        }
-        SceneError::UnknownKey { at: self.place(path), near: near.map(Into::into), allowed }
-    }
-
-    /// An error of TOML syntax.
-    fn toml_error(&self, error: &Error) -> SceneError {
-        let at = self.at("TOML", error.span().map_or(0, |span| span.start));
-        let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
-        let reason = error.message().replace('\n', ", ");
-        let advice = other_notation(found).unwrap_or_default();
-        let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
-        SceneError::Refused { at, reason }
     }
 
     fn at(&self, field: &str, offset: usize) -> Box<Place> {
@@ -330,18 +265,6 @@ impl<'a> Document<'a> {
         let (at, other) = (self.place(one), self.place(other));
         SceneError::Conflict { at, other, needed: needed.into() }
     }
-}
-
-/// Advice for a line whose number is written in another notation, or whose quotes are curly.
-fn other_notation(line: &str) -> Option<String> {
-    if line.trim() == "[body]" {
-        return Some("each of two bodies is written [[body]]; ".into());
-    }
-    let value = line.split_once('=')?.1.split('#').next()?.trim();
-    if value.contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
-        return Some("curly quotes were found; write straight quotes, \"; ".into());
-    }
-    notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use asperity::{Finding, nearest_name, positive, short};
 use crate::SceneError;
 use crate::document::Document;
 use crate::finishes::{Range, UNKNOWN, finishes};
-use crate::likely::other_unit;
+use crate::likely::{in_other_unit, other_unit};
 use crate::text_file::shorten;
 use crate::unknowns::{Face, NAMES, Unknown};
 
@@ -231,18 +231,14 @@ impl Drawing<'_> {
         Ok(Unknown::new(NAMES[2], [range.lower, range.upper], range.status(), source))
     }
 
-    /// A height that only another unit makes usual.
+    /// The heights that only another unit makes usual.
     fn odd(&self) -> Read<Option<Finding>> {
+        let mut given = vec![];
         for key in ["ra", "rq", "rz"] {
-            let value = self.number(key)?.filter(|_| !self.document.stated.contains(&self.at(key)));
-            let hint = value.and_then(|value| Some((value, other_unit(key, value)?)));
-            if let Some((value, hint)) = hint {
-                let fact =
-                    format!("{} = {} {hint}", self.document.place(&self.at(key)), short(value));
-                return Ok(Some(Finding::warning("unusual-size", key, value).fact(fact)));
-            }
+            given.extend(self.number(key)?.map(|value| (key, value)));
         }
-        Ok(None)
+        let odd = other_unit(self.document, self.section, given);
+        Ok(odd.map(|odd| in_other_unit(self.document, self.section, odd)))
     }
 
     /// Numbers that do not go together.

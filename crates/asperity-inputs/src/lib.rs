@@ -16,6 +16,7 @@ mod free;
 mod heights;
 mod inputs;
 mod interface;
+mod kept;
 mod keys;
 mod likely;
 mod materials;

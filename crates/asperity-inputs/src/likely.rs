@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use asperity::{Finding, HARDNESS_OVER_YIELD, hardness_of_vickers, plain_unit as plain, short};
+use asperity::{Finding, plain_unit as plain, short};
 
 use crate::scaled::{leading, scale};
 
@@ -10,7 +10,7 @@ mod lengths;
 mod surface;
 
 pub use lengths::mistaken_unit;
-pub(crate) use surface::{other_unit, too_steep};
+pub(crate) use surface::{in_other_unit, other_unit, too_steep};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.
@@ -69,17 +69,6 @@ pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     }
     let is_plain = with_decimal_point(text).is_some_and(|same| is_number(&same));
     Some(notation_hint(text)? + if is_plain { " without quotes" } else { "" })
-}
-
-/// The reason against a hardness such as `120 HV` as a yield strength, behind the text in a
-/// message; `None` for other texts.
-pub(crate) fn not_a_hardness(text: &str) -> Option<String> {
-    let contact = hardness_of_vickers(vickers(text)?);
-    let [contact, strength] = [contact, contact / HARDNESS_OVER_YIELD]
-        .map(|pascal| format!("{}GPa", short(1e-9 * pascal)));
-    Some(format!(
-        "is a hardness, not a yield strength: give hardness = \"{contact}\" instead; the yield strength is about {strength} if the contact hardness is {HARDNESS_OVER_YIELD} times as large, as of metals that hardly harden"
-    ))
 }
 
 /// The Vickers number of a text: 120 of `120 HV`, `120 HV10` or `HV 120`.
@@ -230,12 +219,5 @@ mod tests {
         ] {
             assert_eq!(notation_hint(text).as_deref(), hint, "{text}");
         }
-    }
-
-    #[test]
-    fn a_vickers_number_is_no_yield_strength() {
-        let strength = not_a_hardness("120 HV").unwrap();
-        assert!(strength.starts_with("is a hardness, not a yield strength: give hardness = \"1.269GPa\" instead; the yield strength is about 0.4533GPa if"), "{strength}");
-        assert_eq!(not_a_hardness("120 MPa"), None);
     }
 }

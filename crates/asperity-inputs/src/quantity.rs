@@ -5,7 +5,7 @@ use asperity::{
 };
 
 use crate::keys::Key;
-use crate::likely::{not_a_hardness, notation_hint, vickers};
+use crate::likely::{notation_hint, vickers};
 use crate::scaled::{leading, scale};
 use crate::sides;
 
@@ -75,8 +75,9 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     if let Some(value) = read(text, units).or_else(other) {
         return Ok(value);
     }
-    let strength = if key == "yield_strength" { not_a_hardness(text) } else { None };
-    Err(strength.or_else(|| notation_hint(text)).unwrap_or_else(|| {
+    let is_hardness = key == "yield_strength" && vickers(text).is_some();
+    let strength = "is a hardness, not a yield strength: give hardness instead";
+    Err(is_hardness.then(|| strength.into()).or_else(|| notation_hint(text)).unwrap_or_else(|| {
         let near = nearest_hint(in_other_case(text, units));
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
         // 200 1/mm2 joined would read as 2001 per mm2.

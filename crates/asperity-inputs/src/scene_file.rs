@@ -13,13 +13,13 @@ use asperity_topography::Topography;
 use crate::document::{Document, Files, HandedFiles};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
+use crate::kept::Read;
 use crate::keys::{COUNTERFACE, joined};
 use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::text_file::read_text;
 use crate::unknowns::Face;
-use crate::write::Read;
 use crate::{Measured, ModelOptions, Place, Roughness, SceneError, accept};
 
 /// A scene with the options of its models, as a scene file describes it.

@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::finish::{FINISH, face};
 use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
-use crate::likely::{likely_angle, other_unit, too_steep};
+use crate::likely::{in_other_unit, likely_angle, other_unit, too_steep};
 use crate::measured::{Asked, measured};
 use crate::numbers::WAYS;
 use crate::unknowns::{Face, middle};
@@ -227,11 +227,7 @@ fn numbers(
     });
     // Asperities are described by their own findings.
     let is_plain = is_asperities || slope.is_some() || values.iter().any(|value| *value <= 0.0);
-    let others = given.filter(|(key, _)| !is_plain && !document.stated.contains(&at(key)));
-    let odd = others.filter_map(|(key, value)| Some((key, value, other_unit(key, value)?)));
-    let odd = odd.reduce(|(first, number, hint), (key, value, more)| {
-        (first, number, format!("{hint}; {key} = {} {more}", short(value)))
-    });
+    let odd = other_unit(document, section, given.filter(|_| !is_plain));
     let surface = made(values).map_err(|error| {
         let is_steep = matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. });
         let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_steep);
@@ -244,10 +240,7 @@ fn numbers(
         }
     })?;
     surface.check().map_err(&refused)?;
-    let odd = odd.map(|(key, value, hint)| {
-        let fact = format!("{} = {} {hint}", document.place(&at(key)), short(value));
-        Finding::warning("unusual-size", key, value).fact(fact)
-    });
+    let odd = odd.map(|odd| in_other_unit(document, section, odd));
     let follows_from = if is_asperities { &[] } else { way };
     let pair = (!way.contains(&STD)).then(|| Pair::new(surface, surface));
     let numbers = Numbers { surface, pair, roughness, follows_from, odd, face: None };

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
+use asperity::{Datum, HeightDistribution, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::{Document, Files};
@@ -11,55 +11,6 @@ use crate::keys::{Key, joined, keys_of};
 use crate::measured::Asked;
 use crate::scene_file::scene_file;
 use crate::{Place, SceneError, SceneFile, interface_of, parse, template, write_heights};
-
-/// A scene file as read, whose keys are written again if the scene has not changed.
-#[derive(Debug)]
-pub(crate) struct Read {
-    /// The keys in SI units, with absolute paths of scans.
-    table: Table,
-    interface: Interface,
-    surface: Surface,
-    /// The heights of the summits of a scan.
-    summits: Option<TabulatedHeights>,
-    /// The scans and the table of heights that the scene names.
-    files: Vec<PathBuf>,
-}
-
-impl Read {
-    pub(crate) fn new(
-        document: &Document<'_>,
-        interface: Interface,
-        surface: Surface,
-        heights: Option<&TabulatedHeights>,
-    ) -> Self {
-        let mut table = document.table.clone();
-        let mut named = vec![];
-        let mut whole = |path: &mut Value| {
-            if let Value::String(text) = path {
-                named.push(document.whole_path(Path::new(text)));
-                *text = document.whole_path(Path::new(text)).to_string_lossy().into_owned();
-            }
-        };
-        let mut summits = None;
-        if let Some(keys) = table.get_mut("surface").and_then(Value::as_table_mut) {
-            keys.get_mut("file").into_iter().for_each(&mut whole);
-            let files = keys.get_mut("files").and_then(Value::as_array_mut);
-            files.into_iter().flatten().for_each(&mut whole);
-            for part in ["counterface", "heights"] {
-                let file = keys.get_mut(part).and_then(|keys| keys.get_mut("file"));
-                file.into_iter().for_each(&mut whole);
-            }
-            let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
-            summits = heights.filter(|_| measured).cloned();
-            // These keys follow from the scene when written.
-            for own in ["heights", "asperities", "separation_from", "mean_plane_offset"] {
-                keys.remove(own);
-            }
-        }
-        table.remove("options");
-        Self { table, interface, surface, summits, files: named }
-    }
-}
 
 impl SceneFile {
     /// The files that the scene names: scans and a table of heights.

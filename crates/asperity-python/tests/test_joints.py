@@ -187,10 +187,10 @@ def test_refusals_name_the_argument(scene: asperity.Scene) -> None:
 def test_mistaken_units_and_unusual_places_are_warned_of(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     with pytest.warns(
-        asperity.ContactWarning, match="separation is 2e-6 .* looks like metres"
+        asperity.ContactWarning, match="separation is 2e-6 .*usual: 0.001 to"
     ) as seen:
         ke.unloading(scene, 2e-6)
-    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7 .* looks like metres") as more:
+    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7 .*usual: 0.001 to") as more:
         ke.unloading(scene, 1.0).force([0.0, 1e-7])
     with pytest.warns(asperity.ContactWarning, match="yielding asperities carry") as most:
         asperity.model("gw").unloading(scene, load=1e3)

@@ -99,7 +99,7 @@ def test_the_same_laws_give_the_same_values(
 @given(
     st.lists(st.floats(-3.0, 0.6), min_size=1, max_size=4, unique=True),
     st.lists(st.floats(-0.2, 0.5), min_size=4, max_size=4),
-    # A number next to 0 looks like metres and causes a warning.
+    # A number next to 0 causes a warning.
     st.floats(-2.0, 4.0).filter(lambda d: abs(d) > 1e-3),
     st.sampled_from([1e-6, 1e-10, 1e-13]),
 )

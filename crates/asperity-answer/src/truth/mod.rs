@@ -113,15 +113,15 @@ pub fn compare_with_bem(
                 Err(reason) => (ContactState::default(), Some(reason.clone())),
             };
             let area = state.area_fraction;
-            let why = area.and_then(|area| Check::no_answer(*model, *pressure, area));
-            let state = why.as_ref().map_or(state, |_| ContactState::default());
-            models.push(((*model).clone(), state));
-            match why {
-                Some(why) => refused.push(((*model).clone(), why)),
-                None => {
-                    merging.extend(area.and_then(|area| Check::merging(*model, *pressure, area)));
-                    missing.extend(lacks.map(|lacks| ((*model).clone(), lacks)));
-                }
+            let crowded = area.and_then(|area| Check::crowded(*model, *pressure, area));
+            let is_refused = area.is_some_and(|area| area > 1.0);
+            models
+                .push(((*model).clone(), if is_refused { ContactState::default() } else { state }));
+            if is_refused {
+                refused.extend(crowded.map(|why| ((*model).clone(), why)));
+            } else {
+                merging.extend(crowded);
+                missing.extend(lacks.map(|lacks| ((*model).clone(), lacks)));
             }
         }
         Ok(Truth { pressure: *pressure, bem, rms_height, notes, models, refused, merging, missing })
@@ -214,7 +214,7 @@ mod tests {
         assert!(usual.models.iter().all(|(_, state)| state.area_fraction.is_some()));
         scene.interface = Interface::elastic(1e6, 0.3);
         let soft = solve(&scene, &bem);
-        assert_eq!(refused(&soft), [("gw".to_string(), "above-nominal")]);
+        assert_eq!(refused(&soft), [("gw".to_string(), "crowded")]);
         assert_eq!(soft.models[0].1, ContactState::default());
         assert!(soft.models[2].1.area_fraction.is_some_and(|area| area <= 1.0));
         // Loads that few pixels carry take no part in what is said of all.

@@ -217,7 +217,7 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
         ("curve none.toml --model bem --pressure 1e6", "surface.file is missing"),
         (
             "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
-            "bem cannot give contacts",
+            "bem: cannot give contacts",
         ),
         (
             "export scan.toml --model bem --as csv --pressure 1e6:1e7:4",

@@ -138,20 +138,6 @@ fn a_comma_separates() {
 }
 
 #[test]
-fn a_faint_pressure_looks_like_megapascals_where_few_asperities_touch() {
-    let bench = Bench::new();
-    let messages =
-        |place: &str| bench.run(&format!("curve scene.toml --model ke {place}")).messages;
-    let faint = messages("--pressure 5");
-    assert!(faint.contains("at a pressure of 5 Pa: 5 looks like MPa; 5 MPa is 5e6 Pa"), "{faint}");
-    // Neither loads nor pressures with enough contacts, nor those that would exceed the hardness.
-    for place in ["--load 5", "--pressure 5e6", "--pressure 3e3"] {
-        let found = messages(place);
-        assert!(!found.contains("looks like"), "{place}: {found}");
-    }
-}
-
-#[test]
 fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
     let bench = Bench::new();
     let scene = asperity_inputs::template();

@@ -53,7 +53,7 @@ fn models_without_a_gap_map_refuse_with_the_reason() {
     let bench = bench();
     let run = bench.run("curve scan.toml --model ke,bem --pressure 1e8 --quantity area,hydraulic-gap-x --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    let why = "ke: no hydraulic-gap-x: ke cannot give hydraulic-gap-x, which no law of asperities";
+    let why = "ke: cannot give hydraulic-gap-x, which no law of asperities";
     assert!(run.messages.contains(why), "{}", run.messages);
     let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
     assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");

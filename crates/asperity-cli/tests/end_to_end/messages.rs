@@ -19,7 +19,7 @@ fn a_plan_lists_its_integrals() {
 fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     let bench = Bench::new();
     let warning =
-        "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
+        "is 1e-6 asperity_height_std (usual: 0.001 to 1000): write lengths with their unit";
     for arguments in [
         "curve scene.toml --model ke --separation 1e-6",
         "check scene.toml --separation 1e-6",
@@ -29,7 +29,7 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
         let printed = bench.run(arguments).messages;
         assert!(printed.contains(warning), "{arguments}: {printed}");
         let metres = bench.run(&arguments.replace("1e-6", "1um")).messages;
-        assert!(!metres.contains("looks like metres"), "{arguments}: {metres}");
+        assert!(!metres.contains("likely-unit"), "{arguments}: {metres}");
     }
     let same = |arguments: &str| column(&bench.data(arguments), "force_N");
     let [length, unit] = ["1um", "1e-6 --separation-unit m"]

@@ -5,7 +5,7 @@ use crate::recommended::{DMT, JKR, WHOLE_SURFACE, YIELDING};
 use crate::{At, ContactModel, Finding, KnownDefect, Scene, Severity};
 
 /// Area fraction above which asperities interact.
-pub(super) const CROWDED: f64 = 0.1;
+const CROWDED: f64 = 0.1;
 /// Number of contacts below which a single realisation differs much from the average.
 pub(super) const FEW: f64 = 30.0;
 /// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.

@@ -1,9 +1,8 @@
 //! Answers that no contact has, though a formula gives a number.
 
-use super::findings::{CROWDED, crowded};
+use super::findings::crowded;
 use super::{Check, Scene};
 use crate::finding::short;
-use crate::recommended::WHOLE_SURFACE;
 use crate::{At, ContactModel, Finding};
 
 impl Check {
@@ -16,38 +15,19 @@ impl Check {
         pressure: f64,
         area_fraction: f64,
     ) -> Option<Finding> {
-        let at = At::Pressure(pressure);
-        beyond_full_contact(model, scene, at, [pressure, area_fraction])
-            .or_else(|| Self::no_answer(model, pressure, area_fraction))
+        let beyond =
+            beyond_full_contact(model, scene, At::Pressure(pressure), [pressure, area_fraction]);
+        beyond.or_else(|| {
+            Self::crowded(model, pressure, area_fraction).filter(|_| area_fraction > 1.0)
+        })
     }
 
-    /// A warning where independent asperities of a model have so much area at a pressure that
-    /// contacts merge.
+    /// A warning where the contacts of a model have so much area at a pressure that they merge, or
+    /// more than there is; theories of the whole surface only in that case.
     #[must_use]
-    pub fn merging(model: &dyn ContactModel, pressure: f64, area_fraction: f64) -> Option<Finding> {
+    pub fn crowded(model: &dyn ContactModel, pressure: f64, area_fraction: f64) -> Option<Finding> {
         let found = crowded(model, At::Pressure(pressure), area_fraction);
-        found.filter(|_| model.validity().asperities)
-    }
-
-    /// A warning where a model's real area at a pressure exceeds the nominal area.
-    #[must_use]
-    pub fn no_answer(
-        model: &dyn ContactModel,
-        pressure: f64,
-        area_fraction: f64,
-    ) -> Option<Finding> {
-        if area_fraction.is_nan() || area_fraction <= 1.0 {
-            return None;
-        }
-        let found = Finding::warning("above-nominal", "area_fraction", area_fraction)
-            .usual([0.0, CROWDED])
-            .of_model(model.id())
-            .at(At::Pressure(pressure))
-            .fact(format!("the real area is {} times the nominal area", short(area_fraction)))
-            .advice(format!(
-                "check the units of modulus and load; at such loads use `{WHOLE_SURFACE}`"
-            ));
-        Some(found)
+        found.filter(|_| model.validity().asperities || area_fraction > 1.0)
     }
 }
 

@@ -1,15 +1,14 @@
 //! Plausibility of moduli, hardnesses and other material numbers.
 
-use super::likely_unit::{Input, PRESSURES, within};
-use super::moduli::Material;
+use super::moduli;
+use super::usual::{Input, PRESSURES, within};
 use crate::finding::short;
 use crate::{Body, Finding, Findings, Interface};
 
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
 /// From surfaces in a liquid to cold-welding metals.
-const ADHESION: Input = Input::new("work_of_adhesion", [1e-3, 5.0], "J/m2", &[("mJ/m2", 1e-3)])
-    .advice("clean surfaces in air have about 0.05");
+const ADHESION: Input = Input::new("work_of_adhesion", [1e-3, 5.0], "J/m2", &[("mJ/m2", 1e-3)]);
 /// From aerogels to diamond.
 const CONDUCTIVITY: Input = Input::new(
     "thermal_conductivity",
@@ -27,16 +26,14 @@ const RESISTIVITY: Input = Input::new(
 /// From carbon to cold copper \[S/m\]: a resistivity of these is a conductivity.
 const OF_CONDUCTORS: [f64; 2] = [1e4, 1e9];
 /// S = 0.454 + 0.41 ν.
-const PRESSURE_FACTOR: Input =
-    Input::new("pressure_factor", [0.2, 1.2], "", &[]).advice("leave it out for 0.454 + 0.41 nu");
+const PRESSURE_FACTOR: Input = Input::new("pressure_factor", [0.2, 1.2], "", &[]);
 
 impl Body {
     /// Findings of numbers outside the range of any material.
     #[must_use]
     pub fn findings(&self) -> Findings {
         let modulus = ("youngs_modulus", self.youngs_modulus);
-        let &Self { hardness, yield_strength, .. } = self;
-        let mut found = Material { modulus, hardness, yield_strength }.findings();
+        let mut found = moduli::findings(modulus, self.hardness, self.yield_strength);
         found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
         found
     }
@@ -47,8 +44,7 @@ impl Interface {
     #[must_use]
     pub fn findings(&self) -> Findings {
         let modulus = ("equivalent_modulus", self.equivalent_modulus);
-        let &Self { hardness, yield_strength, .. } = self;
-        let mut found = Material { modulus, hardness, yield_strength }.findings();
+        let mut found = moduli::findings(modulus, self.hardness, self.yield_strength);
         // A finding about the modulus already explains the ratio.
         if let Some(shear) = self.equivalent_shear_modulus.filter(|_| found.is_empty()) {
             let usual = SHEAR_RATIO.map(|ratio| ratio * self.equivalent_modulus);
@@ -60,8 +56,12 @@ impl Interface {
             found.extend(input.finding(shear).map(|found| found.advice(advice)));
         }
         let work = self.work_of_adhesion.filter(|work| *work > 0.0);
-        found.extend(work.and_then(|work| ADHESION.finding(work)));
-        found.extend(self.pressure_factor.and_then(|factor| PRESSURE_FACTOR.finding(factor)));
+        let found_of = |input: Input, value: Option<f64>, advice| {
+            value.and_then(|value| input.finding(value)).map(|found| found.advice(advice))
+        };
+        found.extend(found_of(ADHESION, work, "clean surfaces in air have about 0.05"));
+        let advice = "leave it out for 0.454 + 0.41 nu";
+        found.extend(found_of(PRESSURE_FACTOR, self.pressure_factor, advice));
         found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
         found
     }

@@ -5,17 +5,17 @@ mod answer;
 mod findings;
 mod impossible;
 mod interferences;
-mod likely_unit;
 mod materials;
 mod moduli;
 mod roughness;
+mod usual;
 
 use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
 #[doc(hidden)]
-pub use self::likely_unit::CHECK_UNIT;
+pub use self::usual::likely_unit;
 use crate::finding::short;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use crate::{ContactError, Finding, Findings, HeightDistribution, Scene};

@@ -1,8 +1,8 @@
 //! Plausibility of a modulus beside a hardness or a yield strength.
 
-use super::likely_unit::{CHECK_UNIT, Input, PRESSURES, Unit, within};
+use super::usual::{CHECK_UNIT, Input, PRESSURES, Unit, implausible, in_other_units, within};
 use crate::finding::short;
-use crate::{Finding, Findings, HARDNESS_OVER_YIELD, hardness_of_vickers};
+use crate::{Findings, HARDNESS_OVER_YIELD};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -15,8 +15,6 @@ const STIFF: f64 = 6e10;
 /// Least H/E above that modulus: the softest annealed metals (copper, gold, aluminium) have 1/300
 /// to 1/500. \[recalled\]
 const SOFTEST: f64 = 1.5e-3;
-/// H/E of a stiff material above which the hardness is probably a modulus.
-const NO_HARDNESS: f64 = 2.0 * RATIO[1];
 /// Modulus \[Pa\] below which materials do not yield and the hardness may be any number near E.
 const RUBBER: f64 = 1e8;
 /// Modulus \[Pa\] below which a material is a polymer or softer.
@@ -25,185 +23,99 @@ const PLASTIC: f64 = 3e9;
 const PLASTIC_RATIO: f64 = 0.02;
 /// H/S_y.
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
-/// Vickers hardnesses, from indium to sintered carbides.
-const VICKERS: [f64; 2] = [1.0, 3000.0];
+/// Units of hardnesses: 1 HV is 1 kgf/mm² over sin 68°.
+const HARDNESSES: &[Unit] =
+    &[("HV", 9.806_65e6 / 0.927_183_854_566_787_4), PRESSURES[0], PRESSURES[1]];
 /// The greatest H/E of what is tested by Vickers: glass has 1/12. \[recalled\]
 const HARDEST: f64 = 0.1;
-/// The greatest H/E of metals: hardened steels and sintered carbides have 1/27. \[recalled\]
-const HARDEST_METAL: f64 = 0.05;
-/// Meaning of a number that no material has.
-const NO_MATERIAL: &str = "no material has such a value";
 
-/// Numbers of one material or of an interface, with the name of the modulus.
-pub(super) struct Material {
-    pub(super) modulus: (&'static str, f64),
-    pub(super) hardness: Option<f64>,
-    pub(super) yield_strength: Option<f64>,
+/// Findings of the numbers of one material or of an interface, alone and beside each other; the
+/// modulus with its name.
+pub(super) fn findings(
+    (field, modulus): (&'static str, f64),
+    hardness: Option<f64>,
+    yield_strength: Option<f64>,
+) -> Findings {
+    let strength = match (hardness, yield_strength) {
+        (Some(value), _) => Some((Input::new("hardness", HARDNESS, "Pa", HARDNESSES), value)),
+        (_, Some(value)) => Some((Input::new("yield_strength", HARDNESS, "Pa", PRESSURES), value)),
+        _ => None,
+    };
+    let modulus = (Input::new(field, MODULUS, "Pa", PRESSURES), modulus);
+    let found = match strength {
+        Some(strength) => together(modulus, strength),
+        None => modulus.0.finding(modulus.1).into_iter().collect(),
+    };
+    // A finding about the hardness already explains the ratio.
+    let Some((h, y)) = hardness.zip(yield_strength).filter(|_| found.is_empty()) else {
+        return found;
+    };
+    let [most, least] = YIELD_RATIO.map(|ratio| h / ratio);
+    let advice = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
+    let found = Input::new("yield_strength", [least, most], "Pa", &[]).finding(y);
+    found.map(|found| found.advice(advice)).into_iter().collect()
 }
 
-impl Material {
-    /// Findings of the numbers, alone and beside each other.
-    pub(super) fn findings(&self) -> Findings {
-        let mut found: Findings = self.sizes().into_iter().collect();
-        // A finding about the hardness already explains the ratio.
-        if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
-            && found.is_empty()
-        {
-            let usual = [h / YIELD_RATIO[1], h / YIELD_RATIO[0]];
-            let advice = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
-            let input = Input::new("yield_strength", usual, "Pa", &[]);
-            found.extend(input.finding(y).map(|found| found.advice(advice)));
-        }
-        found
+/// Findings of a modulus and a strength.
+fn together(modulus: (Input, f64), (input, strength): (Input, f64)) -> Findings {
+    let ratios = |modulus| ratios(modulus, input.field == "hardness");
+    let is_usual =
+        |[e, h]: [f64; 2]| within(e, MODULUS) && within(h, HARDNESS) && within(h / e, ratios(e));
+    let e = modulus.1;
+    if is_usual([e, strength]) {
+        return Findings::default();
     }
-
-    fn strength(&self) -> Option<Strength> {
-        let hardness = self.hardness.map(|value| Strength { field: "hardness", value });
-        let yields = self.yield_strength.map(|value| Strength { field: "yield_strength", value });
-        hardness.or(yields)
+    // Another unit changes the ratio by more than ten.
+    let is_far =
+        implausible(strength / e, ratios(e)) || !within(e, MODULUS) || !within(strength, HARDNESS);
+    let cost = |values: &[f64], units: &[Option<Unit>]| {
+        let is_vickers = units[1].is_some_and(|(name, _)| name == "HV");
+        let is_metal = !is_vickers || values[1] <= HARDEST * values[0];
+        (is_metal && is_usual([values[0], values[1]])).then_some(0.0)
+    };
+    let numbers = [modulus, (input, strength)];
+    let ratio = ratios(e).map(short);
+    let advice = format!(
+        "`{}` over modulus is {}, where {} to {} is usual; {CHECK_UNIT}",
+        input.field,
+        short(strength / e),
+        ratio[0],
+        ratio[1]
+    );
+    let found = if is_far { in_other_units(&numbers, cost) } else { vec![] };
+    if !found.is_empty() {
+        return found.into_iter().map(|found| found.advice(advice.clone())).collect();
     }
-
-    /// Findings of modulus and hardness, each by itself and in proportion to the other.
-    fn sizes(&self) -> Vec<Finding> {
-        let ((field, modulus), strength) = (self.modulus, self.strength());
-        if plausible(modulus, strength) {
-            return vec![];
-        }
-        // Another unit changes the ratio by more than ten.
-        if let Some(strength) = strength.filter(|s| s.is_nearly_usual(modulus)) {
-            return vec![strength.finding(modulus, &[])];
-        }
-        let (unit, units) = meant(modulus, strength).unwrap_or_default();
-        let unexplained = unit.is_none() && units.is_empty();
-        let times = |value: f64, unit: Option<&Unit>| unit.map_or(value, |unit| unit.1 * value);
-        let meant = times(modulus, unit.as_ref());
-        let is_odd = !within(modulus, MODULUS);
-        let of_modulus = (unit.is_some() || unexplained && is_odd).then(|| {
-            let (usual, meaning) = match strength.filter(|_| !is_odd) {
-                Some(given) => {
-                    let strong = Strength { value: times(given.value, units.first()), ..given };
-                    let [least, most] = strong.ratios(meant);
-                    let usual = [strong.value / most, strong.value / least];
-                    (usual, given.over(modulus, [least, most]))
-                }
-                None => (MODULUS, NO_MATERIAL.into()),
-            };
-            let found = Input::new(field, usual, "Pa", &[]).in_unit(modulus, unit.as_slice());
-            found.advice(format!("{meaning}; {CHECK_UNIT}"))
-        });
-        let is_odd = |strength: &Strength| !is_odd || !within(strength.value, HARDNESS);
-        let explained = |strength: &Strength| !units.is_empty() || unexplained && is_odd(strength);
-        let of_strength = strength.filter(explained).map(|s| s.finding(meant, &units));
-        of_modulus.into_iter().chain(of_strength).collect()
-    }
+    let of_modulus = modulus.0.finding(e);
+    let [least, most] = ratios(e).map(|ratio| ratio * e);
+    let usual = [least.max(HARDNESS[0]), most.min(HARDNESS[1])];
+    let usual = if usual[0] < usual[1] { usual } else { HARDNESS };
+    let of_strength = Input { usual, units: &[], ..input }.finding(strength).map(|found| {
+        // A modulus in place of the hardness.
+        let is_modulus = e >= RUBBER && strength > e;
+        let is_implausible = found.is_implausible() || is_modulus;
+        found.implausible(is_implausible).advice(advice)
+    });
+    let of_strength = of_strength.filter(|_| of_modulus.is_none() || !within(strength, HARDNESS));
+    of_modulus.into_iter().chain(of_strength).collect()
 }
 
-/// A hardness or a yield strength.
-#[derive(Clone, Copy)]
-struct Strength {
-    field: &'static str,
-    value: f64,
-}
-
-impl Strength {
-    /// Strength over modulus of materials with this modulus.
-    fn ratios(self, modulus: f64) -> [f64; 2] {
-        match ratios(modulus) {
-            [least, most] if self.field != "hardness" => [least / HARDNESS_OVER_YIELD, most],
-            [_, most] if modulus >= STIFF => [SOFTEST, most],
-            usual => usual,
-        }
-    }
-
-    /// Whether strength and modulus are usual, and their ratio is within ten times its usual range.
-    fn is_nearly_usual(self, modulus: f64) -> bool {
-        let [least, most] = self.ratios(modulus);
-        within(modulus, MODULUS)
-            && within(self.value, HARDNESS)
-            && within(self.value / modulus, [0.1 * least, 10.0 * most])
-    }
-
-    /// Units, the likeliest first, in which this is the strength of a body with this modulus.
-    fn units(self, modulus: f64, pressures: &[Unit]) -> Vec<Unit> {
-        let vickers = ("HV", hardness_of_vickers(1.0));
-        let over = |(_, factor): Unit| factor * self.value / modulus;
-        let is_vickers = self.field == "hardness"
-            && within(self.value, VICKERS)
-            && modulus >= PLASTIC
-            && within(over(vickers), [self.ratios(modulus)[0], HARDEST]);
-        // What has a Vickers hardness is probably a metal.
-        let most = if is_vickers { HARDEST_METAL } else { f64::INFINITY };
-        let is_pressure = |unit: &Unit| {
-            let value = unit.1 * self.value;
-            over(*unit) <= most && plausible(modulus, Some(Self { value, ..self }))
-        };
-        let pressures = pressures.iter().copied().filter(is_pressure);
-        is_vickers.then_some(vickers).into_iter().chain(pressures).collect()
-    }
-
-    /// "`hardness` over modulus is 9.524e-4, where 0.0015 to 0.3 is usual"
-    fn over(self, modulus: f64, usual: [f64; 2]) -> String {
-        let ([least, most], ratio) = (usual.map(short), short(self.value / modulus));
-        format!("`{}` over modulus is {ratio}, where {least} to {most} is usual", self.field)
-    }
-
-    /// The finding of a strength beside a modulus, in these likely units, if there are any.
-    fn finding(self, modulus: f64, units: &[Unit]) -> Finding {
-        let Self { field, value } = self;
-        let (ratio, by_ratio) = (value / modulus, self.ratios(modulus));
-        let [least, most] = by_ratio.map(|ratio| ratio * modulus);
-        let usual = [least.max(HARDNESS[0]), most.min(HARDNESS[1])];
-        let usual = if usual[0] < usual[1] { usual } else { HARDNESS };
-        let found = Input::new(field, usual, "Pa", &[]).in_unit(value, units);
-        if modulus >= PLASTIC && ratio > NO_HARDNESS {
-            let advice = format!("{} times the modulus looks like a modulus", short(ratio));
-            return found.implausible(true).advice(advice);
-        }
-        let meaning = match within(value, HARDNESS) {
-            true => self.over(modulus, by_ratio),
-            false => NO_MATERIAL.into(),
-        };
-        found.advice(format!("{meaning}; {CHECK_UNIT}"))
-    }
-}
-
-/// Units in which modulus and strength are plausible, of the strength all that are; no unit where
-/// a number is plausible in Pa. Another unit of the strength comes first, kPa last.
-fn meant(modulus: f64, strength: Option<Strength>) -> Option<(Option<Unit>, Vec<Unit>)> {
-    let without_kilo = PRESSURES.split_last().map_or(PRESSURES, |(_, others)| others);
-    [without_kilo, PRESSURES].into_iter().find_map(|pressures| {
-        let of_modulus = pressures.iter().copied().map(Some);
-        std::iter::once(None).chain(of_modulus).find_map(|unit: Option<Unit>| {
-            let modulus = unit.map_or(modulus, |(_, factor)| factor * modulus);
-            if plausible(modulus, strength) {
-                return Some((unit, vec![]));
-            }
-            let units = strength.filter(|_| within(modulus, MODULUS))?.units(modulus, pressures);
-            (!units.is_empty()).then_some((unit, units))
-        })
-    })
-}
-
-/// Whether a material may have this modulus and hardness.
-fn plausible(modulus: f64, strength: Option<Strength>) -> bool {
-    let fits = |s: Strength| within(s.value / modulus, s.ratios(modulus));
-    within(modulus, MODULUS) && strength.is_none_or(|s| within(s.value, HARDNESS) && fits(s))
-}
-
-/// H/E of materials with this modulus.
-fn ratios(modulus: f64) -> [f64; 2] {
-    match modulus {
+/// Strength over modulus of materials with this modulus.
+fn ratios(modulus: f64, is_hardness: bool) -> [f64; 2] {
+    let [least, most] = match modulus {
         // The hardness of elastomers is a placeholder near E.
         e if e < RUBBER => [PLASTIC_RATIO, 10.0 * RATIO[1]],
         e if e < PLASTIC => [PLASTIC_RATIO, RATIO[1]],
+        e if e >= STIFF && is_hardness => [SOFTEST, RATIO[1]],
         _ => RATIO,
-    }
+    };
+    [if is_hardness { least } else { least / HARDNESS_OVER_YIELD }, most]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Body;
+    use crate::{Body, Finding, hardness_of_vickers};
 
     /// The finding for a hardness beside a modulus.
     fn of_hardness(modulus: f64, hardness: f64) -> Option<Finding> {
@@ -248,7 +160,7 @@ mod tests {
         for (modulus, hardness, wanted) in [
             (210e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
             (210e9, 60.0, "60 looks like HV; 60 HV is 6.346e8 Pa"),
-            (70e9, 200.0, "200 looks like HV or MPa; 200 HV is 2.115e9 Pa, 200 MPa is 2e8 Pa"),
+            (70e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
             (210e9, 2.0, "2 looks like GPa; 2 GPa is 2e9 Pa"),
             (72e9, 5.74, "5.74 looks like GPa; 5.74 GPa is 5.74e9 Pa"),
             // Tin, indium and lead.

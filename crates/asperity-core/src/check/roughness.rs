@@ -1,20 +1,9 @@
 //! Plausibility of asperity sizes and numbers.
 
-use std::cmp::Ordering;
-
-use super::likely_unit::{Input, UNUSUAL, Unit, implausible, within};
+use super::usual::{CHECK_UNIT, Input, SURFACE, implausible, in_other_units, within};
 use crate::finding::{FEW_ASPERITIES, short};
 use crate::{Finding, Findings, Scene, Severity, Surface};
 
-const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
-const DENSITIES: &[Unit] = &[("1/mm2", 1e6), ("1/um2", 1e12), ("1/cm2", 1e4), ("1/nm2", 1e18)];
-/// σ_z from cleaved mica to the texture of asphalt, R from a sharp tip to a lens, η from the stones
-/// of asphalt, a centimetre apart, to atomic corrugation.
-static NUMBERS: [Input; 3] = [
-    Input::new("asperity_height_std", [3e-11, 2e-3], "m", LENGTHS),
-    Input::new("asperity_radius", [2e-9, 5e-2], "m", LENGTHS),
-    Input::new("asperity_density", [5e3, 1e16], "1/m2", DENSITIES),
-];
 /// A_n from the tip of an instrument to a large flange.
 const AREA: Input = Input::new(
     "nominal_area",
@@ -24,15 +13,14 @@ const AREA: Input = Input::new(
 );
 /// σ_z \[m\] of a typical machined surface.
 const MICRON: f64 = 1e-6;
+/// Largest σ_z \[m\] of most surfaces.
+const COARSE: f64 = 1e-4;
 /// Factor outside the usual range from which β is a warning.
 const RARE: f64 = 5.0;
-/// σ_z \[m\] of surfaces, from polished to rough, of which a length in another unit is not one.
-const FINE: f64 = 1e-9;
-const COARSE: f64 = 1e-4;
 /// Largest plausible A_n of a joint \[m²\].
 const FIELD: f64 = 1.0;
-/// Numbers of asperities below which the average is meaningless, and uncertain.
-const POPULATION: [f64; 2] = [30.0, 300.0];
+/// Numbers of asperities below which the average is meaningless, uncertain, and accurate.
+const POPULATION: [f64; 3] = [30.0, 300.0, 1000.0];
 
 impl Surface {
     /// √(2 m₂) of an isotropic Gaussian surface with these asperities: its rms slope.
@@ -41,111 +29,71 @@ impl Surface {
         (2.0 * self.moments().m2).sqrt()
     }
 
-    /// Findings of numbers outside the range of any surface.
+    /// Findings of numbers outside the range of any surface, with the units in which they would
+    /// make a surface.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        if makes_sense(self) {
-            return Findings::default();
+        let is_within = |of: &Self, factor: f64| {
+            of.criteria().iter().all(|(input, value, _)| {
+                within(*value, [input.usual[0] / factor, input.usual[1] * factor])
+            })
+        };
+        // Another unit is off by orders of magnitude. Two numbers outside their ranges have the
+        // same cause; fine but wide waves have them, too.
+        let is_odd = |(input, value, _): &(Input, f64, _)| !within(*value, input.usual);
+        let odd = self.criteria()[..3].iter().filter(|number| is_odd(number)).count();
+        let is_coarse = odd > 1 && self.asperity_height_std > COARSE;
+        if is_within(self, 10.0) && !is_coarse {
+            return self.plain_findings();
         }
-        let is_possible = |other: &Self| !other.is_implausible();
-        let found = self
-            .slip(makes_sense)
-            .or_else(|| self.in_one_unit())
-            .or_else(|| self.is_implausible().then(|| self.slip(is_possible)).flatten());
-        found.map_or_else(|| self.plain_findings(), |found| [found].into_iter().collect())
-    }
-
-    fn numbers(&self) -> [f64; 3] {
-        [self.asperity_height_std, self.asperity_radius, self.asperity_density]
-    }
-
-    /// The finding of the one number that in another unit makes a surface that `is_usual`; `None`
-    /// if there is none. Another unit is off by orders of magnitude.
-    fn slip(&self, is_usual: fn(&Self) -> bool) -> Option<Finding> {
-        let of = |(k, input): (usize, &Input)| {
-            let value = self.numbers()[k];
-            let unit = input.unit(value, |x| {
-                let mut numbers = self.numbers();
-                numbers[k] = x;
-                is_usual(&Self::new(numbers[1], numbers[2], numbers[0]))
-            })?;
-            Some(input.in_unit(value, &[unit]).implausible(true))
-        };
-        // The number farthest from the middle of its range is reported.
-        let distance = |found: &Finding| {
-            let ([from, to], value) = (found.usual, found.value);
-            ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
-        };
-        let slips = NUMBERS.iter().enumerate().filter_map(of);
-        let found = slips.max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        Some(match within(found.value, found.usual) {
-            true => {
-                let fact = format!("`{}` is {} {}, ", found.field, short(found.value), found.unit);
-                found.fact(fact + &self.together())
-            }
-            false => found,
-        })
-    }
-
-    /// Whether a criterion is ten times outside its range.
-    fn is_implausible(&self) -> bool {
-        self.criteria().into_iter().any(|(input, value)| implausible(value, input.usual))
-    }
-
-    /// A finding if all lengths are plausible in another common unit, with densities in its square
-    /// or in another unit; of several, that with the height nearest to 1 um.
-    fn in_one_unit(&self) -> Option<Finding> {
-        let [std, radius, density] = self.numbers();
-        let inverse = |(name, size): Unit| (format!("1/{name}2"), size.powi(-2));
-        let all = LENGTHS.iter().flat_map(|&length| {
-            let others = DENSITIES.iter().map(|(name, size)| ((*name).to_string(), *size));
-            let densities = std::iter::once(inverse(length)).chain(others).enumerate();
-            densities.map(move |(k, density)| (k > 0, length, density))
+        let [std, radius, density, ..] = SURFACE;
+        let numbers = [
+            (std, self.asperity_height_std),
+            (radius, self.asperity_radius),
+            (density, self.asperity_density),
+        ];
+        let found = [1.0, 10.0].into_iter().find_map(|factor| {
+            let found = in_other_units(&numbers, |of, units| {
+                // Either one number is wrong, or both lengths have one unit.
+                let [std, radius] = [0, 1].map(|k| units[k].map(|(name, _)| name));
+                let is_likely = std == radius || units.iter().flatten().count() == 1;
+                let is_surface = is_within(&Self::new(of[1], of[2], of[0]), factor);
+                (is_likely && is_surface).then(|| (of[0] / MICRON).ln().abs())
+            });
+            (!found.is_empty()).then_some(found)
         });
-        let makes_sense = |(_, (_, length), (_, inverse)): &(bool, Unit, (String, f64))| {
-            makes_sense(&Self::new(length * radius, inverse * density, length * std))
-        };
-        let order = |(is_other, (_, length), _): &(bool, Unit, _)| {
-            (*is_other, (length * std / MICRON).ln().abs())
-        };
-        let nearest = |a: &_, b: &_| order(a).partial_cmp(&order(b)).unwrap_or(Ordering::Equal);
-        let (_, (name, _), (inverse, _)) = all.filter(makes_sense).min_by(nearest)?;
-        // Two numbers outside their ranges have the same cause; fine but wide waves have them, too.
-        let odd = NUMBERS.iter().zip(self.numbers());
-        let odd = odd.filter(|(input, value)| !within(*value, input.usual)).count();
-        let is_unit = odd > 1 && !(FINE..COARSE).contains(&std);
-        let found = Finding::warning(UNUSUAL, "asperity_height_std", std)
-            .usual(NUMBERS[0].usual)
-            .implausible(is_unit || self.is_implausible())
-            .fact(format!(
-                "`asperity_height_std` is {} m, `asperity_radius` {} m",
-                short(std),
-                short(radius)
-            ))
-            .advice("check the numbers and their units")
-            .likely_unit(format!(
-                "all lengths look like {name}, and the density {} like {inverse}; give m and 1/m2",
-                short(density)
-            ));
-        Some(found)
+        let Some(found) = found else { return self.plain_findings() };
+        let odd = self.criteria().into_iter().rfind(is_odd).map(|(input, value, _)| {
+            let ([from, to], value) = (input.usual.map(short), short(value));
+            format!("`{}` is {value}, where {from} to {to} is usual; {CHECK_UNIT}", input.field)
+        });
+        let advice = odd.unwrap_or_default();
+        found.into_iter().map(|found| found.advice(advice.clone())).collect()
     }
 
-    /// Criteria, with the values of this surface.
-    fn criteria(&self) -> [(Input, f64); 6] {
-        let [std, radius, density] = self.numbers();
-        let derived = |field, usual, advice| Input::new(field, usual, "", &[]).advice(advice);
-        let together = "one of `asperity_density`, `asperity_radius` and `asperity_height_std` is wrong, or the scan is noisy or too coarse";
-        let needles = "the asperities would be needles, not spherical caps";
-        let steep = "half-space contact assumes slopes well below 1";
-        let [of_std, of_radius, of_density] = NUMBERS;
-        let beta = derived("roughness_parameter", Self::USUAL_ASPERITY_ROUGHNESS, together);
+    /// Criteria, with the values of this surface and the advice where they are unusual.
+    fn criteria(&self) -> [(Input, f64, &'static str); 6] {
+        let derived = |field, usual| Input::new(field, usual, "", &[]);
+        let [std, radius, density, ..] = SURFACE;
         [
-            (of_std, std),
-            (of_radius, radius),
-            (of_density, density),
-            (beta, self.roughness_parameter()),
-            (derived("height_std_over_radius", [0.0, 1.0], needles), std / radius),
-            (derived("rms_slope", [0.0, 1.0], steep), self.rms_slope()),
+            (std, self.asperity_height_std, CHECK_UNIT),
+            (radius, self.asperity_radius, CHECK_UNIT),
+            (density, self.asperity_density, CHECK_UNIT),
+            (
+                derived("roughness_parameter", Self::USUAL_ASPERITY_ROUGHNESS),
+                self.roughness_parameter(),
+                "one of `asperity_density`, `asperity_radius` and `asperity_height_std` is wrong, or the scan is noisy or too coarse",
+            ),
+            (
+                derived("height_std_over_radius", [0.0, 1.0]),
+                self.asperity_height_std / self.asperity_radius,
+                "the asperities would be needles, not spherical caps",
+            ),
+            (
+                derived("rms_slope", [0.0, 1.0]),
+                self.rms_slope(),
+                "half-space contact assumes slopes well below 1",
+            ),
         ]
     }
 
@@ -153,93 +101,78 @@ impl Surface {
     /// follow from other numbers.
     #[must_use]
     pub fn plain_findings(&self) -> Findings {
-        let odd = self.criteria().into_iter().filter(|(input, x)| !within(*x, input.usual));
-        let found = |(input, value): (Input, f64)| {
-            let found = input.in_unit(value, &[]);
+        let odd = self.criteria().into_iter().filter(|(input, x, _)| !within(*x, input.usual));
+        let found = |(input, value, advice): (Input, f64, &'static str)| {
+            let found = input.in_unit(value, None).advice(advice);
             match input.field {
-                "roughness_parameter" if found.excess() > RARE => found.severity(Severity::Warning),
-                // The laws remain valid.
-                "roughness_parameter" => found.severity(Severity::Note),
+                // Below that factor the laws remain valid.
+                "roughness_parameter" if found.excess() <= RARE => found.severity(Severity::Note),
                 _ => found,
             }
         };
         odd.map(found).collect()
     }
-
-    /// The unusual combination of numbers that are usual alone.
-    fn together(&self) -> String {
-        let (name, value, [from, to]) = match self.roughness_parameter() {
-            beta if within(beta, Self::USUAL_ASPERITY_ROUGHNESS) => {
-                ("the rms slope", self.rms_slope(), [0.0, 1.0])
-            }
-            beta => ("density x radius x `height_std`", beta, Self::USUAL_ASPERITY_ROUGHNESS),
-        };
-        let value = short(value);
-        format!("which makes {name} {value} (usual: {} to {})", short(from), short(to))
-    }
-}
-
-fn makes_sense(surface: &Surface) -> bool {
-    surface.criteria().iter().all(|(input, value)| within(*value, input.usual))
 }
 
 /// A finding for an unusual nominal area, alone or for its number of asperities. Beside findings
 /// `of_surface`, whose density may be wrong, only an area that is impossible has one.
 pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
+    let is_odd = !of_surface.is_empty();
     let has_unit = of_surface.iter().any(|found| found.likely_unit.is_some());
-    let population = if has_unit { 0.0 } else { POPULATION[1] / density };
-    let [smallest, largest] = AREA.usual;
-    let enough = smallest.max(population);
-    let usual = [enough, if enough < largest { largest } else { f64::INFINITY }];
-    let odd_surface = !of_surface.is_empty();
-    let is_possible = area <= FIELD && (has_unit || area * density >= 1.0);
-    if within(area, [enough, largest]) || odd_surface && is_possible {
-        return None;
-    }
-    let least = if odd_surface { smallest } else { 1000.0 / density };
-    let unit = AREA.unit(area, |a| within(a, [least, largest]));
-    let unit = unit.filter(|_| !odd_surface || area > FIELD);
-    // A likely unit refers to the area alone.
-    let few = within(area, AREA.usual) && unit.is_none();
-    let (severity, meaning) = match area {
-        a if a > FIELD => (Severity::Warning, "no joint is so large".to_string()),
-        a if a > largest => (Severity::Note, "few joints are so large".to_string()),
-        a => {
-            let (count, few) = (short(a * density), a * density < POPULATION[0]);
-            let meaning = format!("the area holds {count} asperities, too few for an average");
-            (if few { Severity::Warning } else { Severity::Note }, meaning)
-        }
+    let (count, least) = (area * density, if is_odd { 1.0 } else { POPULATION[1] });
+    let of = |severity, usual: [f64; 2], meaning: String| {
+        let is_usual = |a: f64| within(a, AREA.usual) && (is_odd || a * density >= POPULATION[2]);
+        // Of a small area, the number of asperities counts.
+        let units = AREA.units.iter().filter(|_| area > AREA.usual[1]);
+        let unit = units.copied().find(|(_, size)| is_usual(area * size));
+        let found = Input { usual, ..AREA }.in_unit(area, unit).advice(meaning);
+        found.severity(severity).implausible(implausible(area, [0.0, FIELD]))
     };
-    let mut found = Input { usual, ..AREA }.in_unit(area, unit.as_slice()).advice(meaning);
-    found.code = if few { FEW_ASPERITIES } else { UNUSUAL };
-    Some(found.severity(severity).implausible(implausible(area, [0.0, FIELD])))
+    match area {
+        a if a > FIELD => Some(of(Severity::Warning, AREA.usual, "no joint is so large".into())),
+        a if a > AREA.usual[1] && !is_odd => {
+            Some(of(Severity::Note, AREA.usual, "few joints are so large".into()))
+        }
+        _ if has_unit || count >= least => None,
+        _ => {
+            let few = count < POPULATION[0];
+            let severity = if few { Severity::Warning } else { Severity::Note };
+            let usual = [POPULATION[1] / density, f64::INFINITY];
+            let text =
+                format!("the area holds {} asperities, too few for an average", short(count));
+            let mut found = of(severity, usual, text);
+            found.code = FEW_ASPERITIES;
+            Some(found)
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Whether the first finding is of an implausible number, and its text.
-    fn of(radius: f64, density: f64, std: f64) -> String {
-        let found = Surface::new(radius, density, std).findings();
-        found
-            .first()
-            .map_or_else(String::new, |found| format!("{}: {found}", found.is_implausible()))
-    }
-
     #[test]
     fn lengths_in_millimetres_are_implausible_with_that_unit() {
-        let wanted = "true: asperity_height_std is 8e-4 m, asperity_radius 0.08 m: all lengths look like mm, and the density 800 like 1/mm2; give m and 1/m2";
-        assert_eq!(of(0.08, 800.0, 0.0008), wanted);
-        let um = of(80.0, 8e-4, 0.8);
-        assert!(um.contains("look like um, and the density 8e-4 like 1/um2"), "{um}");
+        let units = |surface: Surface| {
+            let found = surface.findings();
+            assert!(found.are_implausible(), "{found:?}");
+            found.iter().map(|found| found.likely_unit.clone().unwrap()).collect::<Vec<_>>()
+        };
+        let wanted = [
+            "8e-4 looks like mm; 8e-4 mm is 8e-7 m",
+            "0.08 looks like mm; 0.08 mm is 8e-5 m",
+            "800 looks like 1/mm2; 800 1/mm2 is 8e8 1/m2",
+        ];
+        assert_eq!(units(Surface::new(0.08, 800.0, 0.0008)), wanted);
+        let um = units(Surface::new(80.0, 8e-4, 0.8));
+        assert!(um[0].contains("like um") && um[2].contains("like 1/um2"), "{um:?}");
     }
 
     #[test]
     fn a_number_that_is_large_in_its_unit_as_well_has_that_unit() {
-        let found = of(8e-5, 8e8, 8.0);
-        assert!(found.ends_with("8 looks like um; 8 um is 8e-6 m"), "{found}");
+        let found = &Surface::new(8e-5, 8e8, 8.0).findings()[0];
+        assert!(found.to_string().ends_with("8 looks like um; 8 um is 8e-6 m"), "{found}");
     }
 
     #[test]

@@ -9,9 +9,8 @@ use serde::Serialize;
 use super::{FEW_ASPERITIES, Finding, ROUGHNESS_PARAMETER, Severity};
 
 /// A code, and the codes with the same cause that it replaces.
-const SAME_CAUSE: [(&str, &[&str]); 4] = [
+const SAME_CAUSE: [(&str, &[&str]); 3] = [
     ("beyond-full-contact", &["above-hardness", "area-above-nominal", "crowded", "yields"]),
-    ("above-nominal", &["area-above-nominal", "crowded"]),
     ("crowded", &["area-above-nominal"]),
     (FEW_ASPERITIES, &["few-contacts"]),
 ];

@@ -212,7 +212,7 @@ impl Finding {
 
     /// With a unit that explains the value, in place of the advice: "210 looks like GPa; ..".
     #[must_use]
-    pub fn likely_unit(self, hint: impl Into<String>) -> Self {
+    pub(crate) fn likely_unit(self, hint: impl Into<String>) -> Self {
         Self { likely_unit: Some(hint.into()), ..self }
     }
 
@@ -322,8 +322,10 @@ impl Finding {
         text
     }
 
+    /// The usual range, where the value is outside of it.
     fn range(&self) -> String {
         match self.usual {
+            [from, to] if (from..=to).contains(&self.value) => String::new(),
             [from, to] if from > 0.0 && to.is_finite() => {
                 format!(" (usual: {} to {})", short(from), short(to))
             }

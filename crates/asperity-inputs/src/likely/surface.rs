@@ -2,36 +2,36 @@
 
 use std::f64::consts::PI;
 
-use asperity::short;
+use asperity::{Finding, likely_unit, short};
 
-use crate::keys::Key;
+use crate::document::Document;
+use crate::keys::joined;
 use crate::likely::angle_hint;
 use crate::{Roughness, Way};
 
-/// Keys, the range of their numbers on rough surfaces in SI units, and the units that are taken for
-/// these, likeliest first.
-type Slip = (&'static [&'static str], [f64; 2], &'static [(&'static str, f64)]);
-const SLIPS: [Slip; 6] = [
-    (
-        &["sq", "surface_height_std", "asperity_height_std", "ra", "rq", "rz"],
-        [3e-11, 2e-3],
-        &[("um", 1e-6), ("nm", 1e-9)],
-    ),
-    (&["asperity_radius"], [2e-9, 5e-2], &[("mm", 1e-3), ("um", 1e-6)]),
-    (&["spd", "asperity_density"], [1e6, 1e16], &[("1/mm2", 1e6), ("1/um2", 1e12)]),
-    (&["spc"], [100.0, 5e8], &[("1/mm", 1e3), ("1/um", 1e6)]),
-    (&["m0"], [1e-21, 4e-6], &[("um2", 1e-12), ("nm2", 1e-18)]),
-    (&["m4"], [100.0, 1e17], &[("1/mm2", 1e6), ("1/um2", 1e12)]),
-];
+/// The first of the numbers of a section, given without a unit, that only another unit makes usual,
+/// and what it looks like, with all others.
+pub(crate) fn other_unit(
+    document: &Document<'_>,
+    section: &str,
+    numbers: impl IntoIterator<Item = (&'static str, f64)>,
+) -> Option<(&'static str, f64, String)> {
+    let numbers = numbers.into_iter();
+    let numbers = numbers.filter(|(key, _)| !document.stated.contains(&joined(section, key)));
+    let odd = numbers.filter_map(|(key, value)| Some((key, value, likely_unit(key, value)?)));
+    odd.reduce(|(first, number, hint), (key, value, more)| {
+        (first, number, format!("{hint}; {key} = {} {more}", short(value)))
+    })
+}
 
-/// "looks like um; 1.1 um is 1.1e-6 m" for a number that only another unit makes usual.
-pub(crate) fn other_unit(key: &str, value: f64) -> Option<String> {
-    let (_, [least, most], units) = SLIPS.iter().find(|(keys, ..)| keys.contains(&key))?;
-    let is_usual = |x: f64| (*least..=*most).contains(&x);
-    let (unit, size) = units.iter().find(|(_, size)| !is_usual(value) && is_usual(value * size))?;
-    let (given, meant) = (short(value), short(value * size));
-    let si = Key::find("surface", key)?.unit.replace('^', "");
-    Some(format!("looks like {unit}; {given} {unit} is {meant} {si}"))
+/// The finding of a number in another unit.
+pub(crate) fn in_other_unit(
+    document: &Document<'_>,
+    section: &str,
+    (key, value, hint): (&'static str, f64, String),
+) -> Finding {
+    let fact = format!("{} = {} {hint}", document.place(&joined(section, key)), short(value));
+    Finding::warning("unusual-size", key, value).fact(fact)
 }
 
 /// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,

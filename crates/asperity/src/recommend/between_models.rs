@@ -1,8 +1,11 @@
 //! Models compared with each other.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use crate::{
-    At, Check, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
-    Scene, Severity,
+    At, Check, Contact, ContactError, ContactModel, Described, Evaluation, Finding, Findings,
+    Model, Quantity, Request, Scene, Severity,
 };
 
 /// The values of one quantity.
@@ -23,16 +26,29 @@ pub(super) fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Col
     deviations.fold(0.0, |most: f64, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
 }
 
-/// The finding that makes a model invalid at these separations or loads.
-pub(super) fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
-    let found = Check::answers(model, scene, places).into_iter();
-    found.filter(|finding| finding.severity < Severity::Note).find(Finding::is_of_model)
+/// Findings of models at separations or loads of a scene; each model is judged once.
+pub(super) struct Judge<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) places: &'s [At],
+    pub(super) known: RefCell<BTreeMap<String, Findings>>,
 }
 
-/// The finding that contacts merge at one of these separations or loads, where no model of
-/// independent asperities is valid.
-pub(super) fn merging(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
-    Check::answers(model, scene, places).into_iter().find(|finding| finding.code == "crowded")
+impl Judge<'_> {
+    fn find(&self, model: &Model, is_wanted: impl FnMut(&&Finding) -> bool) -> Option<Finding> {
+        let mut known = self.known.borrow_mut();
+        let judged = || Check::answers(model, self.scene, self.places);
+        known.entry(model.id().into()).or_insert_with(judged).iter().find(is_wanted).cloned()
+    }
+
+    /// The finding that makes a model invalid.
+    pub(super) fn outside(&self, model: &Model) -> Option<Finding> {
+        self.find(model, |found| found.severity < Severity::Note && found.is_of_model())
+    }
+
+    /// The finding that contacts merge, where no model of independent asperities is valid.
+    pub(super) fn merging(&self, model: &Model) -> Option<Finding> {
+        self.find(model, |found| found.code == "crowded")
+    }
 }
 
 /// Parts of the law of an asperity; 0 for a model without one.

@@ -11,7 +11,7 @@ use crate::evidence::{compile, compile_known};
 use crate::{
     Compared, ContactError, Described, Finding, Model, Quantity, Request, Scene, SurfaceShape,
 };
-use between_models::{answer, largest_deviation, merging as merging_at, outside, regimes};
+use between_models::{Judge, answer, largest_deviation, regimes};
 pub(crate) use evidence::evidence_of;
 pub use evidence::{Deviation, EvidenceAt, Expectation};
 
@@ -168,6 +168,7 @@ pub fn recommend_among(
     beside.extend(
         asked.contains(&Compared::UnloadingStiffness).then_some(Compared::UnloadingStiffness),
     );
+    let judge = Judge { scene, places: &request.at, known: Default::default() };
     let compared = |model: Model| {
         let regimes = regimes(&model, scene, request);
         let (contact, mut lacking, mut deviations) =
@@ -199,7 +200,7 @@ pub fn recommend_among(
         let off = Deviation::worst(&evidence, model.id());
         let mut found = Comparison { model, deviations, lacking, regimes, outside: None, off };
         if found.largest() <= within {
-            found.outside = outside(&found.model, scene, &request.at);
+            found.outside = judge.outside(&found.model);
         }
         (found, contact)
     };
@@ -216,15 +217,15 @@ pub fn recommend_among(
             place.add(&found.model, &**contact, &Compared::ALL);
         }
     }
-    let itself = || outside(reference, scene, &request.at).is_none().then(|| reference.clone());
+    let itself = || judge.outside(reference).is_none().then(|| reference.clone());
     let simplest = near.map(|(found, _)| found.model.clone()).or_else(itself);
     let comparisons: Vec<_> = comparisons.into_iter().map(|(found, _)| found).collect();
-    let nearest = nearest(&comparisons, &asked, |model| outside(model, scene, &request.at));
+    let nearest = nearest(&comparisons, &asked, |model| judge.outside(model));
     let is_nearest =
         |found: &&Comparison| nearest.last().is_some_and(|(id, _)| id == found.model.id());
     let named = comparisons.iter().find(is_nearest).map(|found| &found.model);
     let merging = named.or(simplest.as_ref());
-    let merging = merging.and_then(|model| merging_at(model, scene, &request.at));
+    let merging = merging.and_then(|model| judge.merging(model));
     let (reference, compared) = (reference.clone(), asked);
     Ok(Recommendation {
         reference,
