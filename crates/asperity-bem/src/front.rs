@@ -195,7 +195,7 @@ fn eliminate_by_panels(numbers: &mut [f64], stride: usize, side: usize, count: u
         }
         let rows = numbers.chunks_exact_mut(ROWS * stride).zip(&weights).enumerate();
         for (at, (rows, weights)) in rows.skip(first_row) {
-            if weights.iter().all(|weights| *weights == [0.0; ROWS]) {
+            if !weights.as_flattened().iter().any(|weight| *weight > 0.0) {
                 continue;
             }
             let column = at * ROWS / COLUMNS;
