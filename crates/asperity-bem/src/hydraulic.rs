@@ -60,9 +60,7 @@ impl Leak {
     /// times width over length. It does not depend on their size.
     #[must_use]
     pub fn flow(&self, hydraulic_gap: f64, map: &HeightMap, direction: Direction) -> f64 {
-        let ([rows, columns], [height, width]) = (map.shape(), map.pixel());
-        let sides = [columns as f64 * width, rows as f64 * height];
-        let [length, width] = if direction == Direction::X { sides } else { [sides[1], sides[0]] };
+        let [length, width] = outline(map, direction);
         hydraulic_gap.powi(3) * self.pressure_drop / (12.0 * self.viscosity) * width / length
     }
 }
@@ -70,10 +68,9 @@ impl Leak {
 /// The gap map of a contact; its cubes count from the largest.
 pub(crate) struct GapMap<'a> {
     map: &'a HeightMap,
-    periodic: bool,
     largest: f64,
-    /// g³ over that of the largest gap, row after row; 0 in contact.
-    cubes: Vec<f64>,
+    /// Of g³ over that of the largest gap; 0 in contact.
+    network: Network,
 }
 
 impl BoundaryElements {
@@ -97,7 +94,7 @@ impl BoundaryElements {
     /// # Errors
     /// Those of [`hydraulic_gap`](Self::hydraulic_gap).
     pub fn flux(&self, solution: &Solution, direction: Direction) -> Result<Vec<f64>, BemError> {
-        self.gap_map(solution)?.flux(direction)
+        Ok(self.gap_map(solution)?.flux(direction))
     }
 
     /// The hydraulic gap \[m\] of the effective medium (Bruggeman), which depends on the
@@ -127,76 +124,44 @@ impl BoundaryElements {
             cubes.iter_mut().for_each(|gap| *gap = (*gap / largest).powi(3));
         }
         let periodic = self.boundary_condition() == Boundary::Periodic;
-        GapMap { map: self.map(), periodic, largest, cubes }
+        let map = self.map();
+        GapMap { map, largest, network: Network::new(cubes, map.shape(), map.pixel(), periodic) }
     }
 }
 
 impl GapMap<'_> {
-    /// The network along x; a flow along y is one along x on the transposed map.
-    fn network(&self, direction: Direction) -> Network {
-        let ([rows, columns], [height, width]) = (self.map.shape(), self.map.pixel());
-        let periodic = self.periodic;
-        match direction {
-            Direction::X => Network {
-                conductivities: self.cubes.clone(),
-                shape: [rows, columns],
-                pixel: [height, width],
-                periodic,
-            },
-            Direction::Y => Network {
-                conductivities: transposed(&self.cubes, columns),
-                shape: [columns, rows],
-                pixel: [width, height],
-                periodic,
-            },
-        }
-    }
-
     pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
-        let network = self.network(direction);
-        let [rows, columns] = network.shape;
-        let [height, width] = network.pixel;
-        let [inlet, outlet] = inside(|| network.flows());
+        let [inlet, outlet] = inside(|| self.network.flows(direction));
         let balanced = (inlet - outlet).abs() <= BALANCE * outlet;
         if !balanced {
             return Err(BemError::Unbalanced { inlet, outlet });
         }
-        let per_width = outlet * (columns as f64 * width) / (rows as f64 * height);
-        Ok(self.largest * per_width.cbrt())
+        let [length, width] = outline(self.map, direction);
+        Ok(self.largest * (outlet * length / width).cbrt())
     }
 
-    fn flux(&self, direction: Direction) -> Result<Vec<f64>, BemError> {
-        let network = self.network(direction);
-        let [rows, columns] = network.shape;
-        let [height, width] = network.pixel;
-        let flows = inside(|| network.edge_flows());
-        let total: f64 = flows.chunks(columns).map(|row| row[columns - 1][0]).sum();
+    fn flux(&self, direction: Direction) -> Vec<f64> {
+        let ([_, columns], [height, width]) = (self.map.shape(), self.map.pixel());
+        let flows = inside(|| self.network.pixel_flows(direction));
+        let total: f64 = match direction {
+            Direction::X => flows.chunks(columns).map(|row| row[columns - 1][3]).sum(),
+            Direction::Y => flows[flows.len() - columns..].iter().map(|flow| flow[1]).sum(),
+        };
         if total == 0.0 {
-            return Ok(vec![0.0; flows.len()]);
+            return vec![0.0; flows.len()];
         }
-        let mean = total / (rows as f64 * height);
-        let into = |at: usize| {
-            let (i, j) = (at / columns, at % columns);
-            let above = flows[(i + rows - 1) % rows * columns + j][1];
-            // What comes from the inlet is what else leaves.
-            let left = if j > 0 { flows[at - 1][0] } else { flows[at][0] + flows[at][1] - above };
-            [left, above]
+        let mean = total / outline(self.map, direction)[1];
+        let of = |[above, below, left, right]: &[f64; 4]| {
+            (0.5 * (right - left) / height).hypot(0.5 * (below - above) / width) / mean
         };
-        let of = |at: usize| {
-            let ([left, above], [right, below]) = (into(at), flows[at]);
-            (0.5 * (left + right) / height).hypot(0.5 * (above + below) / width) / mean
-        };
-        let flux: Vec<f64> = (0..flows.len()).map(of).collect();
-        Ok(match direction {
-            Direction::X => flux,
-            Direction::Y => transposed(&flux, columns),
-        })
+        flows.iter().map(of).collect()
     }
 
     pub(crate) fn effective_medium(&self) -> f64 {
-        let open: Vec<f64> = self.cubes.iter().copied().filter(|cube| *cube > 0.0).collect();
+        let cubes = self.network.conductivities();
+        let open: Vec<f64> = cubes.iter().copied().filter(|cube| *cube > 0.0).collect();
         let lowest = open.iter().copied().fold(1.0, f64::min).ln();
-        let closed = (self.cubes.len() - open.len()) as f64;
+        let closed = (cubes.len() - open.len()) as f64;
         let mean = |logarithm: f64| {
             let medium = logarithm.exp();
             open.iter().map(|cube| 1.0 - 2.0 / (cube / medium + 1.0)).sum::<f64>() - closed
@@ -211,7 +176,9 @@ impl GapMap<'_> {
     }
 }
 
-fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
-    let column = |j: usize| values.iter().skip(j).step_by(columns).copied();
-    (0..columns).flat_map(column).collect()
+/// Length and width of a map along a flow.
+fn outline(map: &HeightMap, direction: Direction) -> [f64; 2] {
+    let ([rows, columns], [height, width]) = (map.shape(), map.pixel());
+    let sides = [columns as f64 * width, rows as f64 * height];
+    if direction == Direction::X { sides } else { [sides[1], sides[0]] }
 }

@@ -1,30 +1,34 @@
-//! Flow through a map of conductivities, by elimination of its pixels.
+//! Flow through a map of conductivities, by elimination of its pixels, without iterations.
 //!
-//! A pixel that is taken out of a network leaves its neighbours connected to each other: c_ij grows
-//! by c_ik c_kj/Σ_j c_kj. Nothing is subtracted, so that every conductance keeps its digits however
-//! far the conductivities are apart, and nothing is iterated. Nested dissection orders the pixels:
-//! a block is cut by a line of pixels, which is taken out after both halves are.
+//! Nested dissection orders the pixels: a block is cut by a line of pixels, which is taken out
+//! after both halves are. The sides of the map are nodes of their own, half a pixel outside: an
+//! inlet, an outlet, or where the map meets itself. So the four quarters between the middle row and
+//! the middle column, which are most of the work, are reduced once for flows in both directions.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
-use fearless_simd::{Level, Simd, dispatch};
-
-use crate::parallel::join;
+use crate::Direction;
+use crate::front::{Front, Part};
+use crate::parallel::{join, map};
 
 /// Pixels in a block that is not cut.
-const SMALL: usize = 32;
-/// Pixels that are taken out in one pass over the others.
-const PANEL: usize = 16;
+const SMALL: usize = 64;
 
-/// Pixels between an inlet before the first column and an outlet behind the last one.
+/// Pixels, and the nodes on the four sides of the map: above the first row, below the last, left of
+/// the first column and right of the last.
 pub(crate) struct Network {
     /// Row after row; 0 in closed pixels.
-    pub(crate) conductivities: Vec<f64>,
-    pub(crate) shape: [usize; 2],
+    conductivities: Vec<f64>,
+    shape: [usize; 2],
     /// Height and width of a pixel.
-    pub(crate) pixel: [f64; 2],
-    /// Whether the first row follows the last one; otherwise nothing flows through these sides.
-    pub(crate) periodic: bool,
+    pixel: [f64; 2],
+    /// Whether sides along the flow meet each other; otherwise nothing flows through them.
+    periodic: bool,
+    /// The place of each node in the order in which they are taken out.
+    ranks: Vec<usize>,
+    /// The quarters, taken out.
+    parts: OnceLock<Vec<Part>>,
 }
 
 #[derive(Clone)]
@@ -33,282 +37,313 @@ struct Block {
     columns: Range<usize>,
 }
 
-/// Conductances between pixels, and to the inlet and the outlet behind them: the upper triangle of
-/// a matrix.
-#[derive(Default)]
-struct Links {
-    /// Pixels to be taken out, sorted.
-    inner: Vec<usize>,
-    /// Their neighbours outside the block and those of its parts, sorted.
-    outer: Vec<usize>,
-    numbers: Vec<f64>,
-}
-
-impl Links {
-    fn side(&self) -> usize {
-        self.inner.len() + self.outer.len() + 2
-    }
-
-    fn place(&self, pixel: usize) -> Option<usize> {
-        let outer = || self.outer.binary_search(&pixel).map(|at| self.inner.len() + at);
-        self.inner.binary_search(&pixel).or_else(|_| outer()).ok()
-    }
-
-    fn add(&mut self, [one, other]: [usize; 2], conductance: f64) {
-        let side = self.side();
-        self.numbers[one.min(other) * side + one.max(other)] += conductance;
-    }
-
-    /// The conductances from a place to those behind it.
-    fn row(&self, place: usize) -> &[f64] {
-        let side = self.side();
-        &self.numbers[place * side + place + 1..(place + 1) * side]
-    }
-
-    fn eliminate(&mut self) {
-        let (side, count) = (self.side(), self.inner.len());
-        dispatch!(Level::new(), simd => simd.vectorize(
-            #[inline(always)]
-            || eliminate(&mut self.numbers, side, count),
-        ));
-    }
-
-    /// The shares of inlet and outlet in the pressures of the pixels that were taken out, from
-    /// those of the outer pixels.
-    fn fill(&self, shares: &mut [[f64; 2]]) {
-        for (place, pixel) in self.inner.iter().enumerate().rev() {
-            let others = self.inner[place + 1..].iter().chain(&self.outer).map(|at| shares[*at]);
-            let others = others.chain([[1.0, 0.0], [0.0, 1.0]]);
-            let mut sums = [0.0; 3];
-            for (link, [inlet, outlet]) in self.row(place).iter().zip(others) {
-                let terms = [link * inlet, link * outlet, *link];
-                sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
-            }
-            let [inlet, outlet, total] = sums;
-            if total > 0.0 {
-                shares[*pixel] = [inlet / total, outlet / total];
-            }
-        }
-    }
+/// What is left to do for a flow in one direction when the quarters are reduced.
+struct Joint {
+    /// Of all nodes the places in the order, equal for nodes that are one in this direction; inlet
+    /// and outlet are the last two.
+    names: Vec<usize>,
+    /// The halves beside the middle line across the flow, taken out.
+    halves: Vec<Front>,
+    /// That line, not yet taken out, with the parts of the halves, and inlet and outlet outside.
+    last: Front,
 }
 
 impl Network {
+    pub(crate) fn new(
+        conductivities: Vec<f64>,
+        shape: [usize; 2],
+        pixel: [f64; 2],
+        periodic: bool,
+    ) -> Self {
+        let mut network =
+            Self { conductivities, shape, pixel, periodic, ranks: vec![], parts: OnceLock::new() };
+        let mut order = vec![];
+        network.quarters().iter().for_each(|quarter| network.order(quarter, &mut order));
+        let [above, below, left, right] = network.sides();
+        let [row, column] = Direction::ALL.map(|along| network.middle_line(along));
+        order.extend(row.chain(above).chain(below).chain(column).chain(left).chain(right));
+        network.ranks = vec![usize::MAX; network.nodes()];
+        for (rank, node) in order.into_iter().enumerate() {
+            // The middle row and column cross.
+            network.ranks[node] = network.ranks[node].min(rank);
+        }
+        network
+    }
+
+    pub(crate) fn conductivities(&self) -> &[f64] {
+        &self.conductivities
+    }
+
+    fn nodes(&self) -> usize {
+        self.conductivities.len() + 2 * (self.shape[0] + self.shape[1])
+    }
+
+    fn sides(&self) -> [Range<usize>; 4] {
+        let ([rows, columns], mut start) = (self.shape, self.conductivities.len());
+        [columns, columns, rows, rows].map(|length| {
+            start += length;
+            start - length..start
+        })
+    }
+
+    /// The line of pixels in the middle of the map along a direction.
+    fn middle_line(&self, along: Direction) -> impl Iterator<Item = usize> + use<> {
+        let [rows, columns] = self.shape;
+        let (start, step, count) = match along {
+            Direction::X => (rows / 2 * columns, 1, columns),
+            Direction::Y => (columns / 2, columns, rows),
+        };
+        (0..count).map(move |k| start + k * step)
+    }
+
+    /// Upper left, upper right, lower left, lower right.
+    fn quarters(&self) -> [Block; 4] {
+        let [[above, below], [left, right]] =
+            self.shape.map(|count| [0..count / 2, count / 2 + 1..count]);
+        let block = |rows: &Range<usize>, columns: &Range<usize>| Block {
+            rows: rows.clone(),
+            columns: columns.clone(),
+        };
+        [block(&above, &left), block(&above, &right), block(&below, &left), block(&below, &right)]
+    }
+
+    fn order(&self, block: &Block, order: &mut Vec<usize>) {
+        let (line, parts) = block.cut();
+        parts.iter().flatten().for_each(|part| self.order(part, order));
+        order.extend(line.pixels(self.shape[1]));
+    }
+
+    /// A block whose parts are taken out, before its line is.
+    fn assembled(&self, block: &Block) -> Front {
+        let (line, parts) = block.cut();
+        let columns = self.shape[1];
+        let open = line.pixels(columns).filter(|at| self.conductivities[*at] > 0.0).collect();
+        let Some([one, other]) = parts else {
+            return self.front(open, vec![], &self.ranks, []);
+        };
+        let [mut first, mut second] = [None, None];
+        join(&mut || first = Some(self.reduced(&one)), &mut || second = Some(self.reduced(&other)));
+        self.front(open, vec![], &self.ranks, [&first, &second].map(Option::as_ref))
+    }
+
+    fn reduced(&self, block: &Block) -> Part {
+        let mut front = self.assembled(block);
+        front.eliminate();
+        front.part()
+    }
+
+    /// The front of these nodes to be taken out, with the parts that are left of what was before.
+    fn front<const N: usize>(
+        &self,
+        inner: Vec<usize>,
+        mut outer: Vec<usize>,
+        names: &[usize],
+        parts: [Option<&Part>; N],
+    ) -> Front {
+        let last = inner.last().map_or(0, |node| names[*node]);
+        let beside = inner.iter().flat_map(|node| self.edges(*node)).flatten();
+        outer.extend(beside.map(|(other, _)| other));
+        outer.extend(parts.iter().flatten().flat_map(|part| &part.outer));
+        // What is before and not in a part is gone.
+        outer.retain(|node| names[*node] > last);
+        outer.sort_unstable_by_key(|node| names[*node]);
+        outer.dedup_by_key(|node| names[*node]);
+        let mut front = Front::new(inner, outer, N == 0);
+        let first = front.inner.first().map_or(0, |node| names[*node]);
+        let place = |front: &Front, node: usize| {
+            let name = names[node];
+            let count = front.inner.len();
+            // Without closed pixels the names are in a row.
+            let guess = name.wrapping_sub(first);
+            if front.inner.get(guess).is_some_and(|node| names[*node] == name) {
+                return Some(guess);
+            }
+            if name <= last {
+                return front.inner.binary_search_by_key(&name, |node| names[*node]).ok();
+            }
+            let found = front.outer.binary_search_by_key(&name, |node| names[*node]);
+            found.ok().map(|at| count + at)
+        };
+        for part in parts.into_iter().flatten() {
+            let places: Vec<usize> =
+                part.outer.iter().filter_map(|node| place(&front, *node)).collect();
+            front.add_part(part, &places);
+        }
+        for at in 0..front.inner.len() {
+            for (other, conductance) in self.edges(front.inner[at]).into_iter().flatten() {
+                // A neighbour in a part brought this edge, a line has it once.
+                let found = place(&front, other).filter(|other| *other > at);
+                found.into_iter().for_each(|found| front.add([at, found], conductance));
+            }
+        }
+        front
+    }
+
+    /// The open neighbours of a pixel above, below, left and right, with the conductances to them,
+    /// or nodes on the sides of the map. A side itself brings no edges.
+    fn edges(&self, at: usize) -> [Option<(usize, f64)>; 4] {
+        let ([rows, columns], [height, width]) = (self.shape, self.pixel);
+        let Some(here) = self.conductivities.get(at).filter(|here| **here > 0.0) else {
+            return [None; 4];
+        };
+        let (i, j) = (at / columns, at % columns);
+        let [above, below, left, right] = self.sides();
+        let edge = |other: Option<usize>, side: usize, factor: f64| match other {
+            None => Some((side, 2.0 * factor * here)),
+            Some(other) => {
+                let there = self.conductivities[other];
+                // The harmonic mean, without a product that may be too small.
+                (there > 0.0).then(|| (other, 2.0 * factor * here / (1.0 + here / there)))
+            }
+        };
+        [
+            edge(at.checked_sub(columns), above.start + j, width / height),
+            edge((i + 1 < rows).then_some(at + columns), below.start + j, width / height),
+            edge((j > 0).then(|| at.wrapping_sub(1)), left.start + i, height / width),
+            edge((j + 1 < columns).then_some(at + 1), right.start + i, height / width),
+        ]
+    }
+
+    /// What is left between inlet and outlet when both halves beside the middle line across the
+    /// flow are taken out.
+    fn joint(&self, along: Direction) -> Joint {
+        let reduced = |(): &mut (), block| self.reduced(&block);
+        let parts = self.parts.get_or_init(|| map(self.quarters().into_iter(), || (), reduced));
+        let [above, below, left, right] = self.sides();
+        let (across, sides, faces, [first, second]) = match along {
+            Direction::X => (Direction::Y, [above, below], [left, right], [[0, 2], [1, 3]]),
+            Direction::Y => (Direction::X, [left, right], [above, below], [[0, 1], [2, 3]]),
+        };
+        let (length, middle) = (sides[0].len(), sides[0].len() / 2);
+        let (mut names, mut next) = (self.ranks.clone(), self.conductivities.len());
+        let mut named = |mut nodes: Vec<usize>, places: Range<usize>| {
+            for node in &nodes {
+                names[*node] = next;
+                next += 1;
+            }
+            nodes.retain(|node| self.conductivities[*node] > 0.0);
+            for k in places {
+                let [one, other] = [&sides[0], &sides[1]].map(|side| side.start + k);
+                names[one] = next;
+                next += usize::from(!self.periodic);
+                names[other] = next;
+                next += 1;
+                nodes.push(one);
+                nodes.extend((!self.periodic).then_some(other));
+            }
+            nodes
+        };
+        let line: Vec<usize> = self.middle_line(along).collect();
+        let inner = [0..middle, middle + 1..length];
+        let [one, other] = inner.map(|half| named(line[half.clone()].to_vec(), half));
+        let last = named(self.middle_line(across).collect(), middle..middle + 1);
+        let outer: Vec<usize> = faces.iter().map(|face| face.start).collect();
+        for face in faces {
+            names[face].fill(next);
+            next += 1;
+        }
+        let half = |inner: &Vec<usize>, quarters: [usize; 2]| {
+            let quarters = quarters.map(|quarter| parts.get(quarter));
+            let mut front = self.front(inner.clone(), vec![], &names, quarters);
+            front.eliminate();
+            front
+        };
+        let halves = [(&one, first), (&other, second)];
+        let halves = map(halves.into_iter(), || (), |(), (inner, parts)| half(inner, parts));
+        let [first, second] = [0, 1].map(|k| halves.get(k).map(Front::part));
+        let last = self.front(last, outer, &names, [first.as_ref(), second.as_ref()]);
+        Joint { names, halves, last }
+    }
+
     /// The flows through inlet and outlet at a unit difference of pressure; 0 where no path of open
     /// pixels connects them.
     ///
     /// Both come from the pressures on the line that is taken out last, and neither is a small
     /// difference of large numbers.
-    pub(crate) fn flows(&self) -> [f64; 2] {
-        let mut last = self.assembled(&self.all());
-        let faces = |links: &Links, place: usize| match links.row(place) {
+    pub(crate) fn flows(&self, along: Direction) -> [f64; 2] {
+        let mut joint = self.joint(along);
+        let last = &joint.last;
+        let faces = |place: usize| match last.row(place) {
             [.., inlet, outlet] => [*inlet, *outlet],
             _ => [0.0; 2],
         };
-        let before: Vec<[f64; 2]> = (0..last.inner.len()).map(|k| faces(&last, k)).collect();
-        let direct = last.row(last.side() - 2)[0];
-        last.eliminate();
-        let mut shares = vec![[0.0; 2]; self.conductivities.len()];
-        last.fill(&mut shares);
+        let before: Vec<[f64; 2]> = (0..last.inner.len()).map(faces).collect();
+        let direct = last.row(last.inner.len())[0];
+        joint.last.eliminate();
+        let shares = joint.shares();
         let mut flows = [direct; 2];
-        for (pixel, links) in last.inner.iter().zip(before) {
-            let [inlet, outlet] = shares[*pixel];
+        for (node, links) in joint.last.inner.iter().zip(before) {
+            let [inlet, outlet] = shares[joint.names[*node]];
             flows[0] += links[0] * outlet;
             flows[1] += links[1] * inlet;
         }
         flows
     }
 
-    /// Pressures at a unit difference as the shares of inlet and outlet, whose sum is 1; both are 0
-    /// in pixels that are connected to neither.
-    pub(crate) fn shares(&self) -> Vec<[f64; 2]> {
-        let mut shares = vec![[0.0; 2]; self.conductivities.len()];
-        self.fill(&self.all(), &mut shares);
-        shares
-    }
-
-    /// From the last line down: every block is reduced again, about twice the work of the flow
-    /// alone.
-    fn fill(&self, block: &Block, shares: &mut [[f64; 2]]) {
-        let mut links = self.assembled(block);
-        links.eliminate();
-        links.fill(shares);
-        self.cut(block).1.iter().for_each(|part| self.fill(part, shares));
-    }
-
-    /// The flows to the right and downward out of every pixel at a unit difference of pressure; out
-    /// of the last column those to the outlet.
-    pub(crate) fn edge_flows(&self) -> Vec<[f64; 2]> {
-        let (shares, columns) = (self.shares(), self.shape[1]);
+    /// The flows out of every pixel upward, downward, to the left and to the right at a unit
+    /// difference of pressure; every block is reduced again, about twice the work of a flow alone.
+    pub(crate) fn pixel_flows(&self, along: Direction) -> Vec<[f64; 4]> {
+        let mut joint = self.joint(along);
+        joint.last.eliminate();
+        let (mut shares, names) = (joint.shares(), &joint.names);
+        joint.halves.iter().for_each(|half| half.fill(names, &mut shares));
+        self.quarters().iter().for_each(|quarter| self.fill(quarter, names, &mut shares));
         let flow = |at: usize, (other, conductance): (usize, f64)| {
-            let ([a, b], [c, d]) = (shares[at], shares[other]);
+            let ([a, b], [c, d]) = (shares[names[at]], shares[names[other]]);
             // The difference of the smaller shares has more digits.
             conductance * if a + c < b + d { a - c } else { d - b }
         };
-        let of = |at: usize| {
-            let [_, below, _, right] = self.edges(at);
-            let right = match right {
-                Some(right) => flow(at, right),
-                None if at % columns + 1 == columns => self.to_faces(at)[1] * shares[at][0],
-                None => 0.0,
-            };
-            [right, below.map_or(0.0, |below| flow(at, below))]
-        };
-        (0..shares.len()).map(of).collect()
+        let of = |at: usize| self.edges(at).map(|edge| edge.map_or(0.0, |edge| flow(at, edge)));
+        (0..self.conductivities.len()).map(of).collect()
     }
 
-    fn all(&self) -> Block {
-        Block { rows: 0..self.shape[0], columns: 0..self.shape[1] }
-    }
-
-    /// The lines that cut a block, and the parts that they leave.
-    fn cut(&self, block: &Block) -> (Vec<Block>, Vec<Block>) {
-        let Block { rows, columns } = block;
-        let with_rows = |rows| Block { rows, columns: columns.clone() };
-        let with_columns = |columns| Block { rows: rows.clone(), columns };
-        if rows.len() * columns.len() <= SMALL {
-            return (vec![block.clone()], vec![]);
-        }
-        if columns.len() >= rows.len() {
-            let middle = columns.start + columns.len() / 2;
-            let parts = [columns.start..middle, middle + 1..columns.end];
-            return (vec![with_columns(middle..middle + 1)], parts.map(with_columns).into());
-        }
-        // A ring is cut twice.
-        let ring = self.periodic && rows.len() == self.shape[0];
-        let start = rows.start + usize::from(ring);
-        let middle = rows.start + rows.len() / 2;
-        let lines = [rows.start..start, middle..middle + 1];
-        (lines.map(with_rows).into(), [start..middle, middle + 1..rows.end].map(with_rows).into())
-    }
-
-    /// The links of a block whose parts are taken out, before its lines are.
-    fn assembled(&self, block: &Block) -> Links {
-        let (lines, parts) = self.cut(block);
-        let mut reduced = [Links::default(), Links::default()];
-        if let ([one, other], [first, second]) = (&parts[..], &mut reduced) {
-            let reduce = |links: &mut Links, part: &Block| {
-                *links = self.assembled(part);
-                links.eliminate();
-            };
-            join(&mut || reduce(first, one), &mut || reduce(second, other));
-        }
-        let columns = self.shape[1];
-        let pixels = |line: &Block| -> Vec<usize> {
-            let rows = line.rows.clone().map(|i| i * columns);
-            let all = rows.flat_map(|row| line.columns.clone().map(move |j| row + j));
-            all.filter(|at| self.conductivities[*at] > 0.0).collect()
-        };
-        let is_inside = |at: &usize| {
-            block.rows.contains(&(at / columns)) && block.columns.contains(&(at % columns))
-        };
-        let inner: Vec<usize> = lines.iter().flat_map(pixels).collect();
-        let beside = inner.iter().flat_map(|at| self.edges(*at).into_iter().flatten());
-        let beside = beside.map(|(other, _)| other).filter(|at| !is_inside(at));
-        let mut outer: Vec<usize> = beside.collect();
-        outer.extend(reduced.iter().flat_map(|part| &part.outer));
-        outer.retain(|at| inner.binary_search(at).is_err());
-        outer.sort_unstable();
-        outer.dedup();
-        let mut links = Links { inner, outer, numbers: vec![] };
-        let side = links.side();
-        let faces = [side - 2, side - 1];
-        links.numbers = vec![0.0; side * side];
-        for part in reduced.iter().filter(|_| !parts.is_empty()) {
-            let places = part.outer.iter().filter_map(|at| links.place(*at)).chain(faces);
-            let places: Vec<usize> = places.collect();
-            for (k, one) in places.iter().enumerate() {
-                for (other, link) in places[k + 1..].iter().zip(part.row(part.inner.len() + k)) {
-                    links.add([*one, *other], *link);
-                }
-            }
-        }
-        for place in 0..links.inner.len() {
-            let pixel = links.inner[place];
-            for (other, conductance) in self.edges(pixel).into_iter().flatten() {
-                // A neighbour in a part brought this edge, a line has it once.
-                let found =
-                    links.place(other).filter(|at| *at >= links.inner.len() || other > pixel);
-                found.into_iter().for_each(|found| links.add([place, found], conductance));
-            }
-            for (face, conductance) in faces.into_iter().zip(self.to_faces(pixel)) {
-                links.add([place, face], conductance);
-            }
-        }
-        links
-    }
-
-    /// The open neighbours of a pixel above, below, left and right, with the conductances to them.
-    fn edges(&self, at: usize) -> [Option<(usize, f64)>; 4] {
-        let ([rows, columns], [height, width]) = (self.shape, self.pixel);
-        let (i, j) = (at / columns, at % columns);
-        let row = |inside: bool, other: usize| {
-            (inside || self.periodic).then_some((other % rows * columns + j, width / height))
-        };
-        let column = |inside: bool, other: usize| inside.then_some((other, height / width));
-        let [above, below] = [row(i > 0, i + rows - 1), row(i + 1 < rows, i + 1)];
-        let [left, right] = [column(j > 0, at.wrapping_sub(1)), column(j + 1 < columns, at + 1)];
-        [above, below, left, right].map(|edge| {
-            let (other, factor) = edge?;
-            let [a, b] = [at, other].map(|at| self.conductivities[at]);
-            // The harmonic mean, without a product that may be too small.
-            (a > 0.0 && b > 0.0).then(|| (other, 2.0 * factor * a / (1.0 + a / b)))
-        })
-    }
-
-    /// The conductances from a pixel to the inlet and to the outlet.
-    fn to_faces(&self, at: usize) -> [f64; 2] {
-        let (columns, [height, width]) = (self.shape[1], self.pixel);
-        let half = 2.0 * self.conductivities[at] * height / width;
-        [0, columns - 1].map(|face| if at % columns == face { half } else { 0.0 })
+    /// From the last line down.
+    fn fill(&self, block: &Block, names: &[usize], shares: &mut [[f64; 2]]) {
+        let mut front = self.assembled(block);
+        front.eliminate();
+        front.fill(names, shares);
+        block.cut().1.iter().flatten().for_each(|part| self.fill(part, names, shares));
     }
 }
 
-/// Takes out the first `count` of `side` nodes of a network.
-#[inline(always)]
-fn eliminate(links: &mut [f64], side: usize, count: usize) {
-    let mut weights = vec![[[0.0; 4]; PANEL / 4]; side];
-    for start in (0..count).step_by(PANEL) {
-        let end = count.min(start + PANEL);
-        let (panel, others) = links.split_at_mut(end * side);
-        let panel = &mut panel[start * side..];
-        weights.fill([[0.0; 4]; PANEL / 4]);
-        for k in 0..end - start {
-            let (done, later) = panel.split_at_mut((k + 1) * side);
-            let row = &done[k * side..];
-            let first = start + k + 1;
-            let total: f64 = row[first..].iter().sum();
-            let share = if total > 0.0 { 1.0 / total } else { 0.0 };
-            for (weights, link) in weights[first..].iter_mut().zip(&row[first..]) {
-                weights[k / 4][k % 4] = link * share;
-            }
-            for (i, target) in (first..).zip(later.chunks_mut(side)) {
-                let weight = weights[i][k / 4][k % 4];
-                let links = target[i + 1..].iter_mut().zip(&row[i + 1..]);
-                links.for_each(|(link, other)| *link += weight * other);
-            }
+impl Joint {
+    /// Pressures at a unit difference as the shares of inlet and outlet, by name, on the line that
+    /// was taken out last; both are 0 in nodes that are connected to neither.
+    fn shares(&self) -> Vec<[f64; 2]> {
+        let outer = &self.last.outer;
+        let count = outer.last().map_or(0, |outlet| self.names[*outlet] + 1);
+        let mut shares = vec![[0.0; 2]; count];
+        for (face, share) in outer.iter().zip([[1.0, 0.0], [0.0, 1.0]]) {
+            shares[self.names[*face]] = share;
         }
-        // Two rows at a time read the panel once; the last row has no links of its own.
-        for (i, targets) in (end..side).step_by(2).zip(others.chunks_exact_mut(2 * side)) {
-            let (first, second) = targets.split_at_mut(side);
-            let groups = weights[i].iter().zip(&weights[i + 1]);
-            for ((of_first, of_second), rows) in groups.zip(panel.chunks(4 * side)) {
-                if [*of_first, *of_second] == [[0.0; 4]; 2] {
-                    continue;
-                }
-                // Of the rows that a short panel lacks, the weight is 0.
-                let row = |k: usize| &rows[(k * side).min(rows.len() - side)..][i + 1..side];
-                let [a, b, c, d] = [row(0), row(1), row(2), row(3)];
-                let sum = |weights: &[f64; 4], [a, b, c, d]: [f64; 4]| {
-                    (weights[0] * a + weights[1] * b) + (weights[2] * c + weights[3] * d)
-                };
-                first[i + 1] += sum(of_first, [a[0], b[0], c[0], d[0]]);
-                let targets = first[i + 2..].iter_mut().zip(&mut second[i + 2..]);
-                let others = a[1..].iter().zip(&b[1..]).zip(c[1..].iter().zip(&d[1..]));
-                for ((first, second), ((a, b), (c, d))) in targets.zip(others) {
-                    *first += sum(of_first, [*a, *b, *c, *d]);
-                    *second += sum(of_second, [*a, *b, *c, *d]);
-                }
-            }
+        self.last.fill(&self.names, &mut shares);
+        shares
+    }
+}
+
+impl Block {
+    /// The line that cuts a block, and the parts that it leaves; all of a small block.
+    fn cut(&self) -> (Self, Option<[Self; 2]>) {
+        let Self { rows, columns } = self;
+        let with_rows = |rows| Self { rows, columns: columns.clone() };
+        let with_columns = |columns| Self { rows: rows.clone(), columns };
+        if rows.len() * columns.len() <= SMALL {
+            return (self.clone(), None);
         }
+        let halves = |all: &Range<usize>| {
+            let middle = all.start + all.len() / 2;
+            (middle..middle + 1, [all.start..middle, middle + 1..all.end])
+        };
+        if columns.len() >= rows.len() {
+            let (line, parts) = halves(columns);
+            return (with_columns(line), Some(parts.map(with_columns)));
+        }
+        let (line, parts) = halves(rows);
+        (with_rows(line), Some(parts.map(with_rows)))
+    }
+
+    fn pixels(&self, columns: usize) -> impl Iterator<Item = usize> + use<> {
+        let line = self.columns.clone();
+        self.rows.clone().flat_map(move |i| line.clone().map(move |j| i * columns + j))
     }
 }
