@@ -21,25 +21,7 @@ pub(crate) enum Heights {
     Table(Vec<f64>, Vec<f64>),
 }
 
-/// The value of an option: a name, a number, or named numbers.
-#[derive(FromPyObject)]
-pub(crate) enum OptionValue {
-    Name(String),
-    Number(f64),
-    Numbers(BTreeMap<String, f64>),
-}
-
-impl From<OptionValue> for asperity_inputs::OptionValue {
-    fn from(value: OptionValue) -> Self {
-        match value {
-            OptionValue::Name(name) => name.into(),
-            OptionValue::Number(number) => number.into(),
-            OptionValue::Numbers(numbers) => numbers.into(),
-        }
-    }
-}
-
-/// The value of a key of `[surface]`: a text, a number, or the keys of a second surface.
+/// The value of a key or an option: a text, a number, or keys of its own, as of a second surface.
 #[derive(FromPyObject)]
 pub(crate) enum KeyValue {
     Text(String),

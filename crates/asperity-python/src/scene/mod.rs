@@ -17,7 +17,7 @@ use crate::convert::numbers::number;
 use crate::convert::{Object, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
-use arguments::{Heights, KeyValue, OptionValue, inputs, inputs_in_si, keys_of};
+use arguments::{Heights, KeyValue, inputs, inputs_in_si, keys_of};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -82,7 +82,7 @@ impl SceneFile {
         heights: Option<&Object<'_>>,
         separation_from: &str,
         mean_plane_offset: Option<&Object<'_>>,
-        options: Option<BTreeMap<String, OptionValue>>,
+        options: Option<BTreeMap<String, KeyValue>>,
         accept: Vec<String>,
     ) -> PyResult<Self> {
         let keys: Option<BTreeMap<String, KeyValue>> = surface.extract().ok();
