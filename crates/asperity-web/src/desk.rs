@@ -16,8 +16,8 @@ use crate::ranges::Ranges;
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
-    advice, answer, code, dialect, fields, law, link, picture, press, ranges, read_scene,
-    scan_report, surface_keys,
+    advice, answer, dialect, fields, law, link, picture, press, ranges, read_scene, scan_report,
+    surface_keys, table,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -157,11 +157,7 @@ impl Desk {
                 dialect::findings(&advice::check(file, &models, at), file)
             }
             Message::Export { model, form, units } => {
-                code::table(self.scene()?, &model, &form, &units)?
-            }
-            Message::Code { models, load } => {
-                let (file, load) = self.scene_at(&load)?;
-                code::code(file, &models, &load)
+                table::table(self.scene()?, &model, &form, &units)?
             }
             Message::Law { model } => law::law(self.scene()?, &model)?,
             Message::Link { state } => link::link(state)?.into(),
