@@ -87,11 +87,6 @@ impl Desk {
         self.file.as_ref().ok_or_else(no_scene)
     }
 
-    fn scene_at(&self, load: &LoadKeys) -> Result<(&SceneFile, Load), Refusal> {
-        let file = self.scene()?;
-        Ok((file, Load::of(load, &file.scene)?))
-    }
-
     /// The desk of a scene at an end of the ranges of its surface, or in the middle.
     pub(crate) fn at_an_end(file: SceneFile) -> Self {
         Self { file: Some(file), at_an_end: true, ..Self::default() }
@@ -144,7 +139,8 @@ impl Desk {
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw { rows, view, load, solved, outside, size } => {
-                let (file, load) = self.scene_at(&load)?;
+                let file = self.scene()?;
+                let load = Load::of(&load, &file.scene)?;
                 picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
             Message::Scan => scan_report::numbers(self.scene()?)?,
