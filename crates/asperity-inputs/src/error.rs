@@ -134,6 +134,21 @@ fn place_without_file(place: &Place) -> String {
 }
 
 impl SceneError {
+    /// The place that the error is about; none for the names and data of fits and sweeps.
+    #[must_use]
+    pub fn place(&self) -> Option<&Place> {
+        match self {
+            Self::Unreadable { at, .. }
+            | Self::Unwritable { at, .. }
+            | Self::Refused { at, .. } => Some(at),
+            Self::UnknownKey { at, .. } | Self::Value { at, .. } | Self::Notation { at, .. } => {
+                Some(at)
+            }
+            Self::Missing { at, .. } | Self::Conflict { at, .. } => Some(at),
+            Self::Input { .. } | Self::Fit(_) => None,
+        }
+    }
+
     /// An error for a value, with the value needed instead.
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
         let (found, needed) = (format!("{found:?}"), needed.trim_end_matches(',').into());

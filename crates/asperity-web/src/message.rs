@@ -57,8 +57,6 @@ pub(crate) enum Message {
     Check { models: Vec<String>, load: LoadKeys },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// The same calculation in a shell, in Python and in Rust.
-    Code { models: Vec<String>, load: LoadKeys },
     /// The law of one asperity.
     Law { model: String },
     /// The link of a state of the page.

@@ -22,7 +22,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
         "files": fields::files(text),
         "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
     });
-    let read = parse_handed(text, files).map_err(|error| Refusal::of(error, &typed));
+    let read = parse_handed(text, files).map_err(Refusal::from);
     found["fields"] = json!(typed);
     found["views"] = answer::views(read.as_ref().ok()).into();
     match read {

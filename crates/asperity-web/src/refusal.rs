@@ -1,10 +1,9 @@
 //! Errors with the place that they are about.
 
-use std::collections::BTreeMap;
 use std::error::Error;
 
 use asperity::ContactError;
-use asperity_inputs::{SceneError, unit_of};
+use asperity_inputs::SceneError;
 use serde::Serialize;
 
 use crate::dialect::{offered, said};
@@ -32,55 +31,17 @@ impl Refusal {
         Self { field: Some(field.into()), ..Self::new(message) }
     }
 
-    /// An error of a scene whose values were typed like this.
-    pub(crate) fn of(error: SceneError, typed: &BTreeMap<String, String>) -> Self {
-        let field_message = field_message(&error, typed).map(|text| offered(&text));
-        Self { field_message, ..Self::from(error) }
-    }
-}
-
-/// The message of an error about one value, to follow the name of its field.
-fn field_message(error: &SceneError, typed: &BTreeMap<String, String>) -> Option<String> {
-    Some(match error {
-        SceneError::Value { at, near, needed, .. } => {
-            let text = typed.get(&at.field)?;
-            let key = at.field.rsplit('.').next()?;
-            let unit = unit_of(key);
-            // Plain numbers are in the SI unit.
-            let unit = unit.filter(|_| text.parse::<f64>().is_ok());
-            let unit = unit.map(|unit| format!(" {unit}"));
-            let near = near.as_ref().map(|near| format!(" (the nearest is {near})"));
-            let [unit, near] = [unit, near].map(Option::unwrap_or_default);
-            format!("{text}{unit}{near}: {needed} was required")
-        }
-        // The form has no quotes.
-        SceneError::Notation { at, hint, .. } => {
-            format!("{} {}", typed.get(&at.field)?, hint.trim_end_matches(" without quotes"))
-        }
-        SceneError::Missing { needed, .. } => format!("a value is missing: {needed}"),
-        SceneError::Refused { reason, .. } | SceneError::Unreadable { reason, .. } => {
-            reason.clone()
-        }
-        _ => return None,
-    })
-}
-
-impl Refusal {
     fn of_scene(error: &SceneError) -> Self {
-        let (SceneError::Unreadable { at, .. }
-        | SceneError::Unwritable { at, .. }
-        | SceneError::UnknownKey { at, .. }
-        | SceneError::Value { at, .. }
-        | SceneError::Notation { at, .. }
-        | SceneError::Missing { at, .. }
-        | SceneError::Conflict { at, .. }
-        | SceneError::Refused { at, .. }) = error
-        else {
-            return Self::new(error);
-        };
+        let Some(at) = error.place() else { return Self::new(error) };
         // A field that names its file has it behind: `surface.file = "a.x3p"`.
         let field = at.field.split(" = ").next().unwrap_or_default();
-        Self { line: at.line, ..Self::at(field, error) }
+        let whole = error.to_string();
+        let behind = whole.strip_prefix(&at.to_string()).unwrap_or(&whole);
+        let behind = behind.trim_start_matches([' ', ':', '=']);
+        // The form has no quotes.
+        let text = behind.strip_prefix("is ").unwrap_or(behind).replace('"', "");
+        let text = offered(text.trim_end_matches(" without quotes"));
+        Self { line: at.line, field_message: Some(text), ..Self::at(field, error) }
     }
 }
 
@@ -102,14 +63,13 @@ mod tests {
     use asperity_inputs::HandedFiles;
 
     use super::*;
-    use crate::fields::fields;
 
     fn refusal(key: &str, value: &str) -> Refusal {
         let text = asperity_inputs::template();
         let line = text.lines().find(|line| line.starts_with(key)).unwrap();
         let text = text.replacen(line, &format!("{key} = {value}"), 1);
         let error = asperity_inputs::parse(&text, Path::new(".")).unwrap_err();
-        Refusal::of(error, &fields(&text))
+        Refusal::from(error)
     }
 
     #[test]
@@ -132,7 +92,7 @@ mod tests {
                 "\"210 mm\"",
                 format!("210 mm is not a number in Pa: write 210GPa, for example {units}"),
             ),
-            ("youngs_modulus", "-5", "-5 Pa: a finite number above 0 was required".into()),
+            ("youngs_modulus", "-5", "-5.0: a finite number above 0 was required".into()),
             ("poissons_ratio", "0.7", "0.7: a number above -1 and at most 0.5 was required".into()),
             (
                 "poissons_ratio",

@@ -10,7 +10,6 @@ let picked = null;
 
 const on = (id, act) => $(id).addEventListener("click", () => work("page", null, act));
 const deskOf = (id) => (isSlow(id) ? desks.slow : desks.quick);
-const loadKeys = () => ({ text: state.load });
 
 function saves() {
   on("save-csv", () => {
@@ -60,10 +59,24 @@ async function copyLink() {
   }
 }
 
+// Lines that give the digits of the page beside its scene file: the same models at the same load.
 async function code() {
-  if (!$("code").open || !answers() || !state.load) return;
-  const found = await ask(desks.quick, "code", { models: chosen(), load: loadKeys() });
-  for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = found[language];
+  if (!$("code").open || !answers() || !page.load) return;
+  const { unit, newtons, pascals } = page.load;
+  const [place, number] = unit === "Pa" ? ["pressure", pascals] : ["load", newtons];
+  const names = page.shown.views.map(({ id }) => id).filter((id) => id !== "separation");
+  $("code-shell").textContent = `asperity curve scene.toml --model ${chosen()} --${place} ${number} \\
+  --quantity ${names} --errors --format json`;
+  $("code-python").textContent = `import asperity
+
+scene = asperity.Scene.from_toml("scene.toml")
+for name in ${JSON.stringify(chosen())}:
+    for quantity in ${JSON.stringify(names)}:
+        try:
+            answer = asperity.model(name).solve(scene, ${place}=${number}, quantities=quantity)
+            print(name, quantity, answer[quantity])
+        except ValueError as reason:
+            print(name, quantity, "none:", reason)`;
 }
 
 function law() {
@@ -111,7 +124,7 @@ export const takeAway = {
     if (ids.length === 0) {
       noPicture($("law-picture"));
       $("law-source").replaceChildren();
-      for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = "";
+      for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
     } else law();
   },
 };

@@ -50,7 +50,6 @@ __all__ = [
     "recommend",
     "separations",
     "shares",
-    "svg",
     "template",
     "truth",
     "bem_unloading",
@@ -151,9 +150,6 @@ def correlated(
     name: str, rows: _Rows, given: tuple[float, float] | None
 ) -> tuple[dict[str, Any], list[float], str | None]: ...
 def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
-def svg(
-    csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str
-) -> str: ...
 def contact_table(
     engine: Engine,
     scene: Scene,
@@ -421,7 +417,7 @@ def truth(
 def fit(
     scene: Scene,
     data: str | Sequence[tuple[str, Sequence[float | None]]],
-    free: Sequence[str | tuple[str, tuple[float, float] | None]],
+    free: Sequence[str],
     engines: Sequence[Engine],
 ) -> dict[str, Any]: ...
 def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...

@@ -165,17 +165,6 @@ class Curve:
             labels[head] = f"{name} ({unit})" if unit else name
         return labels
 
-    def _repr_svg_(self) -> str | None:
-        """A picture of one scene's curve, for notebooks."""
-        if not self._rows.is_one or self._rows.numbers.size < 3:
-            return None
-        table, labels = self._table(), self._labels()
-        order = np.argsort(next(iter(table.values())), kind="stable")
-        columns = [(name, label, _is_wide(table[name])) for name, label in labels.items()]
-        shown = {"curve": np.full(len(order), self.model)}
-        shown |= {name: values[order] for name, values in table.items()}
-        return _asperity.svg(_text(shown), columns[0], columns[1:], self.model)
-
     def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
         """Draws a quantity (the first, unless one is named) against separation, load or pressure
         on matplotlib axes, and returns them; ``line`` is passed to ``Axes.plot``. Needs matplotlib.

@@ -186,26 +186,22 @@ def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:
     return columns
 
 
-def _free(free: Any) -> list[Any]:
+def _free(free: Any) -> list[str]:
     if isinstance(free, Mapping):
         return [_bounded(name, bounds) for name, bounds in free.items()]
     return [free] if isinstance(free, str) else list(free)
 
 
-def _bounded(name: str, bounds: Any) -> str | tuple[str, tuple[float, float] | None]:
+def _bounded(name: str, bounds: Any) -> str:
     """A free parameter as the library reads it."""
     if bounds is None:
-        return name, None
+        return name
     try:
         low, high = bounds
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
-    texts = [isinstance(one, str) for one in (low, high)]
-    if all(texts):
-        return f"{name}={low}:{high}"
-    if any(texts):
-        raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
-    return name, (float(low), float(high))
+    low, high = (one if isinstance(one, str) else repr(float(one)) for one in (low, high))
+    return f"{name}={low}:{high}"
 
 
 def _fit(found: dict[str, Any], scene: Scene) -> Fit:

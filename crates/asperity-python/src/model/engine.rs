@@ -13,7 +13,7 @@ use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::{Object, Quantities, refused, tolerance, value_error};
 use crate::model::python_model::{PythonModel, Raised};
-use crate::scene::{self, arguments::OptionValue};
+use crate::scene::{self, arguments::KeyValue};
 
 /// A model: the base of the package's `Model`.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]
@@ -30,7 +30,7 @@ impl Engine {
     /// A model by its id, with options that replace those of a scene; or a model written in Python,
     /// as the package's `_model.Laws` of a class.
     #[new]
-    fn new(model: &Object<'_>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
+    fn new(model: &Object<'_>, options: BTreeMap<String, KeyValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
             let model = Model::new(PythonModel::new(model, raised.clone())?);

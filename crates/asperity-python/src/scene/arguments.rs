@@ -1,45 +1,15 @@
-//! Heights, options and numbers of a scene from Python.
+//! Keys and numbers of a scene from Python.
 
 use std::collections::BTreeMap;
 
-use asperity::{HeightDistribution, TabulatedHeights, WeibullHeights};
 use asperity_inputs::{SceneInput, key_of_input};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde::Serialize;
 
-use crate::convert::numbers::in_si;
-use crate::convert::{Object, refused, value_error};
+use crate::convert::numbers::{argument, in_si};
+use crate::convert::{Object, value_error};
 
-/// Heights: a name, a skewness, or a table of heights [m] and densities [1/m].
-#[derive(FromPyObject, Serialize)]
-#[serde(untagged)]
-pub(crate) enum Heights {
-    Name(String),
-    Named(BTreeMap<String, f64>),
-    Table(Vec<f64>, Vec<f64>),
-}
-
-/// The value of an option: a name, a number, or named numbers.
-#[derive(FromPyObject)]
-pub(crate) enum OptionValue {
-    Name(String),
-    Number(f64),
-    Numbers(BTreeMap<String, f64>),
-}
-
-impl From<OptionValue> for asperity_inputs::OptionValue {
-    fn from(value: OptionValue) -> Self {
-        match value {
-            OptionValue::Name(name) => name.into(),
-            OptionValue::Number(number) => number.into(),
-            OptionValue::Numbers(numbers) => numbers.into(),
-        }
-    }
-}
-
-/// The value of a key of `[surface]`: a text, a number, or the keys of a second surface.
+/// The value of a key or an option: a text, a number, or keys of its own, as of a second surface.
 #[derive(FromPyObject)]
 pub(crate) enum KeyValue {
     Text(String),
@@ -62,63 +32,16 @@ pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_inputs::Key
     given.into_iter().map(|(name, value)| (name, value.into())).collect()
 }
 
-impl Heights {
-    /// The heights of a scene.
-    pub(crate) fn in_file(file: &asperity_inputs::SceneFile) -> Self {
-        match (&file.table, &file.scene.heights) {
-            (None, HeightDistribution::Weibull(heights)) => {
-                Self::Named([("skewness".into(), heights.skewness())].into())
-            }
-            (None, heights) => Self::Name(heights.name().into()),
-            (Some(table), _) => {
-                let (z, density) = table.points().iter().copied().unzip();
-                Self::Table(z, density)
-            }
-        }
+/// Heights as the value of their key: a name, a skewness, or a table of heights [m] and densities
+/// [1/m].
+pub(crate) fn heights_key(given: &Object<'_>) -> PyResult<asperity_inputs::OptionValue> {
+    if let Ok((heights, densities)) = given.extract::<(Vec<f64>, Vec<f64>)>() {
+        let columns = [("height_m", heights), ("density_per_m", densities)];
+        let column = |(name, column): (&str, Vec<f64>)| (name.into(), column.into());
+        return Ok(asperity_inputs::Keys::from_iter(columns.map(column)).into());
     }
-
-    pub(crate) fn of(given: &Object<'_>) -> PyResult<Self> {
-        given.extract().map_err(|_| {
-            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
-            PyTypeError::new_err(format!("heights is {shown}: {HEIGHTS} was required"))
-        })
-    }
-
-    pub(crate) fn put(self, file: &mut asperity_inputs::SceneFile) -> PyResult<()> {
-        file.scene.heights = match self {
-            Self::Name(name) if name == "gaussian" => HeightDistribution::Gaussian,
-            Self::Name(name) if name == "exponential" => HeightDistribution::Exponential,
-            Self::Name(name) => {
-                return Err(value_error(format!("heights is {name:?}: {HEIGHTS} was required")));
-            }
-            Self::Named(named) => {
-                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
-                    let keys: Vec<&String> = named.keys().collect();
-                    return Err(value_error(format!(
-                        "heights has the keys {keys:?}: {HEIGHTS} was required"
-                    )));
-                };
-                HeightDistribution::Weibull(WeibullHeights::new(*skewness).map_err(refused)?)
-            }
-            Self::Table(z, density) if z.len() != density.len() => {
-                return Err(value_error(format!(
-                    "heights is a table of {} heights and {} densities: equal numbers of both were required",
-                    z.len(),
-                    density.len()
-                )));
-            }
-            Self::Table(z, density) => {
-                let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
-                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
-                file.table = Some(table.clone());
-                HeightDistribution::other(table)
-            }
-        };
-        Ok(())
-    }
+    Ok(argument::<KeyValue>("heights", given)?.into())
 }
-
-const HEIGHTS: &str = "\"gaussian\", \"exponential\", {\"skewness\": value} or a table (heights [m], densities [1/m])";
 
 /// The inputs of these names of a scene; an error for an unknown name, or for numbers beside
 /// others that determine them.

@@ -6,18 +6,17 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{Datum, Model, SeparationUnit};
+use asperity::{HeightDistribution, Model};
 use asperity_inputs::LeftOut;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
-use serde_json::Value;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::numbers::number;
 use crate::convert::{Object, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
-use arguments::{Heights, KeyValue, OptionValue, inputs, inputs_in_si, keys_of};
+use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -82,43 +81,37 @@ impl SceneFile {
         heights: Option<&Object<'_>>,
         separation_from: &str,
         mean_plane_offset: Option<&Object<'_>>,
-        options: Option<BTreeMap<String, OptionValue>>,
+        options: Option<BTreeMap<String, KeyValue>>,
         accept: Vec<String>,
     ) -> PyResult<Self> {
-        let keys: Option<BTreeMap<String, KeyValue>> = surface.extract().ok();
+        let mut of_surface = match surface.extract() {
+            Ok(keys) => keys_of(keys),
+            Err(_) => {
+                records::surface_keys(surface)?.into_iter().map(|(k, x)| (k, x.into())).collect()
+            }
+        };
+        if let Some(given) = heights {
+            of_surface.insert("heights".into(), heights_key(given)?);
+        }
+        of_surface.insert("separation_from".into(), separation_from.into());
+        let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
+        of_surface.extend(offset.transpose()?.map(|x| ("mean_plane_offset".into(), x.into())));
+        // Its surface is replaced by that of the keys.
         let scene = asperity::Scene::new(
             instance("interface", interface)?,
-            match keys {
-                // Replaced by that of the keys.
-                Some(_) => asperity::Surface::new(1.0, 1.0, 1.0),
-                None => instance("surface", surface)?,
-            },
+            asperity::Surface::new(1.0, 1.0, 1.0),
             number("Scene", "nominal_area", nominal_area)?,
         );
         let mut file = asperity_inputs::SceneFile::from(scene);
         file.bodies = records::bodies(interface)?;
-        match keys {
-            Some(keys) => file = file.with_surface(&keys_of(keys)).map_err(value_error)?,
-            None => file.describe_by(records::roughness(surface)?),
-        }
-        if let Some(heights) = heights {
-            Heights::of(heights)?.put(&mut file)?;
-        }
-        let from = serde_json::from_value(Value::String(separation_from.into()));
-        file.separation_from =
-            from.map_err(|error| value_error(format!("separation_from: {error}")))?;
-        let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
-        file.set_mean_plane_offset(offset.transpose()?);
-        for (name, value) in options.unwrap_or_default() {
-            file.options.set(&name, &value.into()).map_err(value_error)?;
-        }
-        let file = file.with_inputs([]).map_err(refused)?.accepting(&accept);
-        let file = file.map_err(value_error)?;
-        // Refuses separations from the mean plane for heights without one.
-        file.separation(0.0, SeparationUnit::Metres)
-            .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
-            .map_err(refused)?;
-        Ok(Self(Arc::new(file)))
+        let options = keys_of(options.unwrap_or_default());
+        let sections: [(_, asperity_inputs::OptionValue); 3] = [
+            ("surface", of_surface.into()),
+            ("options", options.into()),
+            ("accept", accept.into()),
+        ];
+        let keys = sections.map(|(name, value)| (name.to_string(), value)).into_iter().collect();
+        Ok(Self(Arc::new(file.with_keys(keys).map_err(value_error)?)))
     }
 
     /// Reads a scene file and the files it names; warnings of the codes in ``accept`` are not
@@ -167,11 +160,15 @@ impl SceneFile {
     /// The distribution of the asperity heights: its name, its skewness, or a table.
     #[getter]
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        match Heights::in_file(&self.0) {
-            Heights::Table(z, density) => {
+        match (&self.0.table, &self.0.scene.heights) {
+            (Some(table), _) => {
+                let (z, density): (Vec<f64>, Vec<f64>) = table.points().iter().copied().unzip();
                 (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
             }
-            other => object(py, &other),
+            (None, HeightDistribution::Weibull(heights)) => {
+                Ok([("skewness", heights.skewness())].into_py_dict(py)?.into_any())
+            }
+            (None, heights) => heights.name().into_bound_py_any(py),
         }
     }
 

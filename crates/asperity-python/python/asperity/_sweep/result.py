@@ -59,7 +59,7 @@ class SweepResult:
 
     def __init__(self, stored: Memory, run: Run) -> None:
         self._identity, self._stored = stored.identity, stored
-        #: Rows, seconds and memory of each worker in the call of ``sweep``.
+        #: Rows and seconds of the call of ``sweep``.
         self.run = run
         inputs = self._identity["space"]["inputs"]
         #: The inputs that vary.

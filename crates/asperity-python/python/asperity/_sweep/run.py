@@ -21,13 +21,13 @@ from asperity._model import Model, as_model
 from asperity._sweep.design import Design
 from asperity._sweep.result import SweepResult
 from asperity._sweep.space import Space
-from asperity._sweep.store import Folder, Memory, Part, Run, peak_memory
+from asperity._sweep.store import Folder, Memory, Part, Run
 
 if TYPE_CHECKING:
     from distributed import Client
 
-#: Rows of a finished part, its worker, the peak memory of the worker, and the warnings of the model.
-Finished: TypeAlias = tuple[int, str, int | None, list[str]]
+#: Rows of a finished part, and the warnings of the model.
+Finished: TypeAlias = tuple[int, list[str]]
 
 
 @dataclass(frozen=True)
@@ -187,13 +187,11 @@ def sweep(
     if client is not None and isinstance(stored, Folder):
         found = _on_cluster(client, job, stored, missing)
     begun = time.perf_counter()
-    for rows, worker, memory, messages in found:
+    for rows, messages in found:
         for message in messages:
             # Python shows equal messages once.
             warnings.warn(message, ContactWarning, stacklevel=2)
         run.rows, run.seconds, done = run.rows + rows, time.perf_counter() - begun, done + rows
-        if memory is not None:
-            run.peak_memory[worker] = max(memory, run.peak_memory.get(worker, 0))
         if shown:
             run.show(done, drawn.rows)
     result = SweepResult(stored, run)
@@ -212,7 +210,7 @@ def _here(job: Job, stored: Memory, numbers: list[int]) -> Iterator[Finished]:
             columns, drawn = drawn.result(), next(draws, drawn)
             part, messages = job.answer(number, columns)
             stored.put(number, part)
-            yield len(part), "this process", peak_memory(), messages
+            yield len(part), messages
 
 
 def write_part(job: Job, path: str, number: int) -> Finished:
@@ -231,7 +229,7 @@ def write_part(job: Job, path: str, number: int) -> Finished:
     # One thread for each part: the other threads of the worker have other parts.
     part, messages = job.answer(number, job.draw(number), threads=1)
     stored.put(number, part)
-    return len(part), worker, peak_memory(), messages
+    return len(part), messages
 
 
 def _on_cluster(

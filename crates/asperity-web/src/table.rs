@@ -1,47 +1,15 @@
-//! The calculation of the page as lines for a shell, Python and Rust, and as tables.
+//! Tables of the page for finite-element programs.
 
-use asperity::{At, Quantity, Tolerance};
+use asperity::{At, Tolerance};
 use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
-use crate::answer::quantities;
 use crate::refusal::Refusal;
-use crate::span::{Load, Span};
+use crate::span::Span;
 
 /// Largest error of interpolation in a table.
 const TABLE_ERROR: f64 = 0.01;
-
-/// Lines that give the digits of the page: the same models at the same load.
-pub(crate) fn code(file: &SceneFile, ids: &[String], load: &Load) -> Value {
-    let quantities = quantities(file);
-    let names: Vec<String> = quantities.iter().map(Quantity::to_string).collect();
-    let variants: Vec<String> = quantities.iter().map(|q| format!("Quantity::{q:?}")).collect();
-    let (place, at, number) = match load.at {
-        At::Pressure(_) => ("pressure", "Pressure", load.pascals),
-        _ => ("load", "Load", load.newtons),
-    };
-    // The capitals of the templates.
-    let words = [
-        ("IDS", ids.join(",")),
-        ("LIST", format!("{ids:?}")),
-        ("NAMES", names.join(",")),
-        ("QUANTITIES", format!("{names:?}")),
-        ("VARIANTS", variants.join(",\n        ")),
-        ("PLACE", place.into()),
-        ("AT", at.into()),
-        ("NUMBER", format!("{number:?}")),
-    ];
-    let lines = |template: &str| {
-        let put = |text: String, (word, given): &(&str, String)| text.replace(word, given);
-        words.iter().fold(template.to_string(), put)
-    };
-    json!({
-        "shell": lines(include_str!("code/shell.txt")),
-        "python": lines(include_str!("code/python.txt")),
-        "rust": lines(include_str!("code/rust.txt")),
-    })
-}
 
 /// The table of a model over the range of the slider for a finite-element program, as a file.
 pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
@@ -76,10 +44,9 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::message::LoadKeys;
 
     #[test]
-    fn tables_and_lines_name_model_and_load() {
+    fn tables_name_their_model() {
         let text = asperity_inputs::template();
         let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
         for (form, word) in
@@ -91,13 +58,5 @@ mod tests {
         }
         assert!(table(&file, "ke", "nastran", "SI").is_err());
         assert!(table(&file, "ke", "csv", "furlong").is_err());
-        let keys = LoadKeys { text: "1.5 kN".into(), ..Default::default() };
-        let load = Load::of(&keys, &file.scene).unwrap();
-        let code = code(&file, &["ke".into(), "jg".into()], &load);
-        let text = |language: &str| code[language].as_str().unwrap().to_string();
-        assert!(text("shell").contains("--model ke,jg --load 1500.0"), "{code}");
-        assert!(text("python").contains("load=1500.0"), "{code}");
-        assert!(text("python").contains("for name in [\"ke\", \"jg\"]:"), "{code}");
-        assert!(text("python").contains("for quantity in [\"area-fraction\", "), "{code}");
     }
 }
