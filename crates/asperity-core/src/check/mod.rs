@@ -135,11 +135,19 @@ impl Scene {
             check.add_number("hardness_over_modulus", ratio, "", "H/E");
             // Elastic asperities have no critical interference.
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
-                check.add_number("critical_interference", w, "m", "w_c = (pi S H/(2 E))^2 R");
-                check.add_number("critical_force", f, "N", "F_c = (2/3) pi R w_c S H");
-                let index = (contacts.surface.asperity_height_std / w).sqrt();
+                let (radius, std) = (asperity.radius, contacts.surface.asperity_height_std);
+                let whose = |what: String| match contacts.surface == *surface {
+                    true => String::new(),
+                    false => format!(", with {what} of contacts between both surfaces"),
+                };
+                let of_radius = whose(format!("R = {radius:.4e} m"));
+                let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
+                check.add_number("critical_interference", w, "m", meaning);
+                let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
+                check.add_number("critical_force", f, "N", meaning);
                 let meaning = "psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy";
-                check.add_number("plasticity_index", index, "", meaning);
+                let meaning = meaning.to_owned() + &whose(format!("sigma_z = {std:.4e} m"));
+                check.add_number("plasticity_index", (std / w).sqrt(), "", meaning);
             }
         }
         if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
