@@ -55,6 +55,10 @@ enum Task {
         /// others: xtask/data/world
         #[arg(long, conflicts_with_all = ["quick", "small", "models", "kept", "anew"])]
         world: bool,
+        /// Solve, in twenty minutes, single scans of few long waves that the intervals have to
+        /// hold: xtask/data/scans.csv
+        #[arg(long, conflicts_with_all = ["quick", "small", "models", "kept", "anew", "world"])]
+        scans: bool,
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
@@ -115,11 +119,12 @@ fn main() -> Result<()> {
             vec![]
         }
         #[cfg(feature = "truth")]
-        Task::Truth { small, models, quick, kept, anew, world } => {
+        Task::Truth { small, models, quick, kept, anew, world, scans } => {
             use xtask::truth;
             match (small, models) {
                 (true, _) => truth::write_small()?,
                 (_, true) => truth::update_models()?,
+                _ if scans => truth::scans::write()?,
                 _ if world => truth::world::write()?,
                 _ if quick => truth::write_quick()?,
                 _ => truth::write(!kept, anew)?,

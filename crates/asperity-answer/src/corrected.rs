@@ -1,7 +1,7 @@
 //! Models divided by their expected ratio to boundary elements, with the interval, beside the
 //! models as they are.
 
-use asperity::{Compared, ContactError, Finding, Quantity, Separation, SeparationUnit};
+use asperity::{Compared, ContactError, Quantity, Separation, SeparationUnit};
 
 use crate::asked::Asked;
 use crate::blanks::Blanks;
@@ -22,7 +22,7 @@ impl Inquiry<'_> {
         let id = format!("{own}-corrected");
         let (rows, places) = (self.request.at.len(), self.place_heads().len());
         let corrected = asked.corrected(self.file, own);
-        let (mut blanks, mut lighter, mut least, mut any) = (Blanks::default(), vec![], 0, false);
+        let (mut blanks, mut lighter, mut least) = (Blanks::default(), vec![], 0);
         let length = |separation: Option<Separation>, unit| {
             Cell::from(separation.and_then(|s| measured(self.file, &self.file.scene, s, unit).ok()))
         };
@@ -36,7 +36,6 @@ impl Inquiry<'_> {
             let row = row.and_then(|corrected| corrected.at(at));
             let separation = match &row {
                 Ok(row) => {
-                    any = true;
                     lighter.extend(row.is_extrapolated().then(|| row.basis()));
                     least += usize::from(row.is_least_area());
                     let separation = row.separation();
@@ -75,9 +74,6 @@ impl Inquiry<'_> {
             cells.extend(ends.map(|end| length(end, SeparationUnit::Metres)));
             sheet.rows.push(cells);
         }
-        let few = self.file.few_waves().filter(|_| any);
-        let is_new = |few: &Finding| sheet.findings.iter().all(|one| one.code != few.code);
-        sheet.findings.extend(few.filter(is_new));
         let loads = |count: usize| match rows {
             1 => String::new(),
             _ => format!("at {count} of {rows} loads "),

@@ -52,6 +52,7 @@ impl SceneFile {
         let along = statistics.moments.along_rows[0];
         let across = statistics.moments.along_columns.map_or(along, |[m2, _]| m2);
         let shape = SurfaceShape::new(ssk, [along, across].map(f64::sqrt));
+        let shape = shape.with_slope_skewness(statistics.moments.slope_skewness());
         Ok(Some(shape.with_hurst(self.hurst())))
     }
 

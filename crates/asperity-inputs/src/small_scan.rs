@@ -32,21 +32,13 @@ fn size(scan: &Topography) -> [f64; 2] {
 }
 
 impl SceneFile {
-    /// The shorter side of the scan \[m\], the wavelength above which half of Sq² lies, and whether
-    /// the scan holds few such waves.
-    fn long_waves(&self) -> Option<(f64, f64, bool)> {
-        let scan = self.scan.as_deref()?;
-        let (long, [width, height]) = (self.measured.as_ref()?.long_wavelength?, size(scan));
-        let side = if scan.is_profile() { width } else { width.min(height) };
-        Some((side, long, long * WAVES > side))
-    }
-
     /// A note if the scan is much smaller than the nominal area and its spectrum does not flatten
     /// towards long waves.
     pub(crate) fn small_scan(&self) -> Option<Finding> {
         let scan = self.scan.as_deref()?;
-        let (_, long, few) = self.long_waves()?;
-        let (area, [width, height]) = (self.scene.nominal_area, size(scan));
+        let (long, [width, height]) = (self.measured.as_ref()?.long_wavelength?, size(scan));
+        let side = if scan.is_profile() { width } else { width.min(height) };
+        let (few, area) = (long * WAVES > side, self.scene.nominal_area);
         let of_scan = if scan.is_profile() { width * width } else { width * height };
         let ratio = area / of_scan;
         let found = Finding::note("small-scan", "nominal_area", area)
@@ -61,18 +53,6 @@ impl SceneFile {
                 "waves longer than the scan are missing, and Sq and the separation may be too small; measure a larger scan",
             );
         (few && ratio > LARGER).then_some(found)
-    }
-
-    /// A warning that intervals of corrected values are too narrow for a scan of few long waves.
-    #[must_use]
-    pub fn few_waves(&self) -> Option<Finding> {
-        let (side, long, few) = self.long_waves()?;
-        let waves = side / long;
-        let found = Finding::warning("few-waves", "long_waves", waves)
-            .usual([WAVES, f64::INFINITY])
-            .fact(format!("the scan holds {waves:.1} long waves on its side"))
-            .advice("intervals hold nine of ten surfaces with three or more long waves, but only about seven of ten with one; use `asperity bem`, or measure a larger scan");
-        few.then_some(found)
     }
 }
 
@@ -100,12 +80,6 @@ mod tests {
     fn noted(longest: f64, nominal_area: f64) -> Option<Finding> {
         let found = scene(longest, nominal_area).findings();
         found.into_iter().find(|found| found.code == "small-scan")
-    }
-
-    #[test]
-    fn a_scan_of_few_long_waves_has_a_warning_beside_intervals() {
-        let few = |longest: f64| scene(longest, 1e-10).few_waves().is_some();
-        assert_eq!([1e-5, 3.3e-6, 1.25e-6].map(few), [true, false, false]);
     }
 
     #[test]

@@ -23,6 +23,9 @@ pub struct Moments {
     pub along_rows: [f64; 2],
     /// ⟨z_y²⟩ and ⟨z_yy²⟩ \[1/m²\] along columns; a profile has none.
     pub along_columns: Option<[f64; 2]>,
+    /// ⟨z_x² z⟩ \[m\], with z from the mean height, averaged over both directions: above 0 where
+    /// peaks are steeper than valleys.
+    pub slope_height: f64,
 }
 
 impl Moments {
@@ -30,7 +33,7 @@ impl Moments {
     #[must_use]
     pub fn isotropic(profile: ProfileMoments) -> Self {
         let direction = [profile.m2, profile.m4];
-        Self { profile, along_rows: direction, along_columns: Some(direction) }
+        Self { profile, along_rows: direction, along_columns: Some(direction), slope_height: 0.0 }
     }
 
     /// The moments of the gap between two independent surfaces: the sums.
@@ -41,7 +44,25 @@ impl Moments {
             profile: self.profile.plus(&other.profile),
             along_rows: add(self.along_rows, other.along_rows),
             along_columns: self.along_columns.zip(other.along_columns).map(|(a, b)| add(a, b)),
+            slope_height: self.slope_height + other.slope_height,
         }
+    }
+
+    /// The skewness of the surface z = exp(s x), x Gaussian, whose squared slopes are correlated
+    /// with its heights as those of this one; 0 for a flat surface. Of a few long waves it scatters
+    /// much less about that of the process than Ssk does, since short waves have most slopes.
+    ///
+    /// With t = exp(s²), ⟨z_x² z⟩/(m₂ √m₀) = (t + 1) √(t - 1), and the skewness is
+    /// (t + 2) √(t - 1) \[derived\].
+    #[must_use]
+    pub fn slope_skewness(&self) -> f64 {
+        let ProfileMoments { m0, m2, .. } = self.profile;
+        let unit = m2 * m0.sqrt();
+        let correlation = if unit > 0.0 { self.slope_height / unit } else { 0.0 };
+        // The root of u³ + 2 u = correlation, u = √(t - 1) with the sign of the skewness.
+        let wide = (8.0 / 3.0f64).sqrt();
+        let root = wide * ((3.0 * correlation / (2.0 * wide)).asinh() / 3.0).sinh();
+        correlation + root
     }
 }
 
@@ -53,21 +74,22 @@ impl Topography {
     pub fn moments(&self) -> Result<Moments, TopographyError> {
         let [dx, dy] = self.pixel_size();
         let (columns, rows) = (self.columns(), self.rows());
-        let mut along_rows = Direction::default();
-        let mut along_columns = Direction::default();
+        let mean = self.mean();
+        let mut along_rows = Direction::about(mean);
+        let mut along_columns = Direction::about(mean);
         let row = |index: usize| &self.heights()[(index % rows) * columns..][..columns];
         for y in 0..rows {
             let middle = row(y);
             along_rows.add_line(middle, dx, self.is_periodic());
             if rows > 1 && (y + 1 < rows || self.is_periodic()) {
-                along_columns.slope.add_slopes(middle, row(y + 1), dy);
+                along_columns.add_slopes(middle, row(y + 1), dy);
             }
             if rows > 2 && (y + 2 < rows || self.is_periodic()) {
                 along_columns.curvature.add_curvatures(middle, row(y + 1), row(y + 2), dy);
             }
         }
-        let mean = self.mean();
         let m0 = self.central_moment(mean, 2);
+        let slope_height = along_rows.slope_height(&along_columns);
         let along_rows = along_rows.means("measured neighbours along rows")?;
         let along_columns = match self.is_profile() {
             true => None,
@@ -76,7 +98,7 @@ impl Topography {
         let both = along_columns.unwrap_or(along_rows);
         let [m2, m4] = [0, 1].map(|k| 0.5 * (along_rows[k] + both[k]));
         let profile = ProfileMoments { m0, m2, m4 };
-        Ok(Moments { profile, along_rows, along_columns })
+        Ok(Moments { profile, along_rows, along_columns, slope_height })
     }
 
     /// ⟨(z - mean)^power⟩ \[m^power\].
@@ -127,19 +149,42 @@ impl Mean {
 struct Direction {
     slope: Mean,
     curvature: Mean,
+    /// Of the map.
+    mean_height: f64,
+    /// Σ slope² (z - mean) over the pairs of `slope`.
+    slope_height: f64,
 }
 
 impl Direction {
+    fn about(mean_height: f64) -> Self {
+        Self { mean_height, ..Self::default() }
+    }
+
+    fn add_slopes(&mut self, a: &[f64], b: &[f64], step: f64) {
+        self.slope.add_slopes(a, b, step);
+        let products = a
+            .iter()
+            .zip(b)
+            .map(|(a, b)| ((b - a) / step).powi(2) * (0.5 * (a + b) - self.mean_height));
+        self.slope_height += products.filter(|product| !product.is_nan()).sum::<f64>();
+    }
+
+    /// The mean of this direction and, where it has pairs, of the other one.
+    fn slope_height(&self, other: &Self) -> f64 {
+        let mean = |of: &Self| of.slope_height / of.slope.count.max(1) as f64;
+        if other.slope.count == 0 { mean(self) } else { 0.5 * (mean(self) + mean(other)) }
+    }
+
     fn add_line(&mut self, line: &[f64], step: f64, periodic: bool) {
         let n = line.len();
         if n < 3 {
             return;
         }
-        self.slope.add_slopes(&line[..n - 1], &line[1..], step);
+        self.add_slopes(&line[..n - 1], &line[1..], step);
         self.curvature.add_curvatures(&line[..n - 2], &line[1..n - 1], &line[2..], step);
         if periodic {
             let (first, last) = (&line[..1], &line[n - 1..]);
-            self.slope.add_slopes(last, first, step);
+            self.add_slopes(last, first, step);
             self.curvature.add_curvatures(&line[n - 2..n - 1], last, first, step);
             self.curvature.add_curvatures(last, first, &line[1..2], step);
         }
@@ -187,6 +232,28 @@ mod tests {
         assert!(close(columns[0], y[0]) && close(columns[1], y[1]));
         assert!(close(moments.profile.m2, 0.5 * (x[0] + y[0])));
         assert!(close(moments.profile.m4, 0.5 * (x[1] + y[1])));
+    }
+
+    #[test]
+    fn steep_peaks_have_the_skewness_of_an_exponential_of_gaussian_heights() {
+        for (t, sign) in [(1.002f64, 1.0), (1.09, -1.0), (1.6, 1.0)] {
+            let width = sign * (t - 1.0).sqrt();
+            let mut of = Moments::isotropic(ProfileMoments { m0: 4e-14, m2: 1e-3, m4: 1e9 });
+            of.slope_height = (t + 1.0) * width * 1e-3 * 2e-7;
+            let wanted = (t + 2.0) * width;
+            assert!((of.slope_skewness() / wanted - 1.0).abs() < 1e-12, "{of:?}");
+        }
+        // Pairs with a missing point are left out.
+        let steps =
+            vec![0.0, 1.0, f64::NAN, f64::NAN, 1.0, 1.0, 1.0, 4.0, -1.0, 1.0, 1.0, f64::NAN];
+        let found = Topography::new(steps, 12, [1.0; 2]).unwrap().moments().unwrap();
+        let heights = [0.0, 1.0, 1.0, 1.0, 1.0, 4.0, -1.0, 1.0, 1.0];
+        let mean = heights.iter().sum::<f64>() / 9.0;
+        let pairs =
+            [[0.0, 1.0], [1.0, 1.0], [1.0, 1.0], [1.0, 4.0], [4.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+        let wanted = pairs.iter().map(|[a, b]: &[f64; 2]| (b - a).powi(2) * (0.5 * (a + b) - mean));
+        let wanted = wanted.sum::<f64>() / 7.0;
+        assert!((found.slope_height - wanted).abs() < 1e-12, "{found:?} {wanted}");
     }
 
     #[test]

@@ -11,8 +11,8 @@ mod kept;
 mod ordinary;
 mod plan;
 mod rows;
+pub mod scans;
 mod solve;
-mod unseen;
 pub mod world;
 mod yielded;
 
@@ -98,8 +98,8 @@ pub fn with_new_models(table: &Evidence) -> Result<String> {
     evidence(FULL, &Kept::default().with_rows(table)?)
 }
 
-/// Writes evidence and draws it. The tables of ordinary scenes and unseen surfaces stay as they are
-/// if their solutions are not kept and none may be solved.
+/// Writes evidence and draws it. The table of ordinary scenes stays as it is if its solutions are
+/// not kept and none may be solved.
 fn draw(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
     let evidence = Evidence::parse(&text)?;
     let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
@@ -114,7 +114,7 @@ fn draw(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
         ("ordinary", ordinary::table(&evidence, &kept("ordinary"), solve_missing)?),
         ("shapes", Some(feeding::table(&evidence)?)),
         ("yielded", Some(yielded::table(&evidence)?)),
-        ("unseen", unseen::table(&evidence, &kept("unseen"), solve_missing)?),
+        ("scans", Some(scans::table(&evidence, &scans::read()?)?)),
     ] {
         drawn.extend(table.map(|table| (format!("truth-{name}.md"), table)));
     }

@@ -106,6 +106,14 @@ pub const FULL: Scope = &[
     (NARROW, &[0.7], DECADES, MOST_SEEDS),
     (BROADEST, &[4.0], &[0.03], MOST_SEEDS),
     (ISOTROPIC, &[8.0], PLASTIC, MOST_SEEDS),
+    (ISOTROPIC, &[2.0], &[0.15, 0.2], MOST_SEEDS),
+    (ISOTROPIC, &[4.0], &[0.05, 0.07, 0.15], MOST_SEEDS),
+    (ISOTROPIC, &[8.0], &[0.02, 0.04, 0.07], MOST_SEEDS),
+    (ISOTROPIC, &[15.0], DECADES, MOST_SEEDS),
+    (ISOTROPIC, &[15.0], &[0.02, 0.03, 0.05], MOST_SEEDS),
+    (OTHERS, &[8.0], DECADES.split_at(1).1, MOST_SEEDS),
+    (OTHERS, &[8.0], PLASTIC, MOST_SEEDS),
+    (OTHERS, &[4.0], DECADES.split_at(1).1, MOST_SEEDS),
 ];
 /// A sketch of the evidence in two minutes.
 pub const QUICK: Scope = &[(FAMILIES.split_at(3).0, &[0.0, 2.0], &[3e-4, 1e-2, 0.1], 2)];

@@ -98,7 +98,10 @@ fn solve_family(cases: &[Case], kept: &Kept, progress: impl Fn(&str)) -> Result<
 }
 
 /// The contacts of these loads, dimensionless; of light ones with the highest pixels as unknowns.
-fn contacts(
+///
+/// # Errors
+/// A load that cannot be solved.
+pub fn contacts(
     elements: &BoundaryElements,
     loads: &[f64],
     sq: f64,

@@ -144,19 +144,3 @@ fn a_separation_that_the_model_itself_lacks_is_no_failure_of_its_corrected_value
     assert!(cells(&run.out, "area_lower")[2..].iter().all(|cell| !cell.is_empty()), "{}", run.out);
     assert!(!run.messages.contains("separation"), "{}", run.messages);
 }
-
-#[test]
-fn intervals_of_a_scan_with_few_long_waves_have_a_warning() {
-    let bench = Bench::new();
-    let head = asperity_inputs::template().split_once("[surface]").unwrap().0.to_string();
-    for (long, few) in [("32um", true), ("8um", false)] {
-        let made = format!("generate --long {long} --short 2um --size 128x128 --pixel 0.25um");
-        bench.data(&format!("{made} --gradient 0.05 --output {long}.x3p"));
-        let surface = format!("[surface]\nfile = \"{long}.x3p\"\nperiodic = true\n");
-        bench.write("scan.toml", &format!("{head}{surface}"));
-        let line = "curve scan.toml --model ke,jg --pressure 1e8 --corrected --quantity area";
-        let run = bench.run(line);
-        let told = run.messages.matches("long waves on its side").count();
-        assert_eq!(told, usize::from(few), "{long}: {}", run.messages);
-    }
-}

@@ -28,6 +28,9 @@ const GAUSSIAN: f64 = 0.2;
 pub struct SurfaceShape {
     /// Ssk: skewness of the heights.
     pub skewness: f64,
+    /// Skewness of the solved surface whose slopes depend on the height as here, which the area
+    /// follows; stiffness and gap follow Ssk. They differ on a scan of few long waves.
+    pub slope_skewness: f64,
     /// Rms slope across the lay over that along it, at least 1.
     pub slope_ratio: f64,
     /// Hurst exponent of the spectrum, if it follows a power law and is known.
@@ -37,7 +40,7 @@ pub struct SurfaceShape {
 impl Default for SurfaceShape {
     /// Isotropic and Gaussian.
     fn default() -> Self {
-        Self { skewness: 0.0, slope_ratio: 1.0, hurst: None }
+        Self { skewness: 0.0, slope_skewness: 0.0, slope_ratio: 1.0, hurst: None }
     }
 }
 
@@ -46,7 +49,15 @@ impl SurfaceShape {
     #[must_use]
     pub fn new(skewness: f64, slopes: [f64; 2]) -> Self {
         let ratio = slopes[0] / slopes[1];
-        Self { skewness, slope_ratio: ratio.max(ratio.recip()), hurst: None }
+        let slope_ratio = ratio.max(ratio.recip());
+        Self { skewness, slope_skewness: skewness, slope_ratio, hurst: None }
+    }
+
+    /// The shape with the skewness that its slopes have, where it was measured; without it, that of
+    /// the heights stands in.
+    #[must_use]
+    pub fn with_slope_skewness(self, slope_skewness: f64) -> Self {
+        Self { slope_skewness, ..self }
     }
 
     /// The shape with a Hurst exponent, where one was fitted. Stiffnesses and gaps of broad spectra
@@ -60,16 +71,21 @@ impl SurfaceShape {
     pub(crate) fn differences(self) -> Vec<String> {
         let short = |x: f64| ((10.0 * x).round() / 10.0).to_string();
         let skewness = (self.skewness != 0.0).then(|| format!("skewness {}", short(self.skewness)));
+        let own = (self.skewness - self.slope_skewness).abs() > GAUSSIAN;
+        let slope_skewness =
+            own.then(|| format!("skewness of the slopes {}", short(self.slope_skewness)));
         let slopes =
             (self.slope_ratio > 1.0).then(|| format!("slopes {}:1", short(self.slope_ratio)));
-        skewness.into_iter().chain(slopes).collect()
+        skewness.into_iter().chain(slope_skewness).chain(slopes).collect()
     }
 
     /// The shape with a small skewness replaced by 0 and a ratio of slopes near 1 by 1: single
     /// surfaces of a Gaussian, isotropic family differ by as much.
     fn rounded(self) -> Self {
+        let rounded = |skewness: f64| if skewness.abs() < GAUSSIAN { 0.0 } else { skewness };
         Self {
-            skewness: if self.skewness.abs() < GAUSSIAN { 0.0 } else { self.skewness },
+            skewness: rounded(self.skewness),
+            slope_skewness: rounded(self.slope_skewness),
             slope_ratio: if self.slope_ratio < ISOTROPIC { 1.0 } else { self.slope_ratio },
             // Places of the table do not differ in it.
             hurst: None,
@@ -130,7 +146,7 @@ impl Coordinates {
         let EvidenceCase { alpha, skewness, slope_ratio, plasticity_index: index, .. } = *case;
         let surfaces = case.surfaces.max(1) as f64;
         let contacts = CONTACTS_PER_PATCH * case.patches.max(1) as f64 / surfaces;
-        let shape = SurfaceShape { skewness, slope_ratio, hurst: None };
+        let shape = SurfaceShape::new(skewness, [slope_ratio, 1.0]);
         let (strain, load) = (strain(alpha, index)?, case.load);
         Ok(Self { alpha, shape, index, strain, load, contacts, surfaces })
     }
@@ -163,7 +179,7 @@ impl Evidence {
         let plasticity = format!("`plasticity_index`{of_shape}");
         let ([lightest, load], [_, hardness]) =
             (range(|place| place.load), range(Coordinates::of_hardness));
-        let SurfaceShape { skewness, slope_ratio, .. } = place.shape;
+        let SurfaceShape { skewness, slope_skewness, slope_ratio, .. } = place.shape;
         let reason = (place.load * LIGHTER < lightest).then(|| {
             format!(
                 "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
@@ -181,8 +197,9 @@ impl Evidence {
         let reason = reason.or_else(|| ranges.into_iter().find_map(outside)).or_else(|| {
             let [low, high] = range(|place| place.shape.skewness);
             let used = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
-            let reason = || format!("skewness = {skewness:.1}; solved range {low} to {high}");
-            (!used.contains(&skewness)).then(reason)
+            let named = [("skewness", skewness), ("skewness of the slopes", slope_skewness)];
+            let outside = named.into_iter().find(|(_, skewness)| !used.contains(skewness));
+            outside.map(|(name, x)| format!("{name} = {x:.1}; solved range {low} to {high}"))
         });
         reason.map_or(Ok(()), |reason| Err(Self::none(reason)))
     }
@@ -252,7 +269,7 @@ mod tests {
         let shape = SurfaceShape::new(0.15, [0.1, 0.11]);
         assert_eq!(shape.rounded(), SurfaceShape::default());
         let ground = SurfaceShape::new(-0.7, [0.05, 0.2]);
-        let wanted = SurfaceShape { skewness: -0.7, slope_ratio: 4.0, hurst: None };
+        let wanted = SurfaceShape::new(-0.7, [4.0, 1.0]);
         assert_eq!(ground.with_hurst(Some(0.5)).rounded(), wanted);
     }
 }

@@ -29,6 +29,7 @@ const MERGED: f64 = 0.02;
 impl Evidence {
     /// The dimensionless value of a quantity and its interval.
     pub(crate) fn interval(&self, quantity: Compared, place: &Coordinates) -> Option<[f64; 3]> {
+        let place = &followed(quantity, place);
         let [middle, deviation] = self.process(quantity)?.at(place);
         let half = COVERAGE * deviation.hypot(sample(quantity, place));
         (half <= WIDEST).then_some(
@@ -76,6 +77,15 @@ fn spread(quantity: Compared) -> Spread {
         Compared::MeanGap => [0.6, 0.03],
     };
     Spread { amplitude, spectrum }
+}
+
+/// The place with the skewness that the quantity follows.
+fn followed(quantity: Compared, place: &Coordinates) -> Coordinates {
+    let mut place = *place;
+    if quantity == Compared::Area {
+        place.shape.skewness = place.shape.slope_skewness;
+    }
+    place
 }
 
 /// Standard deviation of the logarithm for a surface with so many contacts. Those of a lay come in

@@ -179,7 +179,7 @@ fn scenes_outside_the_solved_range_have_no_evidence() {
     let summary = advice.summary().remove(0);
     assert!(
         summary.starts_with(
-            "no boundary-element solution is close: plasticity_index = 30.0; solved up to 8.0"
+            "no boundary-element solution is close: plasticity_index = 30.0; solved up to 15.0"
         ),
         "{summary}"
     );

@@ -1,0 +1,319 @@
+//! How often intervals hold single scans that had no part in the evidence, most of them of few long
+//! waves: such a scan has a skewness and a height distribution of its own.
+//!
+//! The intervals were made with seeds below [`FIRST_SEED`].
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use asperity::bem::{BoundaryElements, RandomSurface};
+use asperity::{
+    Compared, Evidence, Interface, ProfileMoments, Quantity, Scene, Surface, SurfaceShape,
+    usual_reference,
+};
+use asperity_topography::{Estimator, Topography};
+use serde::{Deserialize, Serialize};
+
+use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
+use super::solve::contacts;
+use crate::figures::models::solve as evaluate;
+use crate::figures::report_csv::median;
+use crate::figures::truth_ranges::NOTHING;
+use crate::folder::{root, save};
+use crate::table::{markdown_head, markdown_row};
+
+/// The solved scans, which the table follows.
+const FILE: &str = "scans.csv";
+const FIRST_SEED: u64 = 101;
+const SEEDS: u64 = 24;
+/// Seeds of families that are skewed or have a lay.
+const FEW_SEEDS: u64 = 12;
+/// Pixels per side, with 8 per shortest wave.
+const PIXELS: usize = 256;
+const LOADS: [f64; 3] = [3e-3, 1e-2, 5e-2];
+const INDICES: [f64; 2] = [0.0, 3.0];
+
+/// Longest waves on the side, Hurst exponent, skewness, ratio of slopes.
+const SCANS: [[f64; 4]; 15] = [
+    [1.0, 0.3, 0.0, 1.0],
+    [1.0, 0.8, 0.0, 1.0],
+    [2.0, 0.3, 0.0, 1.0],
+    [2.0, 0.8, 0.0, 1.0],
+    [3.0, 0.3, 0.0, 1.0],
+    [3.0, 0.8, 0.0, 1.0],
+    [8.0, 0.3, 0.0, 1.0],
+    [8.0, 0.8, 0.0, 1.0],
+    [1.0, 0.8, -0.7, 1.0],
+    [3.0, 0.8, -0.7, 1.0],
+    [8.0, 0.8, -0.7, 1.0],
+    [1.0, 0.8, 0.5, 1.0],
+    [3.0, 0.8, 0.5, 1.0],
+    [8.0, 0.8, 0.5, 1.0],
+    [3.0, 0.9, 0.0, 3.0],
+];
+
+/// A scan under a load; numbers are relative to its own E g, Sq and E g/Sq.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Scan {
+    /// Longest waves on the side.
+    waves: f64,
+    hurst: f64,
+    seed: u64,
+    alpha: f64,
+    skewness: f64,
+    slope_skewness: f64,
+    slope_ratio: f64,
+    /// L √(m₂/m₀).
+    side: f64,
+    /// E g/H; 0 for elastic scans.
+    strain: f64,
+    /// p/(E g).
+    load: f64,
+    area: f64,
+    stiffness: f64,
+    unloading: f64,
+    gap: f64,
+}
+
+fn path() -> PathBuf {
+    root().join("xtask/data").join(FILE)
+}
+
+/// Solves all scans; returns the path of their numbers.
+///
+/// # Errors
+/// A scan that cannot be solved, a file that cannot be written.
+pub fn write() -> Result<Vec<PathBuf>> {
+    let mut csv = csv::Writer::from_writer(vec![]);
+    for [waves, hurst, skewness, slope_ratio] in SCANS {
+        eprintln!("{waves} waves, H {hurst}, skewness {skewness}, slopes {slope_ratio}:1");
+        let longest = waves * 512.0 / PIXELS as f64;
+        let waves_of = [longest; 2];
+        let plain = Family { waves: waves_of, hurst, pixels: PIXELS, ..FAMILIES[0] };
+        let surface = Family { skewness, slope_ratio, ..plain }.surface(PIXELS)?;
+        let seeds = if skewness == 0.0 && slope_ratio <= 1.0 { SEEDS } else { FEW_SEEDS };
+        for seed in FIRST_SEED..FIRST_SEED + seeds {
+            let scans = scans(&surface, [waves, hurst], seed)?;
+            scans.iter().try_for_each(|scan| csv.serialize(scan))?;
+        }
+    }
+    let text = String::from_utf8(csv.into_inner()?)?;
+    save(&root().join("xtask/data"), [(FILE.to_owned(), text)])
+}
+
+/// One surface with each material and load.
+fn scans(surface: &RandomSurface, [waves, hurst]: [f64; 2], seed: u64) -> Result<Vec<Scan>> {
+    let map = surface.seed(seed).heights(PIXELS)?;
+    let topography = Topography::new(map.heights().to_vec(), map.shape()[1], map.pixel())?;
+    let found = topography.with_periodic(true).statistics(Estimator::Moments)?;
+    let across = found.moments.along_columns.map_or(found.m2, |[m2, _]| m2);
+    let slopes = [found.moments.along_rows[0], across].map(f64::sqrt);
+    let gradient = (2.0 * found.m2).sqrt();
+    let mut all = vec![];
+    for index in INDICES {
+        let hardness = scene(surface, index)?.interface.hardness;
+        let mut elements = BoundaryElements::new(map.clone(), MODULUS)?;
+        if let Some(hardness) = hardness {
+            elements = elements.hardness(hardness)?;
+        }
+        let strain = hardness.map_or(0.0, |hardness| MODULUS * gradient / hardness);
+        let side = map.pixel()[0] * PIXELS as f64 * (found.m2 / found.m0).sqrt();
+        all.extend(contacts(&elements, &LOADS, found.sq, false)?.into_iter().map(|contact| {
+            let shape = SurfaceShape::new(found.ssk, slopes);
+            Scan {
+                waves,
+                hurst,
+                seed,
+                alpha: digits(found.alpha),
+                skewness: digits(found.ssk),
+                slope_skewness: digits(found.moments.slope_skewness()),
+                slope_ratio: digits(shape.slope_ratio),
+                side: digits(side),
+                strain: digits(strain),
+                load: digits(contact.load * GRADIENT / gradient),
+                area: digits(contact.area),
+                stiffness: digits(contact.stiffness / gradient),
+                unloading: digits(contact.unloading_stiffness / gradient),
+                gap: digits(contact.gap),
+            }
+        }));
+    }
+    Ok(all)
+}
+
+/// A number with four digits.
+fn digits(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
+/// The solved scans of the file.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read() -> Result<Vec<Scan>> {
+    let csv = csv::Reader::from_path(path()).context(FILE)?;
+    Ok(csv.into_deserialize().collect::<Result<_, _>>()?)
+}
+
+/// A solved value and, where there is one, the expected value with its interval.
+type Pair = (Option<[f64; 3]>, f64);
+
+impl Scan {
+    /// A scene with the moments of the scan.
+    fn scene(&self) -> Result<Scene> {
+        let (m0, m2) = (1e-12, 0.5 * GRADIENT * GRADIENT);
+        let surface =
+            Surface::from_moments(&ProfileMoments { m0, m2, m4: self.alpha * m2 * m2 / m0 })?;
+        let mut scene =
+            Scene::new(Interface::elastic(MODULUS, 0.3), surface, self.side.powi(2) * m0 / m2);
+        let yields = self.strain > 0.0;
+        scene.interface.hardness = yields.then(|| MODULUS * GRADIENT / self.strain);
+        Ok(scene)
+    }
+
+    /// Its values in the order of [`Compared::ALL`], as the evidence of a scan gives them.
+    fn pairs(&self, evidence: &Evidence) -> Result<[Pair; 4]> {
+        let scene = self.scene()?;
+        let pressure = self.load * MODULUS * GRADIENT;
+        let at = [asperity::At::Pressure(pressure)];
+        let contacts = evaluate(usual_reference(&scene), &scene, &[Quantity::Contacts], at)?;
+        let contacts = contacts.values(Quantity::Contacts)?[0];
+        let shape = SurfaceShape::new(self.skewness, [self.slope_ratio, 1.0])
+            .with_slope_skewness(self.slope_skewness);
+        let expected = evidence.expected(&scene, Some(shape), pressure, Some(contacts)).ok();
+        let solved = [self.area, self.stiffness, self.unloading, self.gap];
+        let sq = scene.surface.moments().m0.sqrt();
+        let stiffness = MODULUS * GRADIENT * scene.nominal_area / sq;
+        let units = [1.0, stiffness, stiffness, sq];
+        let mut pairs = [(None, 0.0); 4];
+        for (k, quantity) in Compared::ALL.into_iter().enumerate() {
+            let found = expected.as_ref().and_then(|all| all.estimate(quantity));
+            pairs[k] = (found.map(|e| [e.value, e.low, e.high].map(|x| x / units[k])), solved[k]);
+        }
+        Ok(pairs)
+    }
+}
+
+/// Scans of which a number lies in a range, as the name of a row says.
+struct Bin {
+    name: String,
+    of: fn(&Scan) -> f64,
+    range: std::ops::Range<f64>,
+}
+
+/// By longest waves on the side, and by skewness.
+fn bins() -> Vec<Bin> {
+    let by_waves = |waves: f64| {
+        let name = format!("longest waves on the side: {waves}");
+        Bin { name, of: |scan| scan.waves, range: waves - 0.5..waves + 0.5 }
+    };
+    let ends = [f64::NEG_INFINITY, -0.4, -0.15, 0.15, 0.4, f64::INFINITY];
+    let by_skewness = |pair: &[f64]| {
+        let (low, high) = (pair[0], pair[1]);
+        let name = match (low.is_finite(), high.is_finite()) {
+            (false, _) => format!("skewness below {high}"),
+            (_, false) => format!("skewness above {low}"),
+            _ => format!("skewness {low} to {high}"),
+        };
+        Bin { name, of: |scan| scan.skewness, range: low..high }
+    };
+    let waves = [1.0, 2.0, 3.0, 8.0].map(by_waves);
+    waves.into_iter().chain(ends.windows(2).map(by_skewness)).collect()
+}
+
+/// The share of solved values inside their interval.
+fn share(pairs: &[Pair]) -> f64 {
+    let answered = pairs.iter().filter_map(|(found, solved)| Some(((*found)?, solved)));
+    let inside: Vec<bool> =
+        answered.map(|([_, low, high], solved)| (low..=high).contains(solved)).collect();
+    inside.iter().filter(|inside| **inside).count() as f64 / inside.len() as f64
+}
+
+/// That share, and half of the median width of the interval.
+fn cell(pairs: &[Pair]) -> String {
+    let halves: Vec<f64> = pairs
+        .iter()
+        .filter_map(|(found, _)| found.map(|[value, low, high]| 50.0 * (high - low) / value.abs()))
+        .collect();
+    let (answered, asked, share) = (halves.len(), pairs.len(), 100.0 * share(pairs));
+    match median(halves) {
+        Some(half) => format!("{share:.0} % of {answered} ({asked} asked), ±{half:.0} %"),
+        None => NOTHING.into(),
+    }
+}
+
+/// The bins of the scans with the pairs of each quantity.
+fn found(evidence: &Evidence, scans: &[Scan]) -> Result<Vec<(String, [Vec<Pair>; 4])>> {
+    let pairs: Vec<[Pair; 4]> =
+        scans.iter().map(|scan| scan.pairs(evidence)).collect::<Result<_>>()?;
+    let of = |Bin { name, of, range }: Bin| {
+        let both = scans.iter().zip(&pairs);
+        let own: Vec<&[Pair; 4]> =
+            both.filter(|(scan, _)| range.contains(&of(scan))).map(|(_, pairs)| pairs).collect();
+        (name, [0, 1, 2, 3].map(|k| own.iter().map(|pairs| pairs[k]).collect()))
+    };
+    Ok(bins().into_iter().map(of).collect())
+}
+
+/// The table: a row for each bin.
+///
+/// # Errors
+/// A scan without a scene.
+pub fn table(evidence: &Evidence, scans: &[Scan]) -> Result<String> {
+    let heads = ["scans", "area", "stiffness", "unloading stiffness", "mean gap"];
+    let mut out = markdown_head(&heads, 4);
+    for (name, quantities) in found(evidence, scans)? {
+        let cells = quantities.each_ref().map(|pairs| cell(pairs));
+        out += &markdown_row(&[vec![name], cells.to_vec()].concat());
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_hold_nine_of_ten_in_every_bin() -> Result<()> {
+        let scans = read()?;
+        assert!(scans.len() > 1000 && scans.iter().all(|scan| scan.seed >= FIRST_SEED));
+        let mut short: Vec<String> = vec![];
+        for (name, quantities) in found(Evidence::committed()?, &scans)? {
+            for (quantity, pairs) in Compared::ALL.into_iter().zip(&quantities) {
+                let answered = pairs.iter().filter(|(found, _)| found.is_some()).count();
+                let share = share(pairs);
+                let line = format!("{name}, {}: {share:.3} of {answered}", quantity.name());
+                println!("{line}");
+                if answered < 30 || share < 0.88 {
+                    short.push(line);
+                }
+            }
+        }
+        assert!(short.is_empty(), "{short:?}");
+        Ok(())
+    }
+
+    #[test]
+    fn values_are_counted_where_they_have_an_interval() {
+        let pairs = [
+            (Some([1.0, 0.9, 1.1]), 0.95),
+            (Some([1.0, 0.8, 1.2]), 1.3),
+            (Some([2.0, 1.0, 3.0]), 2.9),
+            (None, 1.0),
+        ];
+        assert_eq!(cell(&pairs), "67 % of 3 (4 asked), ±20 %");
+        assert_eq!(cell(&[]), "–");
+    }
+
+    /// The scan is the surface of the family, with its own moments.
+    #[test]
+    fn a_scan_has_its_own_numbers() -> Result<()> {
+        let committed = read()?;
+        let first = &committed[0];
+        let plain = Family { waves: [2.0; 2], hurst: 0.3, pixels: PIXELS, ..FAMILIES[0] };
+        let again = scans(&plain.surface(PIXELS)?, [1.0, 0.3], FIRST_SEED)?;
+        assert_eq!((again.len(), again[0].alpha), (6, first.alpha));
+        assert!((again[0].area / first.area - 1.0).abs() < 2e-3, "{again:?} {first:?}");
+        Ok(())
+    }
+}
