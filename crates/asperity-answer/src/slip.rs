@@ -106,7 +106,8 @@ impl Slip<'_> {
                 shift if shift < 0.0 => [None; 3],
                 0.0 => [Some(0.0); 3],
                 shift => {
-                    [slip.force(shift)?, slip.loss(shift)?, slip.loss_factor(shift)?].map(Some)
+                    let loss = [slip.loss(shift).ok(), slip.loss_factor(shift).ok()];
+                    [Some(slip.force(shift)?), loss[0], loss[1]]
                 }
             };
             let numbers = [Some(shift), force, back, forth, loss, factor];

@@ -38,7 +38,7 @@ pub struct ContactSlip {
 }
 
 /// A normal solution, per area of the map.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Normal {
     pressure: f64,
     mean_gap: f64,
@@ -46,6 +46,8 @@ struct Normal {
     separation: f64,
     /// Elastic energy \[J/m²\].
     energy: f64,
+    /// Pixels that touch.
+    touch: usize,
 }
 
 impl ContactSlip {
@@ -89,13 +91,19 @@ impl ContactSlip {
     /// \[J/m²\]: what the normal contacts store gives the integral of the traction.
     ///
     /// # Errors
-    /// Those of [`traction`](Self::traction).
+    /// Those of [`traction`](Self::traction), and an amplitude at which no pixel slips.
     pub fn loss(&self, amplitude: f64) -> Result<f64, BemError> {
-        let Normal { pressure, energy, .. } = self.closest;
-        let (after, retreat) = (self.after(amplitude)?, self.retreat_per_shift * amplitude);
-        let area =
-            self.friction / self.retreat_per_shift * (pressure * retreat - energy + after.energy);
-        Ok((8.0 * area - 4.0 * self.traction(amplitude)? * amplitude).max(0.0))
+        let Normal { pressure, energy, separation, touch, .. } = self.closest;
+        let after = self.after(amplitude)?;
+        if amplitude > 0.0 && after.touch >= touch {
+            let required = "one at which pixels slip, as a narrower slip has no known loss,";
+            return Err(BemError::OutOfRange { field: "amplitude", found: amplitude, required });
+        }
+        // That of the contact found, as small differences of large numbers follow.
+        let retreat = after.separation - separation;
+        let area = pressure * retreat - energy + after.energy;
+        let triangle = 0.5 * (pressure - after.pressure) * retreat;
+        Ok((8.0 * self.friction / self.retreat_per_shift * (area - triangle)).max(0.0))
     }
 
     /// The traction at which all slides, over the area of the map \[Pa\].
@@ -185,7 +193,7 @@ impl ContactSlip {
         }
         let separation = self.closest.separation + self.retreat_per_shift * shift;
         if separation >= self.elements.map().highest() {
-            return Ok(Normal { pressure: 0.0, mean_gap: separation, separation, energy: 0.0 });
+            return Ok(Normal { mean_gap: separation, separation, ..Normal::default() });
         }
         let found = || {
             let known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -212,5 +220,6 @@ fn normal(elements: &BoundaryElements, solution: &Solution) -> Normal {
         mean_gap: solution.mean_gap,
         separation: solution.mean_gap - deflection / pixels,
         energy: 0.5 * work / pixels,
+        touch: solution.pressures.iter().filter(|pressure| **pressure > 0.0).count(),
     }
 }
