@@ -13,6 +13,7 @@ mod light_loads;
 mod lists;
 mod model;
 mod notes;
+mod plasticity;
 mod reference;
 mod slip;
 mod steps;
