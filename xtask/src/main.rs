@@ -78,7 +78,7 @@ enum Task {
     },
     /// Build the explorer and the guide, which any static server serves: target/page
     Page {
-        /// Serve it on this machine, and print the address
+        /// Serve it on this machine by Python, and print the address
         #[arg(long)]
         serve: bool,
         /// Keep the module that was built before
@@ -142,7 +142,7 @@ fn main() -> Result<()> {
         Task::Page { serve, keep_module } => {
             let index = xtask::page::write(keep_module)?;
             println!("{}", index.display());
-            return if serve { xtask::page::serve(&index) } else { Ok(()) };
+            return if serve { xtask::page::serve(&index.with_file_name("")) } else { Ok(()) };
         }
         #[allow(unreachable_patterns, reason = "with all features only the report is left")]
         _ => return start_again(&name),

@@ -10,7 +10,9 @@ use std::ops::ControlFlow;
 use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
-use crate::solution::corrected_area;
+use crate::parallel::number;
+use crate::patches::patches;
+use crate::solution::{corrected_area, edges};
 use crate::unloading::even_approach;
 use crate::{BemError, Boundary, BoundaryElements};
 
@@ -198,8 +200,7 @@ impl<'a> Light<'a> {
                 continue;
             }
             self.checked = true;
-            let contact: Vec<f64> =
-                self.pressures.iter().map(|p| if *p > 0.0 { 1.0 } else { 0.0 }).collect();
+            let contact: Vec<f64> = self.pressures.iter().map(|p| number(*p > 0.0)).collect();
             let fixed = even_approach(&contact, heights.len() as f64, &mut coefficients)?;
             let depths = candidates.iter().zip(deflections).zip(&self.pressures);
             let depths = depths
@@ -253,9 +254,12 @@ impl<'a> Light<'a> {
         residual: f64,
         iterations: usize,
     ) -> LightContact {
-        let pixels = self.setup.map().heights().len() as f64;
+        let map = self.setup.map();
+        let pixels = map.heights().len() as f64;
         let plastic = self.pressures.iter().filter(|p| **p >= self.setup.cap()).count();
-        let (patches, edges) = patches_and_edges(&self.pixels, self.setup.map().shape());
+        let (mut touching, shape) = (vec![false; map.heights().len()], map.shape());
+        self.pixels.iter().for_each(|at| touching[*at] = true);
+        let (patches, edges) = (patches(&touching, shape, true), edges(&touching, shape, true));
         let (count, force) = (self.pixels.len(), self.pressures.iter().sum::<f64>());
         LightContact {
             mean_pressure: force / pixels,
@@ -288,42 +292,4 @@ fn expected_area(setup: &BoundaryElements, pressure: f64) -> f64 {
     let elastic =
         if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
     elastic.max(pressure / setup.cap())
-}
-
-/// Sizes of the patches in pixels, largest first, and the number of edges of the contact; `pixels`
-/// ascending, on a periodic map.
-fn patches_and_edges(pixels: &[usize], [rows, columns]: [usize; 2]) -> (Vec<usize>, usize) {
-    let mut patch: Vec<usize> = vec![usize::MAX; pixels.len()];
-    let (mut sizes, mut edges, mut open) = (vec![], 0, vec![]);
-    for first in 0..pixels.len() {
-        if patch[first] != usize::MAX {
-            continue;
-        }
-        patch[first] = first;
-        open.push(first);
-        let mut size = 0;
-        while let Some(at) = open.pop() {
-            size += 1;
-            let (i, j) = (pixels[at] / columns, pixels[at] % columns);
-            let neighbours = [
-                [(i + 1) % rows, j],
-                [(i + rows - 1) % rows, j],
-                [i, (j + 1) % columns],
-                [i, (j + columns - 1) % columns],
-            ];
-            for [i, j] in neighbours {
-                match pixels.binary_search(&(i * columns + j)) {
-                    Ok(next) if patch[next] == usize::MAX => {
-                        patch[next] = first;
-                        open.push(next);
-                    }
-                    Ok(_) => {}
-                    Err(_) => edges += 1,
-                }
-            }
-        }
-        sizes.push(size);
-    }
-    sizes.sort_unstable_by(|a, b| b.cmp(a));
-    (sizes, edges)
 }

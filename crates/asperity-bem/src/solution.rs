@@ -88,15 +88,10 @@ impl Solution {
         let patches = patches(&touching, map.shape(), periodic);
         let force = pressures.iter().sum::<f64>();
         let mean_pressure = force / pixels;
-        let carried = match given {
-            LoadCase::MeanPressure(pressure) => pressure,
-            LoadCase::Load(load) => load / map.area(),
-            LoadCase::MeanGap(_) => mean_pressure,
-        };
-        let at = match given {
-            LoadCase::MeanPressure(pressure) => At::Pressure(pressure),
-            LoadCase::Load(load) => At::Load(load),
-            LoadCase::MeanGap(_) => At::Pressure(mean_pressure),
+        let (carried, at) = match given {
+            LoadCase::MeanPressure(pressure) => (pressure, At::Pressure(pressure)),
+            LoadCase::Load(load) => (load / map.area(), At::Load(load)),
+            LoadCase::MeanGap(_) => (mean_pressure, At::Pressure(mean_pressure)),
         };
         notes.extend(note::of_contact(at, [count, pressures.len()], patches.len()));
         Self {
@@ -121,7 +116,7 @@ impl Solution {
 }
 
 /// Edges of the contact inside the map, over its seams too when it is periodic.
-fn edges(touching: &[bool], [rows, columns]: [usize; 2], periodic: bool) -> usize {
+pub(crate) fn edges(touching: &[bool], [rows, columns]: [usize; 2], periodic: bool) -> usize {
     let mut edges = 0;
     for (i, row) in touching.chunks(columns).enumerate() {
         let below = (i + 1) % rows;

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use anyhow::{Context, Result, ensure};
 
+use super::lists;
 use crate::folder::{read, root};
 
 /// One page of the guide.
@@ -48,15 +49,17 @@ impl Chapter {
 }
 
 /// The markdown that a part of a chapter shows, with the path of its file from the root of the
-/// repository; `None` for a list and for laws, which are not read from a file.
+/// repository or the name of its list; `None` for laws, which are drawn.
 ///
 /// # Errors
 /// A file that cannot be read, a section that it does not have.
 pub fn markdown(part: &str) -> Result<Option<(&str, String)>> {
-    if part.starts_with("laws ") || part.starts_with("list of ") {
+    if part.starts_with("laws ") {
         return Ok(None);
     }
-    let (path, text) = if let Some(path) = part.strip_suffix(" as code") {
+    let (path, text) = if let Some(list) = lists::named(part)? {
+        (part, list)
+    } else if let Some(path) = part.strip_suffix(" as code") {
         // The comments of the template are those of the table of inputs.
         let all = match path.ends_with("/template.toml") {
             true => asperity_inputs::template().into(),

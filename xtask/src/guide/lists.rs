@@ -4,10 +4,10 @@ use anyhow::{Context, Result};
 use asperity::{Code, Described, Model};
 
 use super::chapters::{self, ALL, Chapter};
-use super::site::Site;
 use crate::figures::FIGURES;
 use crate::folder::{read, root};
 use crate::html::escape;
+use crate::table::{markdown_head, markdown_row};
 
 /// The contents, with the current chapter marked, and the documentation beside the guide, by
 /// address and name.
@@ -49,64 +49,50 @@ pub fn figure(address: &str, alt: &str) -> String {
     format!("<figure><img src=\"{address}\" alt=\"{}\" loading=\"lazy\"></figure>\n", escape(alt))
 }
 
-/// A table of all models but those on random surfaces.
+/// The markdown of a list by its name; `None` of other names.
 ///
 /// # Errors
-/// A guide without their chapters.
-pub fn models() -> Result<String> {
-    let heads = ["id", "name", "year", "authors", "equations", "valid for"];
-    let heads = heads.map(|head| format!("<th>{head}</th>")).concat();
-    let mut html = format!("<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>\n");
+/// A guide without the chapter of a model, a figure that cannot be read.
+pub fn named(list: &str) -> Result<Option<String>> {
+    Ok(match list {
+        "list of models" => Some(models()?),
+        "list of findings" => Some(Code::all().map(finding).collect()),
+        "list of figures" => Some(figures()?),
+        _ => None,
+    })
+}
+
+/// A table of all models but those on random surfaces.
+fn models() -> Result<String> {
+    let mut rows = markdown_head(&["id", "name", "year", "authors", "equations", "valid for"], 0);
     for model in Model::named().into_iter().filter(|model| model.equal().id() == model.id()) {
         let (citation, page) = (model.citation(), chapters::of_model(model.id())?.address());
-        let cells = [
+        rows += &markdown_row(&[
+            &format!("[`{}`]({page})", model.id()),
             model.name(),
             &citation.year.to_string(),
             citation.authors,
             &citation.provenance.to_string(),
             model.validity().valid_for,
-        ];
-        let cells = cells.map(|cell| format!("<td>{}</td>", escape(cell))).concat();
-        let link = format!("<a href=\"{page}\"><code>{}</code></a>", model.id());
-        html += &format!("<tr><td>{link}</td>{cells}</tr>\n");
+        ]);
     }
-    Ok(html + "</tbody></table></div>\n")
+    Ok(rows)
 }
 
-/// All codes of findings, with what they mean and what to do.
-#[must_use]
-pub fn findings() -> String {
-    let marked = |text: &str| {
-        let parts = text.split('`').enumerate();
-        let part = |(k, part): (usize, &str)| match k % 2 {
-            0 => escape(part),
-            _ => format!("<code>{}</code>", escape(part)),
-        };
-        parts.map(part).collect::<String>()
-    };
-    let entry = |Code { name, meaning, harmless, remedy }: Code| {
-        let [meaning, harmless, remedy] = [meaning, harmless, remedy].map(marked);
-        format!(
-            "<h3 id=\"{name}\"><code>{name}</code></h3>\n<p>{meaning}</p>\n<p>Harmless: {harmless}</p>\n<p>To do: {remedy}</p>\n"
-        )
-    };
-    Code::all().map(entry).collect()
+/// A code of findings, with what it means and what to do.
+fn finding(Code { name, meaning, harmless, remedy }: Code) -> String {
+    format!("### `{name}`\n\n{meaning}\n\nHarmless: {harmless}\n\nTo do: {remedy}\n\n")
 }
 
 /// Every committed figure under its title.
-///
-/// # Errors
-/// A figure that cannot be read.
-pub fn figures(site: &mut Site) -> Result<String> {
-    let mut html = String::from("<h2 id=\"pictures\">Pictures</h2>\n");
+fn figures() -> Result<String> {
+    let mut text = String::from("## Pictures\n\n");
     for (name, ..) in &FIGURES {
-        let [svg, csv] = ["svg", "csv"].map(|end| format!("figures/{name}.{end}"));
-        let picture = read(&root().join(&svg))?;
+        let file = format!("figures/{name}");
+        let picture = read(&root().join(&file).with_extension("svg"))?;
         let title = picture.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
-        let (title, _) = title.with_context(|| format!("{svg} has no title"))?;
-        html += &figure(&site.file(svg.as_ref()), title);
-        let numbers = site.file(csv.as_ref());
-        html += &format!("<p><a href=\"{numbers}\">Numbers (csv)</a></p>\n");
+        let (title, _) = title.with_context(|| format!("{file}.svg has no title"))?;
+        text += &format!("![{title}]({file}.svg)\n\n[Numbers (csv)]({file}.csv)\n\n");
     }
-    Ok(html)
+    Ok(text)
 }

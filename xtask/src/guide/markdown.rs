@@ -165,6 +165,7 @@ pub fn render(
     for (tag, wide) in [
         ("<table><thead>", "<div class=\"wide\"><table><thead>"),
         ("</tbody></table>\n", "</tbody></table>\n</div>\n"),
+        ("<img src=", "<img loading=\"lazy\" src="),
     ] {
         written = written.replace(tag, wide);
     }

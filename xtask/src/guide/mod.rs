@@ -106,10 +106,7 @@ fn html_of(chapter: &Chapter, pieces: &[Piece], folder: &Path, site: &mut Site) 
                 let resolve = |link: &str, is_picture| site.resolve(path, link, is_picture);
                 html += &markdown::render(text, &outline.headings, resolve)?;
             }
-            Piece::Drawn("list of models") => html += &lists::models()?,
-            Piece::Drawn("list of findings") => html += &lists::findings(),
-            Piece::Drawn("list of figures") => html += &lists::figures(site)?,
-            Piece::Drawn(laws) => {
+            Piece::Laws(laws) => {
                 let (svg, alt) = laws::draw(laws)?;
                 let name = format!("laws/{}.svg", chapter.slug);
                 save(&folder.join(&name), svg)?;

@@ -16,8 +16,8 @@ pub const DOI: &str = "https://doi.org/";
 pub enum Piece {
     /// A markdown text with the path of its file, from which its links start.
     Text(PathBuf, String, Outline),
-    /// A list or laws, by their name.
-    Drawn(&'static str),
+    /// A picture of laws, by their name.
+    Laws(&'static str),
 }
 
 /// A chapter with what it shows.
@@ -44,7 +44,7 @@ impl Site {
             let (mut ids, mut pieces) = (Ids::default(), vec![]);
             for part in &chapter.parts {
                 let Some((path, text)) = chapters::markdown(part)? else {
-                    pieces.push(Piece::Drawn(part));
+                    pieces.push(Piece::Laws(part));
                     continue;
                 };
                 let outline = Outline::new(&text, &mut ids);
@@ -67,7 +67,7 @@ impl Site {
     }
 
     /// The address of a copy of a file of the repository.
-    pub fn file(&mut self, path: &Path) -> String {
+    fn file(&mut self, path: &Path) -> String {
         let plain = ["rs", "py", "toml", "ipynb"];
         let is_code = path.extension().is_some_and(|found| plain.iter().any(|end| found == *end));
         // Browsers show what ends in txt, and save what they do not know.
@@ -90,8 +90,10 @@ impl Site {
         if link.contains("::") || link.contains('@') {
             return Ok(LinkTarget::Text(String::new()));
         }
-        // To the pages themselves, from the chapters written for the guide.
-        if link.starts_with(DOI) || link.starts_with("../") && link.ends_with("index.html") {
+        // To the pages themselves, from the chapters and lists written for the guide.
+        let is_page = ALL.iter().any(|chapter| chapter.address() == link);
+        let is_front = link.starts_with("../") && link.ends_with("index.html");
+        if link.starts_with(DOI) || is_page || is_front {
             return Ok(LinkTarget::Address(link.into()));
         }
         let (path, anchor) = link.split_once('#').map_or((link, None), |(p, a)| (p, Some(a)));

@@ -1,14 +1,11 @@
 //! The page: the explorer in `target/page` and the guide below it, with relative links only.
 
 mod gallery;
-mod server;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result};
-
-pub use server::serve;
 
 use crate::command::{cargo, run};
 use crate::folder::{copy, read, root, target_folder, write as save};
@@ -67,6 +64,16 @@ fn build(folder: &Path) -> Result<()> {
     packed.and(built)?;
     let module = tools.join(TARGET).join("page/asperity_web.wasm");
     run(Command::new(tools.join("release/asperity-web-pack")).arg(module).arg(folder))
+}
+
+/// Serves a folder on 127.0.0.1 until it is stopped, and prints the address.
+///
+/// # Errors
+/// A machine without Python.
+pub fn serve(folder: &Path) -> Result<()> {
+    let server = ["-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory"];
+    let served = run(Command::new("python3").args(server).arg(folder));
+    served.with_context(|| format!("serve {} by another server", folder.display()))
 }
 
 #[cfg(test)]
