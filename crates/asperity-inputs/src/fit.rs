@@ -6,7 +6,7 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress,
     Ranking, Rig, Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Finding, Interface, Model, Quantity, Severity, short};
+use asperity::{At, Finding, Interface, Model, Quantity, Scene, Severity, short};
 
 use crate::free::bounds_in_other_unit;
 use crate::free::unit_of_free;
@@ -53,7 +53,7 @@ impl SceneFile {
                 (Some(start), Some([low - beyond, high + beyond]), std)
             }
             Role::SeriesCompliance => {
-                let usual = usual_compliance(data).ok_or_else(|| {
+                let usual = usual_compliance(data, &self.scene).ok_or_else(|| {
                     without_effect(&free.name, "separation_m or a normal stiffness")
                 })?;
                 (Some(usual), Some([usual / USUAL_FACTOR, usual * USUAL_FACTOR]), usual)
@@ -233,7 +233,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 }
 
 /// A tenth of the smallest compliance that was measured, or of the readings over the loads.
-fn usual_compliance(data: &Data) -> Option<f64> {
+fn usual_compliance(data: &Data, scene: &Scene) -> Option<f64> {
     let stiffness = |one: &&Observation| {
         let stiffnesses = [Quantity::Stiffness, Quantity::Tangent, Quantity::UnloadingStiffness];
         matches!(one.measured, Measured::Quantity(quantity) if stiffnesses.contains(&quantity))
@@ -242,8 +242,11 @@ fn usual_compliance(data: &Data) -> Option<f64> {
         return Some(0.1 / stiffest).filter(|usual| *usual > 0.0 && usual.is_finite());
     }
     let load = |one: &Observation| match (one.at, one.measured) {
-        (At::Load(load), Measured::Separation) => Some(load),
+        (at, Measured::Separation) => at.load(scene),
         (At::Separation(_), Measured::Quantity(Quantity::Force)) => Some(one.value),
+        (At::Separation(_), Measured::Quantity(Quantity::Pressure)) => {
+            At::Pressure(one.value).load(scene)
+        }
         _ => None,
     };
     let ([near, far], [least, most]) = (readings(data)?, span(data.iter().filter_map(load))?);

@@ -24,6 +24,6 @@ def materials() -> dict[str, Material]:
     >>> import asperity
     >>> steel = asperity.materials()["steel-100cr6"]
     >>> steel.body.hardness, steel.source
-    (7571000000.0, 'Lucefin Group, technical card 100Cr6')
+    (8165000000.0, 'Lucefin Group, technical card 100Cr6')
     """
     return {key: Material(*found) for key, found in _asperity.materials().items()}
