@@ -66,7 +66,8 @@ impl ContactSlip {
         let friction = crate::height_map::positive("friction", friction)?;
         let ratio = crate::height_map::positive("stiffness ratio", stiffness_ratio)?;
         if solution.plastic_area > 0.0 {
-            let required = "0, as slip of a scan is elastic (use a smaller load),";
+            let required =
+                "0, as slip of a scan is elastic (use a smaller load, or leave out the hardness),";
             let (field, found) = (
                 "share of the contact at the hardness",
                 solution.plastic_area / solution.pixel_area,

@@ -19,6 +19,9 @@ const TOLERANCE: f64 = 2e-13;
 /// than √y, and its contribution is as small.
 const STILL: f64 = 1e-10;
 
+/// A share of the law that is none.
+const NOTHING: f64 = 1e-100;
+
 /// Parts that begin or end below this y are kinks for a table.
 const THIN: f64 = 1e-4;
 
@@ -135,16 +138,29 @@ struct Averaged {
     deep: f64,
 }
 
+impl Averaged {
+    /// The envelope; none where nothing is left of it beside that of the whole law: so deep, its
+    /// exponent is a small difference of large numbers.
+    fn envelope(&self, x: f64) -> Option<f64> {
+        let [own, whole] = [self.deep, SQRT_2].map(|deep| envelope(x - BEGIN, deep));
+        (own > NOTHING * whole).then_some(own)
+    }
+}
+
 impl Sampler for Averaged {
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         for (out, &x) in out.iter_mut().zip(x) {
-            *out = self.table.value(x)? / x * envelope(x - BEGIN, self.deep);
+            *out = match self.envelope(x) {
+                Some(envelope) => self.table.value(x)? / x * envelope,
+                None => 0.0,
+            };
         }
         Ok(())
     }
 
     fn relative_error(&self, x: &[f64]) -> f64 {
-        self.table.relative_error(x)
+        let first = x.iter().position(|x| self.envelope(*x).is_some());
+        first.map_or(0.0, |first| self.table.relative_error(&x[first..]))
     }
 }
 

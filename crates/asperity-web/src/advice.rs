@@ -221,6 +221,11 @@ mod tests {
     const SEAL: &str = include_str!("../../asperity-inputs/examples/lapped-seal.toml");
     const JOINT: &str = include_str!("../../asperity-inputs/examples/bolted-joint.toml");
 
+    /// The joint of an alloy so soft that no like surface was solved.
+    fn joint() -> String {
+        JOINT.replace("= 275e6", "= 140e6")
+    }
+
     /// The answer of the page for a scene at a load, with values solved there.
     fn page_at(text: &str, load: &str, solved: Value) -> Value {
         let mut desk = Desk::default();
@@ -271,7 +276,7 @@ mod tests {
 
     #[test]
     fn without_evidence_the_recommended_model_answers() {
-        let found = page_at(JOINT, "1 MPa", json!([]));
+        let found = page_at(&joint(), "1 MPa", json!([]));
         let answer = &found["answer"];
         assert_eq!((&answer["source"], &answer["use"]["model"]), (&json!("model"), &json!("ke")));
         let basis = answer["basis"].as_str().unwrap();
@@ -290,7 +295,7 @@ mod tests {
         assert_eq!(source(SEAL, solved(1e6, json!([]))), "solved");
         assert_eq!(source(SEAL, solved(2e6, json!([]))), "evidence");
         assert_eq!(source(SEAL, solved(1e6, json!(["few-patches"]))), "evidence");
-        let doubtful = page_at(JOINT, "1 MPa", solved(1e6, json!(["few-patches"])));
+        let doubtful = page_at(&joint(), "1 MPa", solved(1e6, json!(["few-patches"])));
         assert_eq!(doubtful["answer"]["first"][0]["shown"], "1 %");
         assert!(
             doubtful["answer"]["basis"].as_str().unwrap().contains("uncertain: too few pixels")

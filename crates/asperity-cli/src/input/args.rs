@@ -43,8 +43,8 @@ pub struct ModelArgs {
     #[arg(action = ArgAction::Append, conflicts_with = "given")]
     films: Vec<Numbers>,
     /// The same as ratios lambda of the film to the standard deviation of the surface heights
-    #[arg(long = "lambda", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
-    #[arg(action = ArgAction::Append)]
+    #[arg(long = "lambda", value_name = "A:B:N[:log]|v,v")]
+    #[arg(action = ArgAction::Append, conflicts_with_all = ["given", "films"])]
     ratios: Vec<Numbers>,
     /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
     /// (dmt, jkr)

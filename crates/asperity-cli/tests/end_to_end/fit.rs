@@ -104,6 +104,18 @@ fn a_rig_is_fitted_and_the_picture_has_data_and_models() {
     let found = column(&run.out, "value");
     assert!((found[0] / 1.7e-6 - 1.0).abs() < 1e-7, "{found:?}");
     assert!((found[1] / 2e-11 - 1.0).abs() < 1e-7, "{found:?}");
+    // Separations under pressures: c F with F = p A_n.
+    let data = measured(&bench, STD, "area");
+    let places = column(&data, "pressure_Pa").into_iter().zip(column(&data, "separation_m"));
+    let rows = places.map(|(p, d)| format!("{p:e},{:e}\n", d - 5e-11 * p * 1e-4));
+    bench.write(
+        "data.csv",
+        &(String::from("pressure_Pa,separation_m\n") + &rows.collect::<String>()),
+    );
+    let free = "--free asperity_height_std,series_compliance --format csv";
+    let found = column(&bench.data(&format!("fit scene.toml data.csv --model ke {free}")), "value");
+    assert!((found[0] / 1.7e-6 - 1.0).abs() < 1e-6, "{found:?}");
+    assert!((found[1] / 5e-11 - 1.0).abs() < 1e-4, "{found:?}");
     let svg = bench.read("fit.svg");
     for text in ["measured", "standard deviation", "pressure (Pa)", "unloading stiffness (N/m)"] {
         assert!(svg.contains(text), "{text}");
