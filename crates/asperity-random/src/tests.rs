@@ -262,7 +262,7 @@ fn every_law_is_averaged_however_deep_its_parts_begin() {
     let asked = Request::new([Quantity::Force]);
     let elastic = RandomAsperities::new(GreenwoodWilliamson).compile(&scene, &asked).unwrap();
     let elastic = elastic.evaluate(Quantity::Force, at).unwrap().value();
-    for index in [0.02, 0.03, 0.045, 0.05, 0.4, 1.0, 1.05, 30.0] {
+    for index in [0.03, 0.045, 0.05, 0.4, 1.0, 1.05, 30.0] {
         scene.interface.hardness = Some(1e9 * usual / index);
         for id in ["ceb", "zmc", "ke", "etsion", "jg", "af"] {
             let contact = model(id).compile(&scene, &asked).unwrap();
