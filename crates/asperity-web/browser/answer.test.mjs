@@ -81,7 +81,8 @@ test("a model that ignores yielding is near by chance, and the next beside it", 
 });
 
 test("without evidence the answer is that of the recommended model, with the reason", async () => {
-  await page.scene(example("bolted-joint"));
+  // So soft that no like surface was solved.
+  await page.scene(example("bolted-joint").replace("= 275e6", "= 140e6"));
   const shown = await first();
   assert.match(shown["real area"], /by ke$/);
   assert.match(shown["model to use"], /^ke/);

@@ -1,8 +1,9 @@
 // Size and speed: the module's bytes, and its times as ratios to the same desk built for this
 // machine (ASPERITY_DESK names it), on one thread, measured in turns.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { readFileSync, readdirSync } from "node:fs";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { createInterface } from "node:readline";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -14,9 +15,10 @@ const NINE = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "pers
 const RANDOM = { pixels: 512, side: "200 um", longest: "50 um", shortest: "2 um", hurst: 0.8, sq: "0.4 um", seed: 1 };
 const LOAD = { text: "100 N", unit: "N" };
 
-test("the module is at most 1.3 MB gzipped", () => {
+// 1.3 MB, and 59 rows of evidence up to a plasticity index of 15, which are 8 kB of it.
+test("the module is at most 1.31 MB gzipped", () => {
   const bytes = gzipSync(readFileSync(join(page, "asperity_bg.wasm")), { level: 9 }).length;
-  assert.ok(bytes <= 1.3e6, `${bytes} bytes`);
+  assert.ok(bytes <= 1.31e6, `${bytes} bytes`);
 });
 
 // Both answer a message with { seconds, answer }.
@@ -115,7 +117,18 @@ function largeScan(side) {
   return `# Width: ${side / 2} um\n# Height: ${side / 2} um\n# Value units: nm\n${rows.join("\n")}\n`;
 }
 
-test("a scan of 2048 x 2048 points is ready in 8 s of processor time", { skip: process.platform !== "linux" }, async (t) => {
+// Of the program, which reads the same file.
+function nativeSeconds(scan) {
+  const folder = mkdtempSync(join(tmpdir(), "scan-"));
+  writeFileSync(join(folder, "large.txt"), scan);
+  const script = 'cd "$1" && "$ASPERITY" surface large.txt >/dev/null 2>&1; times';
+  const seconds = (time) => time.split("m").reduce((sum, part) => 60 * sum + parseFloat(part), 0);
+  const [, children] = execFileSync("bash", ["-c", script, "bash", folder], { encoding: "utf8" }).split("\n");
+  rmSync(folder, { recursive: true });
+  return children.split(" ").map(seconds).reduce((sum, one) => sum + one);
+}
+
+test("a scan of 2048 x 2048 points takes at most 2.5 times the processor time of the program", { skip: process.platform !== "linux" }, async (t) => {
   const { browser, file, phase, text, close } = await explorer();
   try {
     await browser.until("return document.documentElement.dataset.state === 'ready'");
@@ -123,10 +136,11 @@ test("a scan of 2048 x 2048 points is ready in 8 s of processor time", { skip: p
     const start = [processorSeconds(browser.pid), performance.now()];
     await file("large.txt", scan);
     const [processor, wall] = [processorSeconds(browser.pid) - start[0], (performance.now() - start[1]) / 1000];
-    t.diagnostic(`${processor.toFixed(1)} s of processor time, ${wall.toFixed(1)} s by the clock`);
+    const native = nativeSeconds(scan);
+    t.diagnostic(`${processor.toFixed(1)} s of processor time, natively ${native.toFixed(1)} s; ${wall.toFixed(1)} s by the clock`);
     assert.deepEqual([await phase(), await text("message")], ["ready", ""]);
     assert.match(await text("scan-caption"), /2048 x 2048 points/);
-    assert.ok(processor <= 8, `${processor} s`);
+    assert.ok(native > 0.5 && processor <= 2.5 * native, `${processor} s, natively ${native} s`);
   } finally {
     await close();
   }
