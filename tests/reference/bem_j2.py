@@ -10,81 +10,104 @@ or after 70). Run as (36 s to 6 min a row):
   bem_j2.py 64 24 "r:1:0.4:0.01:0.02/0.1 r:1:0.15:0.004:0.02/0.05 s:0:0:0.01:3/30" out.csv 5e-4
 """
 import sys
-import time, numpy as np, tamaas as tm
+
+import numpy as np
+import tamaas
 from tamaas.materials import IsotropicHardening
-tm.set_log_level(tm.LogLevel.warning)
+
+from bem_dense import edges, surface
+
+DEPTH, MOST, MEMORY = 0.3, 70, 10
+tamaas.set_log_level(tamaas.LogLevel.warning)
 
 
 class Body:
-    def __init__(s, h, depth, nz, sy, hard, nu=0.3, memory=10, mix=1.0):
+    """A half-space with heights h whose upper layers yield."""
+
+    def __init__(self, h, layers, yield_stress, hardening, nu=0.3):
         n = len(h)
-        s.m = m = tm.ModelFactory.createModel(tm.model_type.volume_2d, [depth, 1.0, 1.0], [nz, n, n])
-        m.nu, m.E = nu, 1 - nu**2
-        s.h0, s.h = h - h.mean(), (h - h.mean()).copy()
-        s.mat = IsotropicHardening(m, sigma_y=sy, hardening=hard * m.E)
-        s.res = tm.Residual(m, s.mat)
-        s.cs = tm.PolonskyKeerRey(m, s.h, 1e-10)
-        s.cs.dump_freq = 10**9
-        s.x = np.zeros_like(s.res.vector)
-        s.mem, s.mix, s.evals = memory, mix, 0
+        self.model = tamaas.ModelFactory.createModel(tamaas.model_type.volume_2d, [DEPTH, 1.0, 1.0], [layers, n, n])
+        self.model.nu, self.model.E = nu, 1 - nu**2
+        self.undeformed, self.heights = h - h.mean(), (h - h.mean()).copy()
+        self.material = IsotropicHardening(self.model, sigma_y=yield_stress, hardening=hardening * self.model.E)
+        self.residual = tamaas.Residual(self.model, self.material)
+        self.contact = tamaas.PolonskyKeerRey(self.model, self.heights, 1e-10)
+        self.contact.dump_freq = 10**9
+        self.strain = np.zeros_like(self.residual.vector)
 
-    def step(s, x, p):
-        s.res.computeResidualDisplacement(x)
-        s.up = s.m.displacement[0, :, :, 2].copy()
-        s.h[:] = s.h0 - s.up
-        s.cs.solve(p)
-        s.res.computeResidual(x)
-        s.evals += 1
-        return s.res.vector.copy()
+    def residual_at(self, strain, pressure):
+        """Presses the surface that this strain leaves, and returns the residual of the strain."""
+        self.residual.computeResidualDisplacement(strain)
+        self.heights[:] = self.undeformed - self.model.displacement[0, :, :, 2]
+        self.contact.solve(pressure)
+        self.residual.computeResidual(strain)
+        return self.residual.vector.copy()
 
-    def solve(s, p, tol, most=150, say=False):
-        t = time.time(); e0 = s.evals
-        x = s.x.copy(); X, R = [], []; old = None; areas = []
-        for it in range(most):
-            r = s.step(x, p)
-            err = np.linalg.norm(r) / max(np.linalg.norm(x), 1e-300)
-            area = (s.m.traction[..., 2] > 0).mean(); areas.append(area)
-            if say: print(it, err, area, flush=True)
-            if err < tol: break
-            if it > 30 and np.ptp(areas[-12:]) < 2e-3 * areas[-1] and err < 5 * tol: break
-            if old is not None:
-                X.append((x - old[0]).ravel()); R.append((r - old[1]).ravel())
-                X, R = X[-s.mem:], R[-s.mem:]
-            old = (x.copy(), r)
-            new = x - s.mix * r
-            if X:
-                M = np.array([[a @ b for b in R] for a in R]); b = np.array([a @ r.ravel() for a in R])
-                g = np.linalg.lstsq(M, b, rcond=1e-12)[0]
-                d = sum(gi * (xi - s.mix * ri) for gi, xi, ri in zip(g, X, R))
-                new = new - d.reshape(x.shape)
-            x = new
-        s.x = x
-        return err, it + 1, time.time() - t
+    def solve(self, pressure, tolerance):
+        """Anderson mixing; returns the relative residual and the number of evaluations."""
+        strain, strains, residuals, last, areas = self.strain.copy(), [], [], None, []
+        for count in range(1, MOST + 1):
+            found = self.residual_at(strain, pressure)
+            error = np.linalg.norm(found) / max(np.linalg.norm(strain), 1e-300)
+            areas.append((self.model.traction[..., 2] > 0).mean())
+            is_still = count > 31 and np.ptp(areas[-12:]) < 2e-3 * areas[-1] and error < 5 * tolerance
+            if error < tolerance or is_still:
+                break
+            if last is not None:
+                strains.append((strain - last[0]).ravel())
+                residuals.append((found - last[1]).ravel())
+                strains, residuals = strains[-MEMORY:], residuals[-MEMORY:]
+            last = (strain.copy(), found)
+            step = -found
+            if residuals:
+                products = np.array([[a @ b for b in residuals] for a in residuals])
+                right = np.array([a @ found.ravel() for a in residuals])
+                shares = np.linalg.lstsq(products, right, rcond=1e-12)[0]
+                mixed = sum(g * (x - r) for g, x, r in zip(shares, strains, residuals))
+                step = step - mixed.reshape(strain.shape)
+            strain = strain + step
+        self.strain = strain
+        return error, count
 
-    def commit(s):
-        s.res.updateState(s.x)
-        s.x = np.zeros_like(s.x)
+    def keep(self):
+        """Makes the plastic strain of the solution permanent."""
+        self.residual.updateState(self.strain)
+        self.strain = np.zeros_like(self.strain)
 
 
-from bem_dense import surface, edges
-from bem_dense import surface, edges
-# Command line.
-n,nz=int(sys.argv[1]),int(sys.argv[2]); what=sys.argv[3]; out=sys.argv[4]; tol=float(sys.argv[5])
-def write(*row):
-    print(*row,file=open(out,'a'),sep=',')
-for case in what.split():
-    kind,seed,H,hard,loads=case.split(':'); seed=int(seed); H=float(H); hard=float(hard); loads=[float(x) for x in loads.split('/')]
-    if kind=='s':
-        x=(np.arange(n)+.5)/n-.5; h=-(x[:,None]**2+x[None,:]**2)/2; sy=.02; Hc=2.8*sy; S=1.615/2.8
-        wc=(np.pi*S*Hc/2)**2; unit=2/3*np.pi*wc*S*Hc
+def rows(case, n, layers, tolerance):
+    kind, seed, hardness, hardening, loads = case.split(":")
+    if kind == "s":
+        x = (np.arange(n) + 0.5) / n - 0.5
+        h, yield_stress = -(x[:, None] ** 2 + x[None, :] ** 2) / 2, 0.02
+        s_h = 1.615 * yield_stress
+        critical = (np.pi * s_h / 2) ** 2
+        unit = 2 / 3 * np.pi * critical * s_h
     else:
-        h=surface(longest=1.,roll_off=2.,shortest=4.,hurst=.8,side=1.,gradient=.1,seed=seed,n=n); unit=.1; sy=H*.1/2.8
-    b=Body(h,.3,nz,sy,hard)
-    for f in loads:
-        err,its,t=b.solve(f*unit,tol,70)
-        p=b.m.traction[...,2]; c=p>0; e=edges(c,True)
-        area=(c.sum()-(np.pi-1+np.log(2))/24*e)/c.size
-        b.cs.solve(f*unit)
-        gap=b.m.displacement[0,:,:,2]-b.h; gap=gap-gap.min(); 
-        b.commit(); ps=b.m['plastic_strain']; bot=np.abs(ps[-1]).max()/max(np.abs(ps).max(),1e-99)
-        write({"r": "rough", "s": "sphere"}[kind],seed,n,nz,H,hard,f,c.sum(),e,*["%.6g" % v for v in (area,gap.mean(),p.max()/sy,err)],its,"%.6g" % bot,"%.6g" % np.abs(ps).max())
+        h = surface(longest=1.0, roll_off=2.0, shortest=4.0, hurst=0.8, side=1.0, gradient=0.1, seed=int(seed), n=n)
+        unit, yield_stress = 0.1, float(hardness) * 0.1 / 2.8
+    body = Body(h, layers, yield_stress, float(hardening))
+    for load in map(float, loads.split("/")):
+        error, count = body.solve(load * unit, tolerance)
+        pressures = body.model.traction[..., 2]
+        touching, highest = pressures > 0, pressures.max() / yield_stress
+        edge = edges(touching, True)
+        area = (touching.sum() - (np.pi - 1 + np.log(2)) / 24 * edge) / touching.size
+        # The surface alone, for the gap.
+        body.contact.solve(load * unit)
+        gap = body.model.displacement[0, :, :, 2] - body.heights
+        gap = (gap - gap.min()).mean()
+        body.keep()
+        plastic = np.abs(body.model["plastic_strain"])
+        bottom = plastic[-1].max() / max(plastic.max(), 1e-99)
+        numbers = ["%.6g" % x for x in (area, gap, highest, error)]
+        name = {"r": "rough", "s": "sphere"}[kind]
+        yield [name, seed, n, layers, float(hardness), float(hardening), load, touching.sum(), edge, *numbers, count, "%.6g" % bottom, "%.6g" % plastic.max()]
+
+
+if __name__ == "__main__":
+    n, layers, cases, out, tolerance = sys.argv[1:]
+    with open(out, "a") as file:
+        for case in cases.split():
+            for row in rows(case, int(n), int(layers), float(tolerance)):
+                print(*row, sep=",", file=file, flush=True)

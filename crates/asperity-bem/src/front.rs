@@ -181,7 +181,7 @@ fn eliminate_by_panels(numbers: &mut [f64], stride: usize, side: usize, count: u
     for start in (0..count).step_by(PANEL) {
         let end = count.min(start + PANEL);
         let shares = take_out(&mut numbers[..end * stride], stride, side, start..end);
-        // The panel in the order of the tiles; 0 for what is done and for rows that it lacks.
+        // Copies the panel tile by tile; eliminated nodes and missing rows are 0.
         let [first_row, first_column] = TILE.map(|tile| end / tile);
         weights[first_row..].fill([[0.0; ROWS]; PANEL]);
         links[first_column..].fill([[0.0; COLUMNS]; PANEL]);

@@ -132,7 +132,7 @@ impl Network {
         front.part()
     }
 
-    /// The front of these nodes to be taken out, with the parts that are left of what was before.
+    /// A front from which `inner` will be eliminated, assembled from the parts left so far.
     fn front<const N: usize>(
         &self,
         inner: Vec<usize>,

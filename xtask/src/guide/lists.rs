@@ -79,7 +79,7 @@ fn models() -> Result<String> {
     Ok(rows)
 }
 
-/// A code of findings, with what it means and what to do.
+/// What the code of a warning or note means, and what to do.
 fn finding(Code { name, meaning, harmless, remedy }: Code) -> String {
     format!("### `{name}`\n\n{meaning}\n\nHarmless: {harmless}\n\nTo do: {remedy}\n\n")
 }

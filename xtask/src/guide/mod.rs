@@ -11,6 +11,7 @@ mod laws;
 pub(crate) mod link_tests;
 mod lists;
 mod markdown;
+mod parts;
 mod site;
 
 use std::path::{Path, PathBuf};

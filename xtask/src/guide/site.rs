@@ -5,8 +5,9 @@ use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Result, ensure};
 
-use super::chapters::{self, ALL, Chapter};
+use super::chapters::{ALL, Chapter};
 use super::markdown::{Ids, LinkTarget, Outline};
+use super::parts;
 use crate::folder::root;
 
 /// The only address outside that a page may link.
@@ -43,7 +44,7 @@ impl Site {
             let page = chapter.address();
             let (mut ids, mut pieces) = (Ids::default(), vec![]);
             for part in &chapter.parts {
-                let Some((path, text)) = chapters::markdown(part)? else {
+                let Some((path, text)) = parts::markdown(part)? else {
                     pieces.push(Piece::Laws(part));
                     continue;
                 };

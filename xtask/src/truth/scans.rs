@@ -87,9 +87,9 @@ pub fn write() -> Result<Vec<PathBuf>> {
     let mut csv = csv::Writer::from_writer(vec![]);
     for [waves, hurst, skewness, slope_ratio] in SCANS {
         eprintln!("{waves} waves, H {hurst}, skewness {skewness}, slopes {slope_ratio}:1");
+        // Of a family, per 512 pixels.
         let longest = waves * 512.0 / PIXELS as f64;
-        let waves_of = [longest; 2];
-        let plain = Family { waves: waves_of, hurst, pixels: PIXELS, ..FAMILIES[0] };
+        let plain = Family { waves: [longest; 2], hurst, pixels: PIXELS, ..FAMILIES[0] };
         let surface = Family { skewness, slope_ratio, ..plain }.surface(PIXELS)?;
         let seeds = if skewness == 0.0 && slope_ratio <= 1.0 { SEEDS } else { FEW_SEEDS };
         for seed in FIRST_SEED..FIRST_SEED + seeds {
@@ -194,7 +194,7 @@ impl Scan {
     }
 }
 
-/// Scans of which a number lies in a range, as the name of a row says.
+/// The scans of one row of the table: those whose number `of` lies in `range`.
 struct Bin {
     name: String,
     of: fn(&Scan) -> f64,

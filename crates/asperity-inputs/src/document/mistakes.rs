@@ -1,4 +1,4 @@
-//! Errors about values of the wrong kind, unknown keys and syntax, with what was probably meant.
+//! Errors about unknown keys, wrong kinds of values and syntax; they suggest what was meant.
 
 use asperity::nearest_name;
 use toml::de::Error;

@@ -9,8 +9,8 @@ use crate::keys::joined;
 use crate::likely::angle_hint;
 use crate::{Roughness, Way};
 
-/// The first of the numbers of a section, given without a unit, that only another unit makes usual,
-/// and what it looks like, with all others.
+/// The first number of a section, given without a unit, that only another unit would make usual,
+/// and a text with the likely units of all such numbers.
 pub(crate) fn other_unit(
     document: &Document<'_>,
     section: &str,
