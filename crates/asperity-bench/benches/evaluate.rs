@@ -147,6 +147,8 @@ fn drawn(c: &mut Criterion) -> Outcome<()> {
     for (id, rows) in [
         ("ke", 4096u32),
         ("ke-pairs", 4096),
+        ("zmc", 1024),
+        ("zmc-pairs", 1024),
         ("jg", 1024),
         ("jg-pairs", 1024),
         ("gao", 16),

@@ -1,10 +1,14 @@
 //! The integral of a law from its onset.
 
-use std::sync::Arc;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::{Formula, FunctionKey, Law, Part, Power, ShareParts};
 
 use crate::antiderivative::Antiderivative;
+
+/// Integrals that are kept.
+const KEPT: usize = 16;
 
 /// ∫ q dw from the onset of a law, in its units. On each range of the law, it is that of the part
 /// there and what the parts before it have gathered; shares are those of the parts by themselves.
@@ -66,15 +70,31 @@ fn grown(part: &Part, before: f64) -> (Formula, f64) {
             (Formula::Powers(grown), last - first)
         }
         Formula::Function { key, .. } => {
-            let integral = Antiderivative::new(part, before);
-            let whole = if end.is_finite() { integral.gain(end) } else { end };
             let key = key.as_ref().map(|key| FunctionKey {
                 name: format!("integral of {}", key.name).into(),
                 of: format!("{key:?}"),
                 parameters: [&[start, before], &*part.kinks].concat(),
             });
-            let form = Formula::sampled(Arc::new(integral));
+            let new = || Arc::new(Antiderivative::new(part, before));
+            let integral = key.as_ref().map_or_else(new, |key| recent(key, new));
+            let whole = if end.is_finite() { integral.gain(end) } else { end };
+            let form = Formula::sampled(integral);
             (key.into_iter().fold(form, Formula::with_key), whole)
         }
     }
+}
+
+/// Integrals of the last functions, for sweeps in which these do not change: making one takes
+/// several times as long as a value.
+fn recent(key: &FunctionKey, new: impl FnOnce() -> Arc<Antiderivative>) -> Arc<Antiderivative> {
+    static RECENT: Mutex<VecDeque<(FunctionKey, Arc<Antiderivative>)>> =
+        Mutex::new(VecDeque::new());
+    let mut all = RECENT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, integral)) = all.iter().find(|(known, _)| known == key) {
+        return integral.clone();
+    }
+    let integral = new();
+    all.truncate(KEPT - 1);
+    all.push_front((key.clone(), integral.clone()));
+    integral
 }

@@ -69,11 +69,12 @@ pub fn unit(quantity: Compared, scene: &Scene, sq: f64) -> f64 {
 }
 
 /// Every family of the evidence: bandwidths, skewnesses, lays.
-pub const FAMILIES: [Family; 10] = [
+pub const FAMILIES: [Family; 11] = [
     ISOTROPIC,
     Family { name: "a3", waves: [14.0, 14.0], pixels: 256, ..ISOTROPIC },
     Family { name: "a30", waves: [2.0, 2.4], ..ISOTROPIC },
     Family { name: "a100", waves: [1.0, 1.2], pixels: 1024, ..ISOTROPIC },
+    Family { name: "a140", waves: [0.6, 0.7], pixels: 2048, ..ISOTROPIC },
     Family { name: "a8-skew-1", skewness: -1.0, ..SKEWED },
     Family { name: "a8-skew-2", skewness: -2.0, ..SKEWED },
     Family { name: "a8-skew+1", skewness: 1.0, ..SKEWED },

@@ -85,7 +85,7 @@ const NARROW: &[Family] = ISOTROPIC.split_at(2).0;
 const BROAD: &[Family] = ISOTROPIC.split_at(2).1;
 const BROADEST: &[Family] = ISOTROPIC.split_at(3).1;
 /// Skewed surfaces and those with a lay.
-const OTHERS: &[Family] = FAMILIES.split_at(4).1;
+const OTHERS: &[Family] = FAMILIES.split_at(5).1;
 const LIGHT_LOADS: &[f64] = LOADS.split_at(4).0;
 const HEAVY_LOADS: &[f64] = LOADS.split_at(4).1;
 /// One load of a decade.
@@ -114,6 +114,7 @@ pub const FULL: Scope = &[
     (OTHERS, &[8.0], DECADES.split_at(1).1, MOST_SEEDS),
     (OTHERS, &[8.0], PLASTIC, MOST_SEEDS),
     (OTHERS, &[4.0], DECADES.split_at(1).1, MOST_SEEDS),
+    (&[FAMILIES[4]], USUAL, DECADES.split_at(2).1, LEAST_SEEDS),
 ];
 /// A sketch of the evidence in two minutes.
 pub const QUICK: Scope = &[(FAMILIES.split_at(3).0, &[0.0, 2.0], &[3e-4, 1e-2, 0.1], 2)];

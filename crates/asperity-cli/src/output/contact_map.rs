@@ -51,7 +51,7 @@ pub fn picture(
     }
 }
 
-/// The map of the flow along x through the gap of a contact.
+/// The map of the flow along x through the gap of a contact; contacts have a colour of their own.
 pub fn flow(
     bem: &Bem,
     elements: &BoundaryElements,
@@ -63,7 +63,13 @@ pub fn flow(
     let mut order: Vec<f64> = values.iter().copied().filter(|flux| *flux > 0.0).collect();
     order.sort_unstable_by(f64::total_cmp);
     // Single constrictions have many times the flow of all others.
-    let top = order.get(order.len() * 99 / 100).copied();
+    let top = order.get(order.len() * 99 / 100).copied().unwrap_or(1.0);
+    let shown = values.iter().zip(&solution.pressures).map(|(flux, pressure)| {
+        match flux.min(DARKEST * top) {
+            _ if *pressure > 0.0 => top,
+            flux => flux,
+        }
+    });
     let (length, unit) = scaled(gap, &LENGTHS);
     let passes = match gap > 0.0 {
         true => format!("the hydraulic gap is {} {unit}", rounded(gap / length)),
@@ -73,13 +79,17 @@ pub fn flow(
     Ok(Map {
         title: format!("Flow from left to right through the gap of {name}"),
         caption: vec![format!("{area:.3} % of the area is in contact; {passes}.")],
-        values,
+        values: shown.collect(),
         label: "flow per width, over its mean".into(),
-        top: top.unwrap_or(1.0),
+        top,
         white: "white: no flow".into(),
+        full: "contact".into(),
         ..outline(bem)
     })
 }
+
+/// The largest flow of a map over its top, which contacts have.
+const DARKEST: f64 = 0.999;
 
 /// Lengths of a map.
 const LENGTHS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];

@@ -1,7 +1,7 @@
 //! `bem`: hydraulic gaps, flows and their map.
 
 use crate::bem::bench;
-use crate::bench::{column, csv};
+use crate::bench::{Bench, column, csv};
 
 #[test]
 fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
@@ -39,6 +39,7 @@ fn the_map_of_the_flow_shows_contact_and_path() {
         "Flow from left to right through the gap of scan.toml",
         "hydraulic gap is",
         "white: no flow",
+        ">contact<",
     ] {
         assert!(svg.contains(text), "{text}");
     }
@@ -46,6 +47,28 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path of pixels"));
     let two = bench.run("bem scan.toml --pressure 1e8,1e9 --flow-picture two.svg");
     assert!(two.code == Some(2) && two.messages.contains("--flow-picture draws one load, not 2"));
+}
+
+/// The picture of the guide is that of the commands beside it; single pixels may have other shades
+/// on another machine.
+#[test]
+fn the_picture_of_the_guide_is_drawn_by_its_commands() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../");
+    let read = |name: &str| std::fs::read_to_string(format!("{root}{name}")).unwrap();
+    let bench = Bench::new();
+    let scene = "nominal_area = 1e-8\ninterface = { equivalent_modulus = 115e9, poissons_ratio = 0.3 }\nsurface = { file = \"seal.x3p\", periodic = true }\n";
+    bench.write("seal.toml", scene);
+    let chapter = read("crates/asperity-web/guide/boundary-elements.md");
+    for start in ["asperity generate ", "asperity bem seal.toml "] {
+        let line = chapter.lines().find(|line| line.starts_with(start)).unwrap();
+        let run = bench.run(line.trim_start_matches("asperity "));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+    }
+    let without_shades = |svg: &str| -> Vec<String> {
+        svg.lines().filter(|line| !line.contains("<image ")).map(str::to_owned).collect()
+    };
+    let [drawn, committed] = [bench.read("leak-map.svg"), read("figures/leak-map.svg")];
+    assert_eq!(without_shades(&drawn), without_shades(&committed));
 }
 
 #[test]

@@ -131,7 +131,7 @@ fn what_is_undetermined_near_the_hardness_has_its_reason() {
     let row = corrected.at(At::Pressure(2.8e9)).unwrap();
     assert!(row.value(Quantity::Area).is_ok() && row.separation().is_ok());
     let reason = row.value(Quantity::Tangent).unwrap_err().to_string();
-    let wanted = "the tangent here: it is interpolated up to 0.15 H, and the pressure is 0.4 H";
+    let wanted = "the tangent here: it is interpolated up to 0.3 H, and the pressure is 0.4 H";
     assert!(reason.ends_with(wanted), "{reason}");
 }
 

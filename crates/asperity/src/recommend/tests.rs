@@ -129,7 +129,7 @@ fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
         recommend(&scene, &Request::new([asked]).at(places), &ke, 0.05).unwrap()
     };
     let heavy = ask(Quantity::Tangent, &[0.39]);
-    let why = "it is interpolated up to 0.15 H, and the pressure is 0.39 H";
+    let why = "it is interpolated up to 0.3 H, and the pressure is 0.39 H";
     let none = "boundary elements have no expected value of the stiffness of first loading";
     assert_eq!(heavy.summary(), [format!("{none} here: {why}")]);
     assert!(heavy.expectations().is_empty() && !heavy.to_string().contains("area"), "{heavy}");
