@@ -8,18 +8,19 @@ use asperity_quadrature::chebyshev_terms;
 
 /// Samples of a piece.
 const NODES: usize = 16;
-/// The last terms of a piece over its integral: rounding is below.
+/// The last two terms of a converged piece over its integral; rounding is below.
 const TOLERANCE: f64 = 4e-15;
-/// Pieces of an octave, which next to a cusp are halved again and again: noise is not worth more.
+/// Pieces of an octave: next to a cusp, and where a function is noisy, halving would not end.
 const MOST: usize = 64;
-/// Length of a piece over its end, below which it is not halved.
+/// Length of a piece over its high end below which it is not halved.
 const SHORTEST: f64 = 1e-9;
-/// Where functions of the whole range begin: what they gather below is nothing.
+/// Start of a range from 0, in units of the interference: the integral below is negligible, and
+/// pieces that double do not start at 0.
 const LEAST: f64 = 1e-30;
 
-/// ∫ f dx from the start of a part, from a value on: Chebyshev series, doubling from piece to piece
-/// in x and halved where they do not converge; next to the start in the root of the distance from
-/// it, of which f may have odd powers.
+/// ∫ f dx from the start of a part, plus a value: Chebyshev series on pieces each of which ends at
+/// twice its start, halved where they do not converge; next to the start in the root of the distance
+/// from it, of which f may have odd powers.
 pub(crate) struct Antiderivative {
     form: Formula,
     start: f64,
@@ -53,8 +54,8 @@ impl Antiderivative {
         }
     }
 
-    /// What is gained up to x; NaN where the function has no value.
-    pub(crate) fn gain(&self, x: f64) -> f64 {
+    /// The rise up to x; NaN where the function has no value.
+    pub(crate) fn rise(&self, x: f64) -> f64 {
         let mut value = [0.0];
         self.sample(&[x], &mut value).map_or(f64::NAN, |()| value[0] - self.before)
     }
@@ -102,7 +103,7 @@ impl Antiderivative {
         }
         let gained: f64 = terms.iter().sum();
         let own = (terms[NODES].abs() + terms[NODES - 1].abs()) / gained.abs();
-        // Nothing, and what overflows, gets no better.
+        // NaN: the integral is 0 or overflows, and halving does not help.
         let converges = own.is_nan() || own <= TOLERANCE;
         if converges || pieces.len() >= most || length < SHORTEST * high {
             let (value, error) =

@@ -5,9 +5,11 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use asperity_core::{ContactError, Pair, Scene, Surface};
 
 /// The scene of the contacts: their radius R, the density of two like surfaces with as many
-/// contacts, √(η₁ η₂ (β₁ + β₂)/(4R)), and the standard deviation of the sum of the heights.
+/// contacts, √(η₁ η₂ (β₁ + β₂)/(4R)), and the standard deviation of the sum of the heights. Of such
+/// a scene it is the same scene again.
 ///
-/// The contacts of such a scene are its own.
+/// # Errors
+/// [`ContactError::OutOfRange`] for asperities of either surface that are out of range.
 pub(crate) fn of_contacts(scene: &Scene) -> Result<Scene, ContactError> {
     let pair = scene.both_surfaces();
     let [first, second] = pair.surfaces;

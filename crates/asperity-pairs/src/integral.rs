@@ -7,22 +7,22 @@ use asperity_core::{Formula, FunctionKey, Law, Part, Power, ShareParts};
 
 use crate::antiderivative::Antiderivative;
 
-/// Integrals that are kept.
+/// Antiderivatives that are kept.
 const KEPT: usize = 16;
 
-/// ∫ q dw from the onset of a law, in its units. On each range of the law, it is that of the part
-/// there and what the parts before it have gathered; shares are those of the parts by themselves.
+/// ∫ q dw from the onset of a law, in its units: on the range of each part its own integral, plus
+/// the whole integrals of the parts before it. Shares are the integrals of the parts alone.
 pub(crate) fn integral(law: Law) -> Law {
     let follows = |pair: &[Part]| pair[0].range.end.total_cmp(&pair[1].range.start).is_eq();
     let ends = law.parts.last().is_none_or(|part| part.range.end == f64::INFINITY);
     let parts = if ends && law.parts.windows(2).all(follows) && !law.is_signed() {
         let mut before = 0.0;
-        let gather = |part: &Part| {
-            let (form, whole) = grown(part, before);
+        let add = |part: &Part| {
+            let (form, whole) = integrate(part, before);
             before += whole;
             Part { form, ..part.clone() }
         };
-        law.parts.iter().map(gather).collect()
+        law.parts.iter().map(add).collect()
     } else {
         separate(&law)
     };
@@ -38,7 +38,7 @@ pub(crate) fn integral(law: Law) -> Law {
 /// The integral of each part, which keeps its value beyond the end of the part.
 fn separate(law: &Law) -> Vec<Part> {
     let both = |part: &Part| {
-        let (form, whole) = grown(part, 0.0);
+        let (form, whole) = integrate(part, 0.0);
         let end = part.range.end;
         let kept = Part {
             range: end..f64::INFINITY,
@@ -51,8 +51,9 @@ fn separate(law: &Law) -> Vec<Part> {
     law.parts.iter().flat_map(both).flatten().collect()
 }
 
-/// The integral of a part on its range, from this value, and what it gains there.
-fn grown(part: &Part, before: f64) -> (Formula, f64) {
+/// The integral of a part from the start of its range, where it has the value `before`, and its
+/// rise over the range.
+fn integrate(part: &Part, before: f64) -> (Formula, f64) {
     let (start, end) = (part.range.start, part.range.end);
     match &part.form {
         Formula::Powers(powers) => {
@@ -60,36 +61,35 @@ fn grown(part: &Part, before: f64) -> (Formula, f64) {
                 let exponent = power.exponent + 1.0;
                 Power { coefficient: power.coefficient / exponent, exponent, ..*power }
             };
-            let mut grown: Vec<Power> = powers.iter().map(integral).collect();
-            let at = |x: f64| grown.iter().map(|power| power.value(x)).sum::<f64>();
+            let mut terms: Vec<Power> = powers.iter().map(integral).collect();
+            let at = |x: f64| terms.iter().map(|power| power.value(x)).sum::<f64>();
             let (first, last) = (at(start), at(end));
             let rest = before - first;
             if rest.is_nan() || rest.abs() > 0.0 {
-                grown.push(Power::new(rest, 0.0));
+                terms.push(Power::new(rest, 0.0));
             }
-            (Formula::Powers(grown), last - first)
+            (Formula::Powers(terms), last - first)
         }
         Formula::Function { key, .. } => {
             let key = key.as_ref().map(|key| FunctionKey {
                 name: format!("integral of {}", key.name).into(),
                 of: format!("{key:?}"),
-                parameters: [&[start, before], &*part.kinks].concat(),
+                parameters: [&[start, end, before], &*part.kinks].concat(),
             });
             let new = || Arc::new(Antiderivative::new(part, before));
-            let integral = key.as_ref().map_or_else(new, |key| recent(key, new));
-            let whole = if end.is_finite() { integral.gain(end) } else { end };
+            let integral = key.as_ref().map_or_else(new, |key| recall(key, new));
+            let whole = if end.is_finite() { integral.rise(end) } else { end };
             let form = Formula::sampled(integral);
             (key.into_iter().fold(form, Formula::with_key), whole)
         }
     }
 }
 
-/// Integrals of the last functions, for sweeps in which these do not change: making one takes
-/// several times as long as a value.
-fn recent(key: &FunctionKey, new: impl FnOnce() -> Arc<Antiderivative>) -> Arc<Antiderivative> {
-    static RECENT: Mutex<VecDeque<(FunctionKey, Arc<Antiderivative>)>> =
-        Mutex::new(VecDeque::new());
-    let mut all = RECENT.lock().unwrap_or_else(PoisonError::into_inner);
+/// The antiderivative with this key, from the last [`KEPT`] or new: in a sweep whose functions do
+/// not change, making it takes several times as long as a value.
+fn recall(key: &FunctionKey, new: impl FnOnce() -> Arc<Antiderivative>) -> Arc<Antiderivative> {
+    static LAST: Mutex<VecDeque<(FunctionKey, Arc<Antiderivative>)>> = Mutex::new(VecDeque::new());
+    let mut all = LAST.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, integral)) = all.iter().find(|(known, _)| known == key) {
         return integral.clone();
     }

@@ -26,19 +26,27 @@ impl AsperityPairs {
         let what = "contacts between the asperities of two rough surfaces";
         let mut variant = Variant::new(model, "pairs", differs, what);
         variant.validity.density = true;
-        // The integral of Hertz' law.
+        // The force begins as the integral of Hertz' law.
         variant.validity.hertz_limit = None;
         Self(variant)
     }
 
+    /// The law of an asperity; `one` is that of one of its contacts.
     fn law(
         &self,
         asperity: &Asperity,
         one: impl Fn(&dyn AsperityModel, &Asperity) -> Result<Law, ContactError>,
     ) -> Result<Law, ContactError> {
+        sum(
+            one(self.0.laws(&HeightDistribution::Gaussian)?, &self.one_contact(asperity))?,
+            asperity,
+        )
+    }
+
+    /// An asperity as the law of one contact sees it: with a density if that depends on it.
+    fn one_contact(&self, asperity: &Asperity) -> Asperity {
         let density = asperity.density.filter(|_| self.0.model().validity().density);
-        let own = Asperity { density, ..*asperity };
-        sum(one(self.0.laws(&HeightDistribution::Gaussian)?, &own)?, asperity)
+        Asperity { density, ..*asperity }
     }
 }
 
@@ -84,10 +92,9 @@ impl AsperityModel for AsperityPairs {
         asperity: &Asperity,
         tolerance: Tolerance,
     ) -> Result<Option<Law>, ContactError> {
-        match self.0.laws(&HeightDistribution::Gaussian)?.stiffness(asperity, tolerance)? {
-            Some(law) => self.law(asperity, |_, _| Ok(law.clone())).map(Some),
-            None => Ok(None),
-        }
+        let laws = self.0.laws(&HeightDistribution::Gaussian)?;
+        let one = laws.stiffness(&self.one_contact(asperity), tolerance)?;
+        one.map(|one| sum(one, asperity)).transpose()
     }
 
     fn contacts(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
