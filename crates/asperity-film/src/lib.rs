@@ -61,8 +61,8 @@ impl Described for PatirCheng {
 }
 
 impl PatirCheng {
-    /// A factor at H: pressure factors add by the shares of both surfaces in the mean square of all
-    /// heights, which is exact for thick films; those of shear are the difference.
+    /// A factor at H: a mean of both surfaces weighted by their shares in the mean square of all
+    /// heights, which is exact for thick films; of the factors of shear the weighted difference.
     fn factor(&self, quantity: Quantity, film: f64) -> Result<f64, ContactError> {
         let across = |film, gamma: f64| pressure_flow_factor(film, 1.0 / gamma);
         let (of, sign): (&dyn Fn(f64, f64) -> Result<f64, ContactError>, f64) = match quantity {
