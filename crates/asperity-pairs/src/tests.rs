@@ -6,8 +6,9 @@ use asperity_af::AbdoFarhang;
 use asperity_at::AminiTehrani;
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
-    Asperity, AsperityModel, At, Case, ContactError, ContactModel, HeightDistribution, Interface,
-    Pair, Quantity, Request, Scene, Separation, Surface, Sweep, Tolerance, testkit,
+    Asperity, AsperityModel, At, Case, ContactError, ContactModel, Formula, HeightDistribution,
+    Interface, Law, Pair, Power, Quantity, Request, Scene, Separation, Surface, Sweep, Tolerance,
+    testkit,
 };
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
@@ -18,6 +19,7 @@ use asperity_quadrature::gauss_kronrod;
 use asperity_zmc::ZhaoMaiettaChang;
 
 use crate::AsperityPairs;
+use crate::integral::integral;
 
 fn model(id: &str) -> AsperityPairs {
     match id {
@@ -240,6 +242,17 @@ fn a_sweep_and_other_densities_have_the_same_values() {
             denser.surface.asperity_density *= 2.0;
             assert!(matches!(contact.on(&denser), Err(ContactError::OtherAsperity)));
         }
+    }
+}
+
+#[test]
+fn one_function_on_two_ranges_has_two_integrals() {
+    for (end, wanted) in [(1.0, 1.0), (2.0, 1.125)] {
+        let line = Formula::function(|x| x).known_as("line", vec![]);
+        let law = Law::in_units(1.0, 1.0).elastic(0.0..end, line);
+        let law = integral(law.plastic(end..f64::INFINITY, [Power::new(end, 0.0)]));
+        let found = law.value(1.5).unwrap();
+        assert!((found - wanted).abs() < 1e-14, "{end}: {found}");
     }
 }
 
