@@ -12,22 +12,22 @@ pub enum PerssonVariance {
     /// The variance at full contact, V: Persson 2001.
     #[default]
     Full,
-    /// (γ + (1-γ) A/A_n) V, γ = 0.45: smaller at small areas.
+    /// (γ + (1-γ) A/A_n) V, γ = 0.45: smaller at small areas. Xu and others 2024.
     Fudge,
-    /// That of `Fudge`, and no pressure above the hardness.
+    /// That of `Fudge`, and no pressure above the hardness: after Xu, Li & Mulvihill 2022.
     Plastic,
 }
 
-/// γ.
+/// γ of `Fudge` and `Plastic`, as in the program of Xu and others (2024). \[seen\]
 pub(crate) const GAMMA: f64 = 0.45;
-/// Newton steps: the first estimate is within 20 %, and each step doubles the number of digits.
+/// Newton steps: the first estimate is within 20 %, and each step doubles the correct digits.
 const STEPS: usize = 8;
 
 impl PerssonVariance {
     /// All three, the simplest first.
     pub const ALL: [Self; 3] = [Self::Full, Self::Fudge, Self::Plastic];
 
-    /// A/A_n at the pressure p = `over_std` √V > 0, without a limit.
+    /// A/A_n at the pressure p = `over_std` √V > 0, without a hardness.
     pub(crate) fn area_fraction(self, over_std: f64) -> f64 {
         let p = over_std / SQRT_2;
         match self {
@@ -37,7 +37,7 @@ impl PerssonVariance {
     }
 
     /// γ of the elastic energy.
-    pub(crate) fn elastic_share(self) -> f64 {
+    pub(crate) fn gamma(self) -> f64 {
         match self {
             Self::Full => 1.0,
             Self::Fudge | Self::Plastic => GAMMA,

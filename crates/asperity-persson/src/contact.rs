@@ -24,7 +24,7 @@ pub(crate) struct OnScene {
     pub(crate) pressure_std: f64,
     /// The spectrum for mean gaps and stiffnesses, or the error that names the missing input.
     pub(crate) spectrum: Result<std::sync::Arc<Spectrum>, ContactError>,
-    /// The mean gaps that are known.
+    /// Mean gaps computed so far.
     pub(crate) inverse: Inverse,
 }
 
@@ -34,7 +34,7 @@ impl OnScene {
             return Err(self.no_gap());
         }
         let spectrum = self.spectrum.as_deref().map_err(Clone::clone)?;
-        Ok(Gap { spectrum, share: self.model.variance.elastic_share() })
+        Ok(Gap { spectrum, gamma: self.model.variance.gamma() })
     }
 
     /// The error of a mean gap where pressures end at the hardness.
@@ -117,7 +117,7 @@ impl Contact for OnScene {
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         let known = match self.limit {
-            // With the reason.
+            // Of a yielding surface the reason is known.
             Some(_) if is_slope(quantity) => return Err(self.no_gap()),
             Some(_) => is_known_plastic,
             None => is_known,

@@ -20,10 +20,11 @@ pub(crate) const ERROR: f64 = 1e-11;
 pub(crate) struct Gap<'a> {
     pub(crate) spectrum: &'a Spectrum,
     /// γ of the elastic energy.
-    pub(crate) share: f64,
+    pub(crate) gamma: f64,
 }
 
-/// ln b of the pressures whose mean gaps are representable and above 0.
+/// ln b of the pressures whose mean gaps are representable and above 0; b = √2 p/(E g), and the upper
+/// end is p = 17 E g.
 pub(crate) const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 /// ln u of the mean gap u \[m\], in x = ln b.
@@ -52,7 +53,7 @@ impl Gap<'_> {
         Ok(scale * self.integral(b, |y| self.spectrum.from(y))?)
     }
 
-    /// -du/d(ln p) \[m\], √(2/π) g ∫ f(b/y) dy/q, as a factor and the logarithm of another.
+    /// -du/d(ln p) \[m\], √(2/π) g ∫ f(b/y) dy/q, as a factor and the logarithm -b² of the other.
     pub(crate) fn fall(&self, b: f64) -> Result<(f64, f64), QuadratureError> {
         let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.spectrum.gradient();
         Ok((scale * self.integral(b, |y| y * self.spectrum.wave(y))?, -b * b))
@@ -69,7 +70,7 @@ impl Gap<'_> {
         let integrand = |v: f64| {
             let t = b * v.exp();
             let touching = erf(t);
-            let energy = self.share + 3.0 * (1.0 - self.share) * touching * touching;
+            let energy = self.gamma + 3.0 * (1.0 - self.gamma) * touching * touching;
             // b² - t², without cancellation.
             energy * (-(b * v.exp_m1()) * (t + b)).exp() * of((-v).exp())
         };

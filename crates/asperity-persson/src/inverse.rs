@@ -180,11 +180,11 @@ mod tests {
     /// The gap at a pressure is one integral.
     #[test]
     fn the_pressure_at_a_gap_takes_at_most_three_integrals() {
-        for (alpha, hurst, share) in [(8.0, 0.8, 1.0), (1.6, 0.8, 4.0 / 9.0), (1e6, 0.1, 1.0)] {
+        for (alpha, hurst, gamma) in [(8.0, 0.8, 1.0), (1.6, 0.8, 4.0 / 9.0), (1e6, 0.1, 1.0)] {
             let moments = ProfileMoments { m0: 1.0, m2: 1.0, m4: alpha };
             let spectrum = Spectrum::power_law(&moments, hurst).unwrap();
             for (rows, most) in [(1, 30), (401, 3 * 401)] {
-                let of = Counting(Gap { spectrum: &spectrum, share }, Cell::default());
+                let of = Counting(Gap { spectrum: &spectrum, gamma }, Cell::default());
                 let inverse = Inverse::default();
                 for k in 0..rows {
                     let u = 0.01 + 4.0 * f64::from(k) / f64::from(rows);
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn what_was_asked_before_does_not_change_an_answer() {
         let spectrum = Spectrum::of_waves([(1.0, 1.0), (3.0, 0.2), (40.0, 0.01)]).unwrap();
-        let of = Gap { spectrum: &spectrum, share: 1.0 };
+        let of = Gap { spectrum: &spectrum, gamma: 1.0 };
         let one = Inverse::default();
         for u in [1e-200, 1e-3, 0.9, 0.901, 5.0, 30.0_f64] {
             let [first, again] =
