@@ -127,7 +127,7 @@ pub enum BemError {
     },
     /// The flows through both faces of the gap differ.
     #[error(
-        "the flow through the gap is {inlet:e} at the inlet and {outlet:e} at the outlet, over that of an even gap: the same to 1e-6 was required"
+        "the flow is {inlet:e} through the inlet of the gap and {outlet:e} through its outlet, over that of an even gap as high as the largest: the same to 1e-6 was required"
     )]
     Unbalanced {
         /// Flow through the inlet.

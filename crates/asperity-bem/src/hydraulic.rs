@@ -65,11 +65,12 @@ impl Leak {
     }
 }
 
-/// The gap map of a contact; its cubes count from the largest.
+/// The gap map of a contact.
 pub(crate) struct GapMap<'a> {
     map: &'a HeightMap,
+    /// The largest gap \[m\].
     largest: f64,
-    /// Of g³ over that of the largest gap; 0 in contact.
+    /// Of conductivities g³ over that of the largest gap; 0 in contact.
     network: Network,
 }
 
@@ -131,13 +132,13 @@ impl BoundaryElements {
 
 impl GapMap<'_> {
     pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
-        let [inlet, outlet] = inside(|| self.network.flows(direction));
-        let balanced = (inlet - outlet).abs() <= BALANCE * outlet;
-        if !balanced {
-            return Err(BemError::Unbalanced { inlet, outlet });
-        }
         let [length, width] = outline(self.map, direction);
-        Ok(self.largest * (outlet * length / width).cbrt())
+        let flows = inside(|| self.network.flows(direction));
+        let [inlet, outlet] = flows.map(|flow| flow * length / width);
+        match (inlet - outlet).abs() <= BALANCE * outlet {
+            true => Ok(self.largest * outlet.cbrt()),
+            false => Err(BemError::Unbalanced { inlet, outlet }),
+        }
     }
 
     fn flux(&self, direction: Direction) -> Vec<f64> {
@@ -166,7 +167,7 @@ impl GapMap<'_> {
             let medium = logarithm.exp();
             open.iter().map(|cube| 1.0 - 2.0 / (cube / medium + 1.0)).sum::<f64>() - closed
         };
-        // A medium of the smallest open gap is too little, if any is enough.
+        // With closed pixels the medium may conduct less than the smallest open gap.
         let mut low = lowest;
         while open.len() as f64 > closed && mean(low) < 0.0 && low > f64::MIN_POSITIVE.ln() {
             low = 2.0 * low - 1.0;

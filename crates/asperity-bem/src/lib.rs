@@ -28,7 +28,7 @@
 //! h_eff is 0. Nested dissection takes the pixels out one by one, as resistors of a network: sums
 //! and products of positive numbers, so that rounding stays near 1e-14 of h_eff over any range of
 //! g, without iterations. \[derived\] Both directions share most of the work: on 512 x 512 pixels
-//! they take together 1.9 times the time of the contact at 0.6 % of real area, .24 times at 37 %
+//! they take together 1.9 times the time of the contact at 0.6 % of real area, 0.24 times at 37 %
 //! (the random surface of `examples/timing.rs`). The flows through both faces are compared in every
 //! answer.
 //!

@@ -1,9 +1,9 @@
 //! Contacts of few pixels: the problem of the whole map with the highest pixels as unknowns.
 //!
-//! Pressures outside these candidates are 0 and deflections there follow from one transform of the
-//! whole map. Where no gap is negative the solution is that of the whole map; pixels with a
-//! negative gap join the candidates otherwise. As the load falls no pixel comes into contact, so
-//! that the contact of a load holds the candidates of all lighter ones. \[derived\]
+//! Pressures outside these candidates are 0, and one transform of the whole map gives the
+//! deflections there. If no gap is negative, the solution is that of the whole map; otherwise
+//! pixels with a negative gap become candidates, too. As the load falls no pixel comes into
+//! contact, so that the pixels in contact are the candidates of the next lighter load. \[derived\]
 
 use std::ops::ControlFlow;
 
@@ -21,7 +21,7 @@ const MOST_CANDIDATES: usize = 5000;
 /// Candidates over the expected number of pixels in contact, and at least this many.
 const MARGIN: f64 = 2.2;
 const LEAST_CANDIDATES: usize = 64;
-/// Two are usual.
+/// Rounds of new candidates; two are usual.
 const MOST_ROUNDS: usize = 12;
 
 /// The solution of a contact of few pixels, without maps.
@@ -140,7 +140,7 @@ impl BoundaryElements {
     }
 }
 
-/// A list from the heaviest load down.
+/// The contacts of a list, solved from the heaviest load down.
 struct Light<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
@@ -150,7 +150,7 @@ struct Light<'a> {
     /// Candidates, ascending, and their pressures.
     pixels: Vec<usize>,
     pressures: Vec<f64>,
-    /// Whether the candidates hold all pixels of the contact.
+    /// Whether the candidates include every pixel in contact.
     checked: bool,
 }
 
@@ -215,8 +215,8 @@ impl<'a> Light<'a> {
         Err(BemError::NotConverged { residual, iterations, required })
     }
 
-    /// Adds the pixels whose distance is below `offset`, by one transform of the whole map; true if
-    /// there are any.
+    /// Adds the pixels whose [distance](Problem::distance) is below `offset` to the candidates, by
+    /// one transform of the whole map; true if there are any.
     fn add_pixels_below(&mut self, offset: f64) -> Result<bool, BemError> {
         let heights = self.setup.map().heights();
         let mut deflections = vec![0.0; heights.len()];

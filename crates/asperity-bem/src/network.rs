@@ -37,7 +37,7 @@ struct Block {
     columns: Range<usize>,
 }
 
-/// What is left to do for a flow in one direction when the quarters are reduced.
+/// The network of a flow in one direction, with its quarters taken out.
 struct Joint {
     /// Of all nodes the places in the order, equal for nodes that are one in this direction; inlet
     /// and outlet are the last two.
@@ -132,7 +132,8 @@ impl Network {
         front.part()
     }
 
-    /// A front from which `inner` will be eliminated, assembled from the parts left so far.
+    /// A front from which `inner` will be eliminated, assembled from the parts beside it; `names` are
+    /// the places of nodes in the order.
     fn front<const N: usize>(
         &self,
         inner: Vec<usize>,
@@ -144,7 +145,7 @@ impl Network {
         let beside = inner.iter().flat_map(|node| self.edges(*node)).flatten();
         outer.extend(beside.map(|(other, _)| other));
         outer.extend(parts.iter().flatten().flat_map(|part| &part.outer));
-        // What is before and not in a part is gone.
+        // Nodes that come before are taken out.
         outer.retain(|node| names[*node] > last);
         outer.sort_unstable_by_key(|node| names[*node]);
         outer.dedup_by_key(|node| names[*node]);
@@ -171,7 +172,7 @@ impl Network {
         }
         for at in 0..front.inner.len() {
             for (other, conductance) in self.edges(front.inner[at]).into_iter().flatten() {
-                // A neighbour in a part brought this edge, a line has it once.
+                // Edges to nodes of a part came with it; those inside the line are added once.
                 let found = place(&front, other).filter(|other| *other > at);
                 found.into_iter().for_each(|found| front.add([at, found], conductance));
             }
@@ -204,8 +205,8 @@ impl Network {
         ]
     }
 
-    /// What is left between inlet and outlet when both halves beside the middle line across the
-    /// flow are taken out.
+    /// The network between inlet and outlet once both halves beside the middle line across the flow
+    /// are taken out.
     fn joint(&self, along: Direction) -> Joint {
         let reduced = |(): &mut (), block| self.reduced(&block);
         let parts = self.parts.get_or_init(|| map(self.quarters().into_iter(), || (), reduced));
@@ -297,7 +298,7 @@ impl Network {
         (0..self.conductivities.len()).map(of).collect()
     }
 
-    /// From the last line down.
+    /// Adds the shares of the nodes of a block, from the line that was taken out last to the first.
     fn fill(&self, block: &Block, names: &[usize], shares: &mut [[f64; 2]]) {
         let mut front = self.assembled(block);
         front.eliminate();

@@ -14,16 +14,16 @@ use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::parallel::{inside, sum};
 use crate::{BemError, BoundaryElements, LoadCase, Progress, Solution};
 
-/// Error of the separation that is left, over the rms height; that of a mean gap is as large.
+/// Error of a separation over the rms height; a mean gap is solved to the same error.
 const TOLERANCE: f64 = 1e-7;
 /// Trials for a separation: one if the map is periodic, a few if it is free.
 const MOST_TRIALS: usize = 20;
-/// Shifts that differ by less, relatively, are the same.
+/// Relative difference of shifts that are the same.
 const SAME: f64 = 1e-9;
-/// Tractions so near the limit, relatively, slide: the pressures are no more accurate.
+/// Relative distance from the limit within which a traction slides: the error of pressures.
 const SLIDES: f64 = 1e-8;
 
-/// A contact that slips.
+/// The partial slip of a solved contact under a constant load.
 #[derive(Debug)]
 pub struct ContactSlip {
     elements: BoundaryElements,
@@ -33,7 +33,7 @@ pub struct ContactSlip {
     closest: Normal,
     /// Pressures of `closest` \[Pa\].
     pressures: Vec<f64>,
-    /// Solved contacts after their retreats.
+    /// Shifts \[m\], and the contacts that stick after them.
     known: Mutex<Vec<(f64, Normal)>>,
 }
 
@@ -47,7 +47,7 @@ struct Normal {
     /// Elastic energy \[J/m²\].
     energy: f64,
     /// Pixels that touch.
-    touch: usize,
+    touching: usize,
 }
 
 impl ContactSlip {
@@ -80,7 +80,7 @@ impl ContactSlip {
         Ok(Self { elements, friction, retreat_per_shift, closest, pressures, known })
     }
 
-    /// The tangential force over the area of the map \[Pa\] at a first shift \[m\].
+    /// The tangential force over the area of the map \[Pa\] after a first shift \[m\].
     ///
     /// # Errors
     /// Those of [`BoundaryElements::solve`], as for all that follow.
@@ -89,18 +89,18 @@ impl ContactSlip {
     }
 
     /// The energy that a cycle between ±`amplitude` \[m\] dissipates, over the area of the map
-    /// \[J/m²\]: what the normal contacts store gives the integral of the traction.
+    /// \[J/m²\]. The integral of the traction follows from the elastic energies of both contacts.
     ///
     /// # Errors
     /// Those of [`traction`](Self::traction), and an amplitude at which no pixel slips.
     pub fn loss(&self, amplitude: f64) -> Result<f64, BemError> {
-        let Normal { pressure, energy, separation, touch, .. } = self.closest;
+        let Normal { pressure, energy, separation, touching, .. } = self.closest;
         let after = self.after(amplitude)?;
-        if amplitude > 0.0 && after.touch >= touch {
+        if amplitude > 0.0 && after.touching >= touching {
             let required = "one at which pixels slip, as a narrower slip has no known loss,";
             return Err(BemError::OutOfRange { field: "amplitude", found: amplitude, required });
         }
-        // That of the contact found, as small differences of large numbers follow.
+        // Not that of the amplitude, whose error would remain in the small differences that follow.
         let retreat = after.separation - separation;
         let area = pressure * retreat - energy + after.energy;
         let triangle = 0.5 * (pressure - after.pressure) * retreat;
@@ -129,7 +129,7 @@ impl ContactSlip {
         Ok(shift)
     }
 
-    /// The tractions of all pixels \[Pa\] at a first shift \[m\], and which of them stick.
+    /// The tractions of all pixels \[Pa\] after a first shift \[m\], and which of them stick.
     ///
     /// # Errors
     /// Those of [`traction`](Self::traction).
@@ -143,7 +143,7 @@ impl ContactSlip {
         Ok((tractions, rest.iter().map(|rest| *rest > 0.0).collect()))
     }
 
-    /// Solves the contact of a shift \[m\] ahead; `progress` may stop it.
+    /// Solves the contact that sticks after a shift \[m\], for later calls; `progress` may stop it.
     ///
     /// # Errors
     /// [`BemError::Cancelled`], and those of [`traction`](Self::traction).
@@ -158,7 +158,8 @@ impl ContactSlip {
         if retreat <= 0.0 || wanted >= highest {
             return Ok(());
         }
-        // Both end at the highest point; of a free map the mean gap holds the mean deflection, too.
+        // Mean gap and separation are equal where the highest point parts; with a free boundary they
+        // differ by the mean deflection before.
         let (from, separation) = (self.closest.mean_gap, self.closest.separation);
         let (mut slope, mut last) = ((highest - from) / (highest - separation), [from, separation]);
         let mut gap = from + slope * retreat;
@@ -183,7 +184,7 @@ impl ContactSlip {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).push((shift, normal));
     }
 
-    /// The contact P* of a shift.
+    /// The contact that sticks after a shift, under P*.
     fn after(&self, shift: f64) -> Result<Normal, BemError> {
         if !(shift >= 0.0 && shift.is_finite()) {
             let required = "a finite number, at least 0,";
@@ -208,7 +209,7 @@ impl ContactSlip {
     }
 }
 
-/// What slip needs of a solution.
+/// The numbers of a solution that slip needs.
 fn normal(elements: &BoundaryElements, solution: &Solution) -> Normal {
     let mut space =
         HalfSpace::new(elements.map(), elements.modulus(), elements.boundary_condition());
@@ -221,6 +222,6 @@ fn normal(elements: &BoundaryElements, solution: &Solution) -> Normal {
         mean_gap: solution.mean_gap,
         separation: solution.mean_gap - deflection / pixels,
         energy: 0.5 * work / pixels,
-        touch: solution.pressures.iter().filter(|pressure| **pressure > 0.0).count(),
+        touching: solution.pressures.iter().filter(|pressure| **pressure > 0.0).count(),
     }
 }

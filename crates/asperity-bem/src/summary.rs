@@ -6,10 +6,10 @@ use crate::Bem;
 use crate::hydraulic::GapMap;
 use crate::{BemError, BoundaryElements, Direction, Solution};
 
-/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
-/// between them.
+/// Relative error at the usual tolerance, of a contact of pixels; that of the grid is not part of
+/// it.
 const ERROR: f64 = 1e-6;
-/// Of the slope of loading, a difference.
+/// Relative error of the slope of loading, which is a difference where pixels yield.
 const SLOPE_ERROR: f64 = 2e-3;
 
 /// The numbers of a contact from which its quantities follow.
@@ -46,7 +46,7 @@ impl BoundaryElements {
         ContactSummary { mean_pressure, area, mean_gap, stiffness, loading_stiffness, gaps }
     }
 
-    /// Likewise of surfaces that do not touch, apart by this mean gap \[m\].
+    /// The numbers of surfaces that do not touch, apart by this mean gap \[m\].
     pub(crate) fn open_summary(&self, mean_gap: f64, quantities: &[Quantity]) -> ContactSummary {
         let gaps = hydraulic(quantities, || Ok(self.open_gap_map(mean_gap)));
         ContactSummary { gaps, ..ContactSummary::open(mean_gap) }
@@ -86,7 +86,6 @@ fn is_slope(quantity: Quantity) -> bool {
 
 /// Whether boundary elements give a quantity: force, area and what follows from them; the slope of
 /// loading; stiffnesses and conductances of joints; hydraulic gaps.
-#[must_use]
 pub(crate) fn known(quantity: Quantity) -> bool {
     quantity.follows_from_totals()
         || quantity.is_of_joint()
@@ -96,7 +95,7 @@ pub(crate) fn known(quantity: Quantity) -> bool {
 
 /// An error of boundary elements as one of the model.
 pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: crate::Bem::ID.into(), reason: error.to_string() }
+    ContactError::Refused { model: Bem::ID.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {

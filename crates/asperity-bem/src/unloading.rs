@@ -1,6 +1,5 @@
-//! What a solved contact does next: its stiffness while the pixels stay in contact (the slope at
-//! the start of unloading, which small vibrations and ultrasound measure), and the surface that it
-//! unloads with.
+//! The start of unloading: the stiffness of a solved contact while its pixels stay in contact,
+//! which small vibrations and ultrasound measure, and the surface that yielding has left.
 
 use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::parallel::{inside, number, sum, update};
@@ -17,8 +16,8 @@ const MOST_ITERATIONS: usize = 1000;
 pub struct FixedContact {
     /// Change of the mean pressure on the area of the map over the approach \[Pa/m\]. Periodic: the
     /// approach of the mean planes; free: that of the rigid surface to distant points of the
-    /// half-space, which the half-space under the map as a whole gives way to. K/(1 -
-    /// [`mean_deflection`](Self::mean_deflection)) is the change over the fall of the mean gap.
+    /// half-space, which deflects under the map as a whole. Divided by 1 -
+    /// [`mean_deflection`](Self::mean_deflection) it is the change over the fall of the mean gap.
     pub stiffness: f64,
     /// Change of the mean deflection of the map over the approach: 0 if periodic.
     pub mean_deflection: f64,
@@ -32,7 +31,7 @@ pub struct FixedContact {
 
 impl BoundaryElements {
     /// The stiffness of `solution` at fixed contact: pixels that touch, elastic or plastic, respond
-    /// elastically and follow an even approach, K p = 1 on them.
+    /// elastically, and all of them deflect by the same approach.
     ///
     /// For elastic periodic contacts it is the slope of load over mean gap. For yielded ones it is
     /// the slope at the start of unloading, which exceeds that of loading. By Barber's analogy the
@@ -42,16 +41,16 @@ impl BoundaryElements {
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
     /// where every pixel of a periodic map touches, [`BemError::NotConverged`].
     pub fn fixed_contact(&self, solution: &Solution) -> Result<FixedContact, BemError> {
-        let found = self.pixels_of(solution)?;
+        let pixels = self.pixels_of(solution)? as f64;
         let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
         let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
         inside(|| {
-            let mut fixed = even_approach(&contact, found as f64, &mut space)?;
+            let mut fixed = even_approach(&contact, pixels, &mut space)?;
             if self.boundary_condition() == Boundary::Free {
                 let mut deflections = fixed.pressures.clone();
                 space.apply(Filter::Deflect, &mut deflections);
                 let [total] = sum([&deflections], |[deflection]| [deflection]);
-                fixed.mean_deflection = total / found as f64;
+                fixed.mean_deflection = total / pixels;
             }
             Ok(fixed)
         })
@@ -61,8 +60,8 @@ impl BoundaryElements {
     /// the heights. The load of `solution` gives the same pressures again; smaller loads, or larger
     /// mean gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
     ///
-    /// Mean gaps count from the mean plane of the new heights, from where that of `solution` is its
-    /// [`mean_open_gap`](Solution::mean_open_gap): the retreat is the difference to it. \[derived\]
+    /// Mean gaps count from the mean plane of the new heights, and that of `solution` becomes its
+    /// [`mean_open_gap`](Solution::mean_open_gap): the difference to it is the retreat. \[derived\]
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size.
@@ -77,8 +76,8 @@ impl BoundaryElements {
     }
 }
 
-/// Pressures with the deflection 1 m on the contact, by preconditioned conjugate gradients.
-/// `contact` is 1 on it and 0 elsewhere; `pixels` is their number on the map.
+/// The pressures that deflect the contact by 1 m everywhere, by preconditioned conjugate gradients.
+/// `contact` is 1 on it and 0 elsewhere; `pixels` is the number of pixels of the map.
 pub(crate) fn even_approach(
     contact: &[f64],
     pixels: f64,
@@ -93,15 +92,10 @@ pub(crate) fn even_approach(
     while iterations <= MOST_ITERATIONS {
         if residual <= TOLERANCE {
             let [total] = sum([&pressures], |[pressure]| [pressure]);
-            let stiffness = total / pixels;
-            let mean_deflection = 0.0;
-            return Ok(FixedContact {
-                stiffness,
-                mean_deflection,
-                pressures,
-                residual,
-                iterations,
-            });
+            let (stiffness, mean_deflection) = (total / pixels, 0.0);
+            let fixed =
+                FixedContact { stiffness, mean_deflection, pressures, residual, iterations };
+            return Ok(fixed);
         }
         // The preconditioned remainder.
         response.copy_from_slice(&remainder);

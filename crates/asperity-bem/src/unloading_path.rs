@@ -7,10 +7,10 @@ use asperity_core::{Finding, Quantity};
 
 use crate::{BemError, BoundaryElements, ContactSummary, LoadCase, Progress};
 
-/// A contact that opens from its greatest load.
+/// The unloading of a contact from its greatest load.
 #[derive(Debug, Clone)]
 pub struct UnloadingPath {
-    /// The surface less its plastic depths.
+    /// The surface that yielding has left.
     flattened: BoundaryElements,
     closest: ContactSummary,
     /// Mean gap of `closest` from the mean plane of the flattened surface \[m\].
@@ -41,7 +41,7 @@ impl UnloadingPath {
         &self.closest
     }
 
-    /// Limits of the solution at the greatest load.
+    /// Findings of the resolution at the greatest load.
     #[must_use]
     pub fn notes(&self) -> &[Finding] {
         &self.notes

@@ -29,8 +29,8 @@ const FITS: [Fit; 7] = [
 const SHEAR_TO: f64 = 5.0;
 const FRICTION_TO: f64 = 7.0;
 
-/// φ_x, the pressure flow factor along the direction in which γ is measured, at H = `film`, the film
-/// over σ.
+/// φ_x, the pressure flow factor along the direction in which γ is measured, at H = `film`, the
+/// film over σ.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] for H below 0.5 (below 1 for γ below 1), and for γ outside 1/9
@@ -43,7 +43,7 @@ pub fn pressure_flow_factor(film: f64, gamma: f64) -> Result<f64, ContactError> 
     })
 }
 
-/// Φ_s, the shear flow factor of one surface, at H = `film`; φ_s is the weighted difference of both.
+/// Φ_s, the shear flow factor of one surface at H = `film`; φ_s is the weighted difference of both.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] for H below 0.5, and for γ outside 1/9 to 9.

@@ -19,8 +19,8 @@ const SHORTEST: f64 = 1e-9;
 const LEAST: f64 = 1e-30;
 
 /// ∫ f dx from the start of a part, plus a value: Chebyshev series on pieces each of which ends at
-/// twice its start, halved where they do not converge; next to the start in the root of the distance
-/// from it, of which f may have odd powers.
+/// twice its start, halved where they do not converge; next to the start in the root of the
+/// distance from it, of which f may have odd powers.
 pub(crate) struct Antiderivative {
     form: Formula,
     start: f64,

@@ -23,8 +23,8 @@ pub(crate) struct Gap<'a> {
     pub(crate) gamma: f64,
 }
 
-/// ln b of the pressures whose mean gaps are representable and above 0; b = √2 p/(E g), and the upper
-/// end is p = 17 E g.
+/// ln b of the pressures whose mean gaps are representable and above 0; b = √2 p/(E g), and the
+/// upper end is p = 17 E g.
 pub(crate) const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 /// ln u of the mean gap u \[m\], in x = ln b.
