@@ -28,10 +28,12 @@ pub(crate) const FINISH: &[&str] = &[
     "mean_slope",
 ];
 
-/// Ra of the cusps of a turned surface is feed²/(31.18 nose_radius). \[derived\]
+/// Ra of the cusps of a turned surface is feed²/(18 √3 nose_radius), of parabolas. \[derived\]
 const CUSP: f64 = 31.18;
+/// The power of Rq in the usual slope.
+const POWER: f64 = 0.402;
 
-/// The keys of a section.
+/// The numbers that a section takes from a drawing.
 struct Drawing<'d> {
     document: &'d Document<'d>,
     section: &'static str,
@@ -40,17 +42,14 @@ struct Drawing<'d> {
     wavelengths: [f64; 2],
 }
 
-/// The power of Rq in the usual slope.
-const POWER: f64 = 0.402;
-
 type Read<T> = Result<T, SceneError>;
 
-/// The surface that the keys of a section describe, the number that is probably in another unit,
-/// and what is to be said about the others.
+/// The surface that the keys of a section describe, the warning of a number that is probably in
+/// another unit, and those of numbers that contradict each other.
 ///
 /// # Errors
-/// [`SceneError`] for a finish that is not of the table, a number that is out of range, and where
-/// the height or the slope is missing.
+/// [`SceneError`] for a finish that is not in the table, a number that is out of range, and a
+/// missing height or slope.
 pub(crate) fn face(
     document: &Document<'_>,
     section: &'static str,
@@ -80,7 +79,7 @@ impl Drawing<'_> {
         format!("{}.{key}", self.section)
     }
 
-    /// The number of a key, which is positive.
+    /// The number of a key, if it is given; an error if it is not positive.
     fn number(&self, key: &'static str) -> Read<Option<f64>> {
         let found = self.document.number(&self.at(key))?;
         let checked = found.map(|value| positive(key, value)).transpose();
@@ -99,7 +98,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The range of a number for these cut-offs, or the key that it replaces.
+    /// The range of a number for these cut-offs, or an error that asks for `key` instead.
     fn at_ratio(&self, what: &str, key: &str) -> Read<&'static Range> {
         let [short_cut, cut] = self.wavelengths;
         match Range::at_ratio(what, cut / short_cut) {
@@ -114,16 +113,16 @@ impl Drawing<'_> {
         }
     }
 
-    /// Rq, and about Ra.
+    /// Rq, and Ra \[m\]: estimated, as of Gaussian heights, where it is not given.
     fn height(&self) -> Read<(Unknown, f64)> {
         let (ra, rq, rz) = (self.number("ra")?, self.number("rq")?, self.number("rz")?);
         if let Some(rq) = rq {
-            return Ok((Unknown::given(NAMES[0], rq, "rq"), ra.unwrap_or(rq / 1.25)));
+            return Ok((Unknown::given(NAMES[0], rq, "rq"), ra.unwrap_or(FRAC_2_PI.sqrt() * rq)));
         }
         let made = |range: &'static Range, ends: [f64; 2], text: &str| {
             let Range { lower, upper, source, .. } = range;
             let source = format!("{text} {lower} to {upper}: {source}");
-            Unknown::new(NAMES[0], ends, range.status(), source)
+            Unknown::new(NAMES[0], ends, &range.status, source)
         };
         match (ra, rz) {
             (Some(ra), _) => {
@@ -133,7 +132,7 @@ impl Drawing<'_> {
             (None, Some(rz)) => {
                 let range = self.range("rz_over_rq")?;
                 let height = made(range, [rz / range.upper, rz / range.lower], "rz over");
-                let ra = height.range[1] / 1.25;
+                let ra = FRAC_2_PI.sqrt() * height.range[1];
                 Ok((height, ra))
             }
             (None, None) => self
@@ -184,7 +183,7 @@ impl Drawing<'_> {
             ends = ends.map(|end| end.max(cusps));
             source += &format!("; at least feed/(4 nose_radius) = {}", short(cusps));
         }
-        Ok((Unknown::new(NAMES[1], ends, range.status(), source), power))
+        Ok((Unknown::new(NAMES[1], ends, &range.status, source), power))
     }
 
     /// Feed and nose radius of a turned surface.
@@ -211,8 +210,7 @@ impl Drawing<'_> {
         let Some(finish) = self.finish.filter(|_| lay.lower < 1.0) else { return Ok(across) };
         let areal = |slope: f64, ratio: f64| slope * (0.5 * (1.0 + ratio * ratio)).sqrt();
         let ends = [areal(across.range[0], lay.lower), areal(across.range[2], lay.upper)];
-        let is_assumed = across.status == "assumed" || lay.status() == "assumed";
-        let status = if is_assumed { "assumed" } else { lay.status() };
+        let status = if across.status == "assumed" { "assumed" } else { &lay.status };
         let source = format!(
             "{}; slope along over across the lay of {finish} surfaces {} to {}: {}",
             across.source, lay.lower, lay.upper, lay.source
@@ -220,7 +218,7 @@ impl Drawing<'_> {
         Ok(Unknown::new(NAMES[1], ends, status, source))
     }
 
-    /// The bandwidth, which follows from the cut-offs.
+    /// The bandwidth, given or by the ratio of the cut-offs.
     fn bandwidth(&self) -> Read<Unknown> {
         if let Some(bandwidth) = self.number("bandwidth")? {
             return Ok(Unknown::given(NAMES[2], bandwidth, "bandwidth"));
@@ -228,10 +226,10 @@ impl Drawing<'_> {
         let range = self.at_ratio("bandwidth", "bandwidth")?;
         let [short_cut, cut] = self.wavelengths.map(|length| short(1e6 * length));
         let source = format!("lambda_c {cut} um, lambda_s {short_cut} um: {}", range.source);
-        Ok(Unknown::new(NAMES[2], [range.lower, range.upper], range.status(), source))
+        Ok(Unknown::new(NAMES[2], [range.lower, range.upper], &range.status, source))
     }
 
-    /// The heights that only another unit makes usual.
+    /// The warning of a height that only another unit makes usual.
     fn odd(&self) -> Read<Option<Finding>> {
         let mut given = vec![];
         for key in ["ra", "rq", "rz"] {
@@ -241,7 +239,7 @@ impl Drawing<'_> {
         Ok(odd.map(|odd| in_other_unit(self.document, self.section, odd)))
     }
 
-    /// Numbers that do not go together.
+    /// The warnings of numbers that contradict each other.
     fn warnings(&self, ra: f64, height: &Unknown, across: &Unknown) -> Read<Vec<Finding>> {
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
@@ -262,8 +260,9 @@ impl Drawing<'_> {
             }
         }
         let (slope, usual) = (across.range[1], usual_slope(height.range[1]));
-        let [least, most] = [0.25, 1.8].map(|share| short(share * usual));
-        if !(0.25..=1.8).contains(&(slope / usual)) && self.finish != Some("polished") {
+        let odd = Range::of_finish("slope", UNKNOWN).filter(|range| !range.contains(slope / usual));
+        if let Some(Range { lower, upper, .. }) = odd.filter(|_| self.finish != Some("polished")) {
+            let [least, most] = [lower, upper].map(|ratio| short(ratio * usual));
             let fact = format!(
                 "the mean slope is {}, and machined surfaces of this roughness have {least} to {most}",
                 short(slope)
@@ -292,13 +291,13 @@ impl Drawing<'_> {
     }
 }
 
-/// The slope 0.125 Rq^0.402 (Rq in um) of a surface with this Rq \[m\], to which the slopes of
-/// finishes are compared.
+/// The mean slope 0.125 Rq^0.402 (Rq in um) of a surface with this Rq \[m\], in units of which the
+/// table has the slopes of finishes: a fit to machined surfaces. \[seen in public codes\]
 fn usual_slope(rq: f64) -> f64 {
     0.125 * (1e6 * rq).powf(POWER)
 }
 
-/// What a finish may be.
+/// The finishes, as a requirement.
 fn one_finish() -> String {
     let names: Vec<String> = finishes().map(|name| format!("{name:?}")).collect();
     format!("finish = one of {}", names.join(", "))

@@ -46,13 +46,13 @@ impl Unknown {
     }
 }
 
-/// One rough surface with its unknowns, in the order of [`NAMES`].
+/// One rough surface with its unknowns in the order of [`NAMES`].
 #[derive(Debug, Clone)]
 pub(crate) struct Face {
     /// The section of its keys.
     pub(crate) section: &'static str,
     pub(crate) unknowns: [Unknown; 3],
-    /// The power of Rq over its middle by which the slope varies where it follows from Rq.
+    /// The slope varies with this power of Rq over its middle; 0 if it does not follow from Rq.
     pub(crate) slope_power: f64,
 }
 
