@@ -234,6 +234,8 @@ mod tests {
             near.starts_with("over these loads, nearest to boundary elements in area"),
             "{near}"
         );
+        let stiffness = "; models are not ranked in stiffness in first loading, which depends on";
+        assert!(near.contains(stiffness), "{near}");
         let [refined, alone] = [off(1.9), summary(std::slice::from_ref(&coarse))];
         let advice = ", or compare with half the grid (refine)";
         assert!(refined.starts_with("models are not ranked: the grid is too coarse"), "{refined}");

@@ -49,12 +49,11 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
 /// them.
 #[must_use]
 pub fn summary(found: &[Truth]) -> String {
-    let mut ranked = Compared::RANKED.to_vec();
-    ranked.retain(|(quantity, _)| found.iter().any(|truth| truth.bem.contains_key(quantity)));
+    let mut known = Compared::RANKED.to_vec();
+    known.retain(|(quantity, _)| found.iter().any(|truth| truth.bem.contains_key(quantity)));
     let is_coarse = found.iter().any(|truth| truth.has_note(&COARSE));
-    if is_coarse {
-        ranked.retain(|(quantity, _)| grid_is_nearest(found, *quantity));
-    }
+    let is_ranked = |(quantity, _): &_| !is_coarse || grid_is_nearest(found, *quantity);
+    let (ranked, others): (Vec<_>, Vec<_>) = known.into_iter().partition(is_ranked);
     let codes = |truth: &Truth| {
         let codes = truth.notes.iter().map(|note| note.code);
         codes.filter(|code| ranked.is_empty() || !COARSE.contains(code)).collect()
@@ -70,7 +69,10 @@ pub fn summary(found: &[Truth]) -> String {
     let models = found.first().map_or(&[][..], |first| &first.models);
     let ids = models.iter().map(|(model, _)| model.id());
     let off = |id: &str, of| resolved.iter().map(|truth| truth.off(id, of)).collect();
-    let nearest = nearest_in_each(ids, off, &ranked).join("; ");
+    let mut nearest = nearest_in_each(ids, off, &ranked).join("; ");
+    for (_, name) in others {
+        nearest += &format!("; models are not ranked in {name}, which depends on the grid");
+    }
     match (resolved.len(), found.len()) {
         (count, all) if all == count => format!("over these loads, {nearest}"),
         (count, all) => format!(
