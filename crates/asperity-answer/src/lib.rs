@@ -44,7 +44,8 @@ pub use slip::{Amplitude, Slip};
 pub use slip_scan::stick_map;
 pub use subject::{Subject, unit_warning};
 pub use truth::{
-    ContactState, Truth, Truths, beside_table, compare_with_bem, summary, truth, unranked,
+    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, summary, truth,
+    unranked,
 };
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;
