@@ -29,8 +29,8 @@ pub struct Asked {
 pub struct Line {
     /// As given.
     pub given: At,
-    /// The separation \[σ_z, m\] from the plane of the scene, if there is one.
-    pub separation: [Option<f64>; 2],
+    /// The separation \[σ_z, m\] from the plane of the scene, or the reason why there is none.
+    pub separation: [Result<f64, ContactError>; 2],
     /// The film \[m\] and its ratio to the standard deviation of the surface heights, from the mean
     /// plane of the surface, if there is one.
     pub film: [Option<f64>; 2],
@@ -70,6 +70,12 @@ impl Asked {
         })?;
         let (model, request) = (model.clone(), request.clone());
         Ok(Self { model, contact: contact.into(), request, refused, all })
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
     }
 
     /// Whether the model has a quantity.
@@ -143,23 +149,25 @@ impl Asked {
                 }
             };
             let values = self.request.quantities.iter().map(value).collect();
-            let [separation, film] = self.separations(file, at);
+            let (separation, film) = self.separations(file, at);
             Line { given, separation, film, values }
         });
         (lines.collect(), response.warnings)
     }
 
     /// The separation at a place in σ_z and in metres, from the plane of the scene, and as a film.
-    fn separations(&self, file: &SceneFile, at: At) -> [[Option<f64>; 2]; 2] {
-        let separation = self.contact.separation(at).ok();
+    fn separations(
+        &self,
+        file: &SceneFile,
+        at: At,
+    ) -> ([Result<f64, ContactError>; 2], [Option<f64>; 2]) {
+        let (separation, scene) = (self.contact.separation(at), self.contact.scene());
+        let from_scene = |unit| measured(file, scene, separation.clone()?, unit);
         let film =
-            |unit| separation?.measured_in(unit, Datum::SurfaceMean, self.contact.scene()).ok();
+            |unit| separation.as_ref().ok()?.measured_in(unit, Datum::SurfaceMean, scene).ok();
         let (sigma, metres) = (SeparationUnit::Sigma, SeparationUnit::Metres);
-        [
-            [sigma, metres]
-                .map(|unit| measured(file, self.contact.scene(), separation?, unit).ok()),
-            [metres, SeparationUnit::SurfaceStd].map(|unit| Some(film(unit)?.value)),
-        ]
+        let film = [metres, SeparationUnit::SurfaceStd].map(|unit| Some(film(unit)?.value));
+        ([sigma, metres].map(from_scene), film)
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.

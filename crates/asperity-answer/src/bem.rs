@@ -1,24 +1,38 @@
 //! Boundary elements on the scan of a scene.
 
-use asperity::bem::{Bem, BemError, Continuation, Direction, Leak, LoadCase, Progress, Solution};
+use std::ops::ControlFlow;
+
+use asperity::bem::{
+    Bem, BemError, BoundaryElements, Continuation, Direction, Leak, LoadCase, Progress, Solution,
+};
 use asperity::{ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
-/// A number of a solution.
-type Number = fn(&Solution) -> f64;
-/// Columns of every solution behind its load and pressure.
-const COLUMNS: [(&str, Number); 7] = [
-    ("area_fraction", |found| found.area),
-    ("area_fraction_pixels", |found| found.pixel_area),
-    ("plastic_fraction", |found| found.plastic_area),
-    ("mean_gap_m", |found| found.mean_gap),
-    ("patches", |found| found.patches.len() as f64),
-    ("iterations", |found| found.iterations as f64),
-    ("residual", |found| found.residual),
+/// A number of a solution on a nominal area.
+type Number = fn(&Solution, f64) -> f64;
+/// Columns of every solution.
+const COLUMNS: [(&str, Number); 9] = [
+    ("load_N", |found, area| pressure(found) * area),
+    ("pressure_Pa", |found, _| pressure(found)),
+    ("area_fraction", |found, _| found.area),
+    ("area_fraction_pixels", |found, _| found.pixel_area),
+    ("plastic_fraction", |found, _| found.plastic_area),
+    ("mean_gap_m", |found, _| found.mean_gap),
+    ("patches", |found, _| found.patches.len() as f64),
+    ("iterations", |found, _| found.iterations as f64),
+    ("residual", |found, _| found.residual),
 ];
+
+/// The mean pressure, exactly as given.
+fn pressure(solution: &Solution) -> f64 {
+    match solution.given {
+        LoadCase::MeanPressure(pressure) => pressure,
+        _ => solution.mean_pressure,
+    }
+}
 
 /// What is solved on the scan of a scene.
 #[derive(Debug, Clone, Copy)]
@@ -47,13 +61,77 @@ pub const FLOWS: [(Quantity, Direction, &str); 2] = [
     (Quantity::HydraulicGapY, Direction::Y, "flow_y_m3_per_s"),
 ];
 
+/// A load or gap that was solved.
+#[derive(Debug)]
+pub struct Pressed {
+    /// Its row, under [`Press::heads`].
+    pub cells: Vec<Cell>,
+    /// The notes of the solution and of what follows from it.
+    pub notes: Vec<Finding>,
+    /// The solution.
+    pub solution: Solution,
+}
+
 /// The cells of each solution, `None` without one, the solutions that are kept, and the findings.
 type Solved = (Vec<Option<Vec<Cell>>>, Vec<Solution>, Findings);
 
 impl Press<'_> {
+    /// The columns of a solved load or gap.
+    #[must_use]
+    pub fn heads(&self) -> Vec<String> {
+        let quantities = self.quantities().into_iter().map(Quantity::column);
+        let flows = self.leak.iter().flat_map(|_| FLOWS.map(|(.., head)| head.into()));
+        COLUMNS.iter().map(|(head, _)| (*head).into()).chain(quantities).chain(flows).collect()
+    }
+
+    /// The quantities asked for, each once, without those that every solution has.
+    fn quantities(&self) -> Vec<Quantity> {
+        let mut all = self.quantities.to_vec();
+        all.extend(self.leak.iter().flat_map(|_| FLOWS.map(|(gap, ..)| gap)));
+        all.retain(|quantity| COLUMNS.iter().all(|(head, _)| *head != quantity.column()));
+        once(&all)
+    }
+
+    /// Solves the loads or gaps in turn, each passed on with its place among those given; a value
+    /// that is missing has its reason.
+    pub fn each(
+        &self,
+        elements: &BoundaryElements,
+        progress: impl FnMut(&Progress) -> ControlFlow<()>,
+        mut deliver: impl FnMut(usize, Result<Pressed, BemError>),
+    ) {
+        let quantities = self.quantities();
+        elements.solve_each(self.given, progress, |index, solution| {
+            deliver(index, solution.map(|found| self.pressed(elements, &quantities, found)));
+        });
+    }
+
+    fn pressed(
+        &self,
+        elements: &BoundaryElements,
+        quantities: &[Quantity],
+        solution: Solution,
+    ) -> Pressed {
+        let scene = &self.file.scene;
+        let numbers = COLUMNS.iter().map(|(_, number)| number(&solution, scene.nominal_area));
+        let mut cells: Vec<Cell> = numbers.map(Cell::from).collect();
+        let summary = elements.summary(&solution, quantities);
+        cells.extend(quantities.iter().map(|quantity| match summary.evaluate(*quantity, scene) {
+            Ok(value) => value.map(|value| value.value()).into(),
+            Err(reason) => Cell::Blank(Some(reason.marked().into())),
+        }));
+        let flow = |leak: Leak, (gap, direction, _)| {
+            let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
+            Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
+        };
+        let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
+        cells.extend(flows.into_iter().flatten());
+        let notes = solution.notes.iter().cloned().chain(summary.sealed()).collect();
+        Pressed { cells, notes, solution }
+    }
+
     /// Fills a sheet with a row for each load or gap, and returns the solutions, if they are kept.
-    /// Where the work is stopped, the rows are those solved by
-    /// then.
+    /// Where the work is stopped, the rows are those solved by then.
     ///
     /// # Errors
     /// Quantities that boundary elements or the scene lack, a grid that cannot be halved, and
@@ -63,20 +141,14 @@ impl Press<'_> {
         sheet: &mut Sheet,
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
-        sheet.under(&[&["load_N", "pressure_Pa"], &COLUMNS.map(|(head, _)| head)]);
-        let flows = self.leak.map_or(&[][..], |_| &FLOWS);
-        let mut quantities = self.quantities.to_vec();
-        quantities.extend(flows.iter().map(|(gap, ..)| *gap));
-        let mut quantities = once(&quantities);
-        quantities.retain(|quantity| sheet.column(&quantity.column()).is_none());
+        sheet.heads = self.heads();
         // Refuses what boundary elements or the scene lack before anything is solved.
-        let request = Request::new(quantities.iter().copied());
-        self.bem.compile(&self.file.scene, &request)?;
+        self.bem.compile(&self.file.scene, &Request::new(self.quantities()))?;
         // Before the hours of the whole grid.
         let half = self.refine.then(|| half_grid(self.bem)).transpose()?;
-        let (whole, kept, mut found) = self.rows(self.bem, &quantities, sheet, watch)?;
+        let (whole, kept, mut found) = self.rows(self.bem, sheet, watch)?;
         let half = half.filter(|_| !watch.is_stopped());
-        let half = half.map(|half| self.rows(&half, &quantities, sheet, watch)).transpose()?;
+        let half = half.map(|half| self.rows(&half, sheet, watch)).transpose()?;
         let half = half.map(|(rows, _, of_half)| {
             // What the whole grid is too coarse for, half of it is, too.
             let known: Vec<&str> = found.iter().map(|one| one.code).collect();
@@ -86,8 +158,6 @@ impl Press<'_> {
             rows
         });
         sheet.extend(self.file.accepted(found));
-        sheet.heads.extend(quantities.iter().map(|quantity| quantity.column()));
-        sheet.heads.extend(flows.iter().map(|(.., head)| (*head).to_string()));
         let width = sheet.heads.len();
         if half.is_some() {
             let of_half = |name: &String| format!("{name}_half_grid");
@@ -120,12 +190,11 @@ impl Press<'_> {
     fn rows(
         &self,
         bem: &Bem,
-        quantities: &[Quantity],
         sheet: &mut Sheet,
         watch: &dyn Watch,
     ) -> Result<Solved, ContactError> {
-        let ([rows, columns], scene) = (bem.map().shape(), &self.file.scene);
-        let elements = bem.elements(&scene.interface)?;
+        let [rows, columns] = bem.map().shape();
+        let elements = bem.elements(&self.file.scene.interface)?;
         let mut answers: Vec<Option<Vec<Cell>>> = vec![None; self.given.len()];
         let mut kept: Vec<Option<Solution>> = vec![None; self.given.len()];
         let (mut found, mut errors, mut lacks) = (Vec::<Finding>::new(), vec![], vec![]);
@@ -138,25 +207,12 @@ impl Press<'_> {
                 progress.residual
             ))
         };
-        elements.solve_each(self.given, progress, |index, solution| match solution {
-            Ok(solution) => {
-                found.extend(solution.notes.iter().cloned());
-                let mut cells = cells(&solution, scene.nominal_area);
-                let summary = elements.summary(&solution, quantities);
-                found.extend(summary.sealed());
-                for quantity in quantities {
-                    let value = summary.evaluate(*quantity, scene).unwrap_or_else(|error| {
-                        lacks.push(format!("no {quantity}: {error}"));
-                        None
-                    });
-                    cells.push(value.map(|value| value.value()).into());
-                }
-                let flow = |leak: Leak, (gap, direction, _)| {
-                    let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
-                    Some(leak.flow(*gap.as_ref().ok()?, bem.map(), direction))
-                };
-                let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
-                cells.extend(flows.into_iter().flatten());
+        self.each(&elements, progress, |index, pressed| match pressed {
+            Ok(Pressed { cells, notes, solution }) => {
+                found.extend(notes);
+                lacks.extend(self.quantities().iter().zip(&cells[COLUMNS.len()..]).filter_map(
+                    |(quantity, cell)| Some(format!("no {quantity}: {}", cell.reason()?)),
+                ));
                 answers[index] = Some(cells);
                 kept[index] = self.keep.then_some(solution);
             }
@@ -169,16 +225,6 @@ impl Press<'_> {
         let kept = kept.into_iter().flatten().collect();
         Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
     }
-}
-
-/// The cells of load and pressure, exactly as given, and under [`COLUMNS`].
-fn cells(solution: &Solution, nominal_area: f64) -> Vec<Cell> {
-    let pressure = match solution.given {
-        LoadCase::MeanPressure(pressure) => pressure,
-        _ => solution.mean_pressure,
-    };
-    let others = COLUMNS.map(|(_, number)| number(solution));
-    [pressure * nominal_area, pressure].into_iter().chain(others).map(Cell::from).collect()
 }
 
 /// Every second pixel, to tell how much depends on the grid.

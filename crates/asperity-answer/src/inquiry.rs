@@ -225,7 +225,8 @@ impl<'s> Inquiry<'s> {
     /// The cells of a line's place.
     pub(crate) fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
         let films = if self.films { &line.film[..] } else { &[] };
-        let places = self.loads_at(line.given).chain(films.iter().copied()).chain(line.separation);
+        let separation = line.separation.iter().map(|found| found.as_ref().ok().copied());
+        let places = self.loads_at(line.given).chain(films.iter().copied()).chain(separation);
         [Cell::from(id)].into_iter().chain(places.map(Cell::from)).collect()
     }
 
@@ -288,6 +289,6 @@ impl Found {
 }
 
 /// Names the model of opening where jkr pulls off.
-const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
+pub const OPENING: &str = "; jkr-separation, which describes opening, may carry more";
 /// The models that carry tension.
-const ADHESIVE: &str = "dmt, jkr or jkr-separation";
+pub const ADHESIVE: &str = "dmt, jkr or jkr-separation";

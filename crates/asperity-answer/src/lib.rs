@@ -25,26 +25,27 @@ mod unloading_scan;
 mod watch;
 
 pub use asked::{Asked, Line};
-pub use bem::{FLOWS, Press, half_grid};
+pub use bem::{FLOWS, Press, Pressed, half_grid};
 pub use blanks::Blanks;
 pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{Beside, Inquiry};
+pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use models::{
     ALL_MODELS, NamedModel, models, once, one_model, one_or_usual, scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;
-pub use ranges::{drawn_with_ranges, with_ranges};
+pub use ranges::{NO_RANGE, drawn_with_ranges, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
 pub use slip_scan::stick_map;
 pub use subject::{Subject, unit_warning};
 pub use truth::{
-    ContactState, Truth, Truths, beside_table, compare_with_bem, summary, truth, unranked,
+    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, summary, truth,
+    unranked,
 };
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;

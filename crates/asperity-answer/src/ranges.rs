@@ -206,7 +206,8 @@ impl Ends<'_> {
 
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
-const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
+/// Why a number has no value where it is missing at an end.
+pub const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
 const AT_AN_END: &str = "at an end of the ranges of the surface";
 
 fn least(numbers: &[f64]) -> f64 {

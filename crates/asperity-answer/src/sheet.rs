@@ -38,6 +38,12 @@ impl Cell {
         if let Self::Number(number) = self { Some(*number) } else { None }
     }
 
+    /// Why there is no value, where the cell says so; terms are marked.
+    #[must_use]
+    pub fn reason(&self) -> Option<&str> {
+        if let Self::Blank(reason) = self { reason.as_deref() } else { None }
+    }
+
     /// The name or word, empty for numbers and blanks.
     #[must_use]
     pub fn text(&self) -> &str {

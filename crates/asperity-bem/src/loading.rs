@@ -11,14 +11,6 @@ use crate::{BemError, BoundaryElements, Solution};
 const STEP: f64 = 0.05;
 
 impl BoundaryElements {
-    /// The mean pressures \[Pa\] between which the slope of first loading at `middle` is a
-    /// difference: up to 5 % to either side of it, at most half of what is left to the hardness.
-    #[must_use]
-    pub fn pressures_around(&self, middle: f64) -> [f64; 2] {
-        let step = STEP.min(0.5 * (self.cap() / middle - 1.0));
-        [(1.0 - step) * middle, (1.0 + step) * middle]
-    }
-
     /// The number of pixels of a solution of this map.
     pub(crate) fn pixels_of(&self, solution: &Solution) -> Result<usize, BemError> {
         let ([rows, columns], found) = (self.map().shape(), solution.pressures.len());
@@ -50,7 +42,9 @@ impl BoundaryElements {
             return Ok(fixed.stiffness / (1.0 - fixed.mean_deflection));
         }
         let middle = solution.mean_pressure;
-        let [lighter, heavier] = self.pressures_around(middle);
+        // At most half of what is left to the hardness.
+        let step = STEP.min(0.5 * (self.cap() / middle - 1.0));
+        let [lighter, heavier] = [(1.0 - step) * middle, (1.0 + step) * middle];
         let mut run = Run::after(self, solution);
         let mut gap = |pressure: f64| -> Result<f64, BemError> {
             let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use asperity_core::{At, Finding};
+use asperity_core::{At, Finding, short};
 
 use crate::half_space::HalfSpace;
 use crate::seam::LARGEST_STEP;
@@ -10,6 +10,8 @@ use crate::{Boundary, HeightMap};
 
 /// Least shortest wavelength \[pixels\].
 const LEAST_WAVELENGTH: f64 = 8.0;
+/// Cut-off of a Gaussian filter that leaves such waves, of any spectrum \[pixels\].
+const SMOOTHED: f64 = 16.0;
 /// Least number of pixels in contact.
 const LEAST_PIXELS: usize = 100;
 /// Least number of patches: with fewer, realisations differ by ten per cent and more.
@@ -66,7 +68,8 @@ pub(crate) fn of_map(
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
             .fact(format!("the shortest waves are {} pixels long", below(pixels, LEAST_WAVELENGTH)))
             .advice(format!(
-                "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; smooth the scan or refine the grid"
+                "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; set `smooth`, the shortest wave kept, to {} m ({SMOOTHED} pixels) or more, or refine the grid",
+                short(SMOOTHED * map.pixel()[0].max(map.pixel()[1]))
             ))
     });
     let step = map.seam_step();

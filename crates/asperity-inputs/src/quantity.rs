@@ -9,6 +9,10 @@ use crate::likely::{notation_hint, vickers};
 use crate::scaled::{leading, scale};
 use crate::sides;
 
+/// Units of kinematic viscosities, which data sheets of oils have, and what to do.
+const KINEMATIC: [&str; 4] = ["cSt", "St", "mm2/s", "m2/s"];
+const TIMES_DENSITY: &str = "is a kinematic viscosity: multiply it by the density (10 cSt in oil of 870 kg/m3 are 8.7 mPa s)";
+
 /// The SI unit of a key of scene files, as [`quantity`] takes it; `None` for keys without a unit.
 ///
 /// ```
@@ -77,7 +81,10 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     }
     let is_hardness = key == "yield_strength" && vickers(text).is_some();
     let strength = "is a hardness, not a yield strength: give hardness instead";
-    Err(is_hardness.then(|| strength.into()).or_else(|| notation_hint(text)).unwrap_or_else(|| {
+    let is_kinematic =
+        si == "Pa s" && leading(text).is_some_and(|(_, unit)| KINEMATIC.contains(&&*plain(&unit)));
+    let hint = is_hardness.then_some(strength).or(is_kinematic.then_some(TIMES_DENSITY));
+    Err(hint.map(String::from).or_else(|| notation_hint(text)).unwrap_or_else(|| {
         let near = nearest_hint(in_other_case(text, units));
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
         // 200 1/mm2 joined would read as 2001 per mm2.

@@ -22,6 +22,8 @@
 
 mod canvas;
 mod clip;
+#[cfg(feature = "scan")]
+mod contact;
 mod direct;
 mod error;
 mod figure;
@@ -40,6 +42,8 @@ mod style;
 mod text;
 mod trace;
 
+#[cfg(feature = "scan")]
+pub use contact::largest_of;
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
 #[cfg(feature = "scan")]
@@ -48,7 +52,7 @@ pub use matrix::{Matrix, MatrixCell, draw_matrix};
 #[cfg(feature = "scan")]
 pub use scan::draw_surface;
 pub use style::Curve;
-pub use text::{number, power_of_ten};
+pub use text::{PREFIXES, legible, number, power_of_ten};
 
 use layout::Layout;
 

@@ -10,7 +10,7 @@ use crate::map::{Map, Placed, check};
 use crate::panel::plots;
 use crate::size::{LABEL, WIDTH};
 use crate::style::{BLACK, Curve};
-use crate::text::{CAPITAL, number};
+use crate::text::{CAPITAL, legible, number};
 
 /// The most points of the map on a side, in a picture of its own and on a page.
 const MAP: [usize; 2] = [800, 400];
@@ -19,8 +19,6 @@ const OUT: f64 = 44.0;
 const BAR: f64 = 92.0;
 /// Colours end at so many standard deviations.
 const SPREAD: f64 = 4.0;
-/// Units of lengths.
-const UNITS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
 
 /// Draws a levelled and filtered surface with its report: its map, the density of its heights,
 /// spectra, slope and curvature against scale; returns the text of an svg. With a title, it has a
@@ -45,14 +43,14 @@ pub fn draw_surface(
     let highest = there().fold(f64::NEG_INFINITY, f64::max);
     // Spikes would leave one colour for all else.
     let (low, high) = (lowest.max(mean - wide), highest.min(mean + wide));
-    let (height, of_height) = unit(high - low);
-    let (length, of_length) = unit(size[0].max(size[1]) / 10.0);
+    let (height, of_height) = legible(high - low, "m");
+    let (length, of_length) = legible(size[0].max(size[1]) / 10.0, "m");
     let white = if heights.iter().any(|z| z.is_nan()) { "blank: missing" } else { "" };
     let map = Map {
         values: heights.iter().map(|z| z / height).collect(),
         columns,
         size: size.map(|side| side / length),
-        unit: of_length.into(),
+        unit: of_length,
         label: format!("height ({of_height})"),
         top: high / height,
         bottom: Some(low / height),
@@ -60,7 +58,7 @@ pub fn draw_surface(
         ..Map::default()
     };
     check(&map)?;
-    let mut figure = figure(glance, &csv, height, of_height);
+    let mut figure = figure(glance, &csv, height, &of_height);
     if let Some(title) = title {
         // Underscores of file names lower no letters.
         figure.title = title.replace('_', "_\u{200b}");
@@ -134,7 +132,7 @@ fn figure(glance: &Glance, csv: &str, height: f64, of_height: &str) -> Figure {
         }
         if let ("radial", Some(law)) = (key, law) {
             let mark = |length: f64| {
-                let (of, name) = unit(length);
+                let (of, name) = legible(length, "m");
                 // Three digits.
                 let text = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
                 Mark::new(std::f64::consts::TAU / length, &format!("{text} {name}"))
@@ -144,11 +142,6 @@ fn figure(glance: &Glance, csv: &str, height: f64, of_height: &str) -> Figure {
         figure.panels.push(panel);
     }
     figure
-}
-
-/// The unit in which a length is at least 1.
-fn unit(length: f64) -> (f64, &'static str) {
-    UNITS.into_iter().rev().find(|(unit, _)| length >= *unit).unwrap_or(UNITS[0])
 }
 
 #[cfg(test)]

@@ -63,6 +63,25 @@ pub(crate) fn wrap(text: &str, size: f64, widest: f64) -> Vec<String> {
     lines
 }
 
+/// Decimal prefixes with their factors, from the largest.
+pub const PREFIXES: [(f64, &str); 7] =
+    [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")];
+/// Units that take a prefix.
+const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"];
+
+/// The unit in which a number in an SI unit is legible, over that unit and by its name:
+/// `(1e6, "MN/m")`; that unit itself where it takes no prefix or the number is out of all.
+#[must_use]
+pub fn legible(value: f64, unit: &str) -> (f64, String) {
+    let (size, name) = (value.abs(), unit.replace("m2", "m²").replace("m3", "m³"));
+    if !PREFIXED.contains(&unit) || !(1e-12..1e15).contains(&size) {
+        return (1.0, name);
+    }
+    let fits = PREFIXES.into_iter().find(|(factor, _)| size >= *factor);
+    let (factor, prefix) = fits.unwrap_or(PREFIXES[PREFIXES.len() - 1]);
+    (factor, format!("{prefix}{name}"))
+}
+
 /// A power of ten in raised figures, such as 10⁻³.
 #[must_use]
 pub fn power_of_ten(exponent: i32) -> String {

@@ -171,6 +171,48 @@ def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
     assert everything > {"bem", "ke-random", "persson-fudge", *scene.models()}
 
 
+class Own:
+    """The laws of Greenwood & Williamson."""
+
+    force_monotone = True
+
+    def __init__(self, asperity: asperity.Asperity) -> None:
+        self.asperity = asperity
+
+    def force(self, w: Floats) -> Floats:
+        modulus, radius = self.asperity.equivalent_modulus, self.asperity.radius
+        return np.asarray(4 / 3 * modulus * radius**0.5 * w**1.5)
+
+    def area(self, w: Floats) -> Floats:
+        return np.pi * self.asperity.radius * w
+
+
+class Broken(Own):
+    def area(self, w: Floats) -> Floats:
+        raise ZeroDivisionError("no area")
+
+
+def test_a_model_of_ones_own_is_compared_under_its_name(scene: asperity.Scene) -> None:
+    own, quantities = asperity.model(Own), ["stiffness", "unloading-stiffness"]
+    rows = asperity.truth(scene, pressure=2e8, models=["gw", own], quantities=quantities)
+    _, gw, mine = rows
+    assert mine["model"] == "Own"
+    numbers = [name for name in mine if name != "model"]
+    assert len(numbers) == 10 and "unloading_stiffness_deviation" in numbers
+    for name in numbers:
+        assert mine[name] == pytest.approx(gw[name], rel=1e-9), name  # type: ignore[literal-required]
+    advice = asperity.recommend(scene, pressure=2e7, reference="gw", models=[own, "gw"])
+    assert str(advice).startswith("Own (area ") and advice.simplest == "Own"
+    assert advice.off["Own"]["area"] == pytest.approx(advice.off["gw"]["area"])
+    assert asperity.recommend(scene, pressure=2e7, models=own).deviations.keys() == {"Own"}
+    # As in a fit, the exception of the user's own code.
+    broken = asperity.model(Broken)
+    with pytest.raises(ZeroDivisionError, match="no area"):
+        asperity.truth(scene, pressure=2e8, models=broken)
+    with pytest.raises(ZeroDivisionError, match="no area"):
+        asperity.recommend(scene, pressure=2e8, models=broken)
+
+
 def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
     bem = asperity.model("bem")
     assert (bem.id, bem.name) == ("bem", "BEM")

@@ -14,7 +14,7 @@ fn main() -> std::io::Result<()> {
         let start = Instant::now();
         let answer = match line.strip_prefix("press ").map(str::parse) {
             None => desk.call(&line),
-            Some(Ok(pressure)) => desk.press(&[pressure], |_| {}),
+            Some(Ok(pressure)) => desk.press(&[pressure], false, |_| {}),
             Some(Err(error)) => return Err(std::io::Error::other(error)),
         };
         let seconds = start.elapsed().as_secs_f64();

@@ -1,220 +1,172 @@
-//! The answer at a load as the page shows it, how far models are from it, and findings.
+//! The answer at a load as the page shows it, and how far models are from it.
 
-use std::collections::BTreeMap;
-
-use asperity::{At, Finding, Findings, Severity, shortest_digits};
-use asperity_answer::Asked;
+use asperity::Severity;
 use asperity_inputs::SceneFile;
+use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::answer::{cell, columns};
-use crate::best::{Best, Known, Source, numbers};
-use crate::dialect::PAGE;
+use crate::answer::{Column, Known, Row, Source};
+use crate::best::Best;
 use crate::shown::{interval, percent, shown};
 use crate::span::Load;
 
-/// The first line: quantities with their units and names. Models are held against the answer in the
-/// first two, area and stiffness.
-const FIRST: [(&str, &str, &str); 3] = [
-    ("area-fraction", "%", "real area"),
-    ("tangent", "N/m", "first-loading stiffness"),
-    ("unloading-stiffness", "N/m", "unloading stiffness"),
-];
+/// The first line: units and names of the columns behind the separation. Models are held against
+/// the answer in the first two, area and stiffness.
+const FIRST: [(&str, &str); 3] =
+    [("%", "real area"), ("N/m", "first-loading stiffness"), ("N/m", "unloading stiffness")];
 /// A model farther than this from boundary elements is out of its range.
 const FAR: f64 = 0.3;
 /// The model that shows whether contacts yield, as it ignores that.
 pub(crate) const ELASTIC: &str = "gw";
 
-/// How far a row is from the answer in area and stiffness, in percent.
-struct Against([Option<f64>; 2]);
+/// How far a row is from the answer in area and stiffness.
+#[derive(Serialize)]
+struct Against {
+    words: String,
+    short: String,
+    /// The larger of the two.
+    off: f64,
+    /// Whether it has no stiffness.
+    lacks: bool,
+}
 
 impl Against {
-    /// None for the model whose values are the answer.
-    fn of(best: &Best, row: &Value) -> Option<Self> {
-        let found: BTreeMap<&str, f64> = numbers(row).collect();
-        let off = |k: usize| {
-            let (quantity, ..) = FIRST[k];
-            Some(found.get(quantity)? / best.value(quantity)?.value - 1.0)
+    /// None for the model whose values are the answer, and where these have ranges.
+    fn of(best: &Best, row: &Row) -> Option<Self> {
+        let off = |column: usize| {
+            let known = best.value(column).filter(|known| !known.has_range())?;
+            Some(row.value(column)?.value / known.value - 1.0)
         };
-        let is_own = best.source == Source::Model && row["model"] == best.model;
-        let off = [off(0), off(1)];
-        (!is_own && off != [None; 2]).then_some(Self(off))
-    }
-
-    /// The larger of the two.
-    fn off(&self) -> f64 {
-        self.0.iter().flatten().fold(0.0, |most: f64, off| most.max(off.abs()))
-    }
-
-    fn words(&self) -> String {
-        let [area, stiffness] = self.parts();
-        format!("area {area}, stiffness {stiffness}")
-    }
-
-    fn short(&self) -> String {
-        self.parts().join(", ")
-    }
-
-    fn parts(&self) -> [String; 2] {
-        self.0.map(|off| off.map_or("–".into(), percent))
+        let off = [off(1), off(2)];
+        if off == [None; 2] || (best.source == Source::Model && row.model == best.model) {
+            return None;
+        }
+        let [area, stiffness] = off.map(|off| off.map_or("–".into(), percent));
+        Some(Self {
+            words: format!("area {area}, stiffness {stiffness}"),
+            short: format!("{area}, {stiffness}"),
+            off: off.iter().flatten().fold(0.0, |most: f64, off| most.max(off.abs())),
+            lacks: off[1].is_none(),
+        })
     }
 }
 
-/// Adds to a row how far it is from the answer, and why it is out of the range of its model, if it
-/// is.
-pub(crate) fn hold_against(best: &Best, row: &mut Value, judged: Option<&Judged>) {
+/// A row as shown, with how far it is from the answer, and why it is out of the range of its model,
+/// if it is.
+pub(crate) fn shown_row(best: &Best, row: &Row, columns: &[Column]) -> Value {
     let against = Against::of(best, row);
-    let is_far = against.as_ref().is_some_and(|against| against.off() > FAR);
-    let far = || format!("more than {} from the answer", percent(FAR));
-    let far = (best.source != Source::Model && is_far).then(far);
-    row["outside"] = judged.and_then(|of| of.outside.clone()).or(far).into();
-    if let Some(against) = against {
-        row["against"] = json!({ "words": against.words(), "short": against.short(), "off": against.off(), "lacks": against.0[1].is_none() });
-    }
+    let is_far = |of: &Against| best.source != Source::Model && of.off > FAR;
+    let far = |_: &Against| format!("more than {} from the answer", percent(FAR));
+    let far = against.as_ref().filter(|of| is_far(of)).map(far);
+    let cells = columns.iter().zip(&row.cells).map(|(column, found)| column.cell(found));
+    json!({
+        "model": row.model,
+        "cells": cells.collect::<Value>(),
+        "reason": row.reason,
+        "mark": row.mark,
+        "outside": row.outside.clone().or(far),
+        "against": against,
+    })
 }
 
 /// Which of the shown models to use, by id, and how far it is from the answer: the nearest. One
 /// that ignores yielding is near by chance, and has the next beside it.
-fn model_to_use(best: &Best, rows: &[Value], ignores: impl Fn(&str) -> bool) -> Value {
+fn model_to_use<'r>(best: &'r Best, rows: &'r [Row]) -> Option<(&'r str, String)> {
     if best.source == Source::Model {
-        return json!({ "model": best.model, "says": "recommended; not compared here" });
+        return Some((&best.model, "recommended; not compared here".into()));
     }
-    let of = |row: &Value| {
-        let against = Against::of(best, row).filter(|_| row["mark"].is_null())?;
-        // Models without a stiffness come last.
-        Some((against.0[1].is_none(), against, row["model"].as_str()?.to_string()))
-    };
-    let mut near: Vec<_> = rows.iter().filter_map(of).collect();
-    near.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.off().total_cmp(&b.1.off())));
-    let Some((_, against, id)) = near.first() else { return Value::Null };
-    let mut says = against.words();
-    if ignores(id) {
+    let unmarked = rows.iter().filter(|row| row.mark.is_none());
+    let mut near: Vec<_> =
+        unmarked.filter_map(|row| Some((row, Against::of(best, row)?))).collect();
+    // Models without a stiffness come last.
+    near.sort_by(|(_, a), (_, b)| a.lacks.cmp(&b.lacks).then(a.off.total_cmp(&b.off)));
+    let ignores = |row: &Row| row.yields.is_some_and(|severity| severity != Severity::Note);
+    let (row, against) = near.first()?;
+    let mut says = against.words.clone();
+    if ignores(row) {
         says += ", by chance: it ignores yielding";
-        if let Some((_, other, next)) = near.iter().find(|(.., id)| !ignores(id)) {
-            says += &format!("; {next} {}", other.short());
+        if let Some((next, other)) = near.iter().find(|(row, _)| !ignores(row)) {
+            says += &format!("; {} {}", next.model, other.short);
         }
     }
-    json!({ "model": id, "says": says })
+    Some((&row.model, says))
 }
 
-/// The answer beside the rows of the shown models.
+/// The answer on the scene, the first of these, and at the ends of its ranges beside the rows of
+/// the shown models; the elastic model shows whether contacts yield.
 pub(crate) fn answer(
     best: &Best,
-    file: &SceneFile,
+    (scenes, columns): (&[SceneFile], &[Column]),
     load: &Load,
-    rows: &[Value],
-    judged: &BTreeMap<String, Judged>,
+    rows: &[Row],
+    elastic: &Row,
 ) -> Value {
-    let cells: Vec<Value> = columns(file)
-        .map(|(quantity, unit)| match best.value(&quantity) {
-            Some(known) => with_ends(cell(&quantity, unit, Ok(known.value)), known),
-            // A value of the model has its place in the row of the model.
-            None => json!({ "quantity": quantity, "shown": "no evidence" }),
-        })
-        .collect();
-    let index = file.scene.plasticity_index().ok();
-    let yields = |id: &str| judged.get(id).and_then(|of| of.yields);
-    let plasticity = match yields(ELASTIC) {
+    let cells = columns.iter().enumerate().map(|(k, column)| match best.value(k) {
+        Some(known) => column.known(known),
+        // A value of the model has its place in the row of the model.
+        None => json!({ "quantity": column.id, "shown": "no evidence" }),
+    });
+    let mut indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
+    let index = indices.next().flatten().map(|index| Known::new(index, None, Source::Model));
+    let index = index.and_then(|index| index.within(indices));
+    let yields = match elastic.yields {
         _ if index.is_none() => "no hardness: elastic",
         None => "nothing yields",
         Some(Severity::Note) => "a few contacts yield",
         Some(_) => "contacts yield",
     };
-    let to_use = model_to_use(best, rows, |id| {
-        yields(id).is_some_and(|severity| severity != Severity::Note)
+    let of_index = Column::new(["plasticity_index", "", "plasticity index"], String::new());
+    let first = FIRST.iter().zip(&columns[1..]).zip(&best.values[1..]);
+    let first = first.map(|(((unit, name), column), known)| {
+        let by = match known.map(|known| known.source) {
+            None => format!("{} has none", best.model),
+            Some(Source::Model) if best.source == Source::Model => format!("by {}", best.model),
+            Some(Source::Model) => format!("by {}; no evidence", best.model),
+            Some(Source::Evidence) => String::new(),
+            Some(Source::Solved) => "on this scan".into(),
+        };
+        part([name, unit], column, *known, by)
     });
-    let first = FIRST.map(|part| first(best, part));
-    let said: Vec<String> =
-        first.iter().map(|part| text(&part["name"]) + " " + &text(&part["shown"])).collect();
-    let spoken = format!("At {}: {}; use {}", load.text, said.join(", "), text(&to_use["model"]));
-    let decimals = index.map_or(0, |index| usize::from(index < 10.0));
+    let index = part([of_index.label, ""], &of_index, index, yields.into());
+    let first: Vec<Value> = first.chain([index]).collect();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_string();
+    let said = first.iter().map(|part| {
+        let range = if scenes.len() > 1 { format!(", {}", text(&part["by"])) } else { "".into() };
+        format!("{} {}{range}", text(&part["name"]), text(&part["shown"]))
+    });
+    let said = said.collect::<Vec<_>>().join(if scenes.len() > 1 { "; " } else { ", " });
+    let to_use = model_to_use(best, rows);
+    let model = to_use.as_ref().map_or("", |(model, _)| model);
+    let surface = match scenes {
+        [file] => format!("Sq {}", shown(file.scene.surface.moments().m0.sqrt(), "m")),
+        _ => "known within ranges".into(),
+    };
     json!({
         "source": best.source,
         "first": first,
-        "row": { "model": "answer", "cells": cells },
-        "plasticity": {
-            "digits": index.map(shortest_digits),
-            "shown": index.map_or("–".into(), |index| format!("{index:.decimals$}")),
-            "says": plasticity,
-        },
-        "use": to_use,
+        "row": { "model": "answer", "cells": cells.collect::<Value>() },
+        "use": to_use.as_ref().map(|(model, says)| json!({ "model": model, "says": says })),
         "basis": best.basis,
-        "surface": format!("Sq {}", shown(file.scene.surface.moments().m0.sqrt(), "m")),
-        "spoken": spoken,
+        "surface": surface,
+        "spoken": format!("At {}: {said}; use {model}", load.text),
     })
 }
 
-/// A part of the first line.
-fn first(best: &Best, (quantity, unit, name): (&str, &str, &str)) -> Value {
-    let Some(known) = best.values.get(quantity) else {
-        let by = format!("{} has none", best.model);
-        return json!({ "name": name, "shown": "–", "by": by });
-    };
+/// A part of the first line, with what stands below it behind its range.
+fn part([name, unit]: [&str; 2], column: &Column, known: Option<Known>, by: String) -> Value {
+    let Some(known) = known else { return json!({ "name": name, "shown": "–", "by": by }) };
     let (shown, range) = interval(known.value, known.ends, unit);
-    let by = match known.source {
-        Source::Model if best.source == Source::Model => format!("by {}", best.model),
-        Source::Model => format!("by {}; no evidence", best.model),
-        Source::Evidence => range,
-        Source::Solved => "on this scan".into(),
-    };
-    let mut part = with_ends(cell(quantity, unit, Ok(known.value)), known);
-    (part["name"], part["shown"], part["by"]) = (name.into(), shown.into(), by.into());
+    let mut part = column.known(&known);
+    let below: Vec<String> = [range, by].into_iter().filter(|text| !text.is_empty()).collect();
+    (part["name"], part["shown"], part["by"]) =
+        (name.into(), shown.into(), below.join(", ").into());
     part
-}
-
-fn text(value: &Value) -> String {
-    value.as_str().unwrap_or_default().into()
-}
-
-/// A cell with the ends of its interval.
-fn with_ends(mut cell: Value, known: &Known) -> Value {
-    if let Some(ends) = known.ends {
-        let [lower, upper] = ends.map(shortest_digits);
-        (cell["lower"], cell["upper"]) = (lower.into(), upper.into());
-    }
-    cell
-}
-
-/// What is known of a model at a load.
-pub(crate) struct Judged {
-    /// How it ignores yielding, if it does.
-    yields: Option<Severity>,
-    /// Why the load is out of its range.
-    pub(crate) outside: Option<String>,
-}
-
-impl Judged {
-    /// A model of a scene at a load.
-    pub(crate) fn of(file: &SceneFile, asked: &Asked, at: At) -> Self {
-        let [found, _] = asked.findings(file, &[at]);
-        let yields = found.iter().find(|found| found.code == "yields").map(|found| found.severity);
-        let is_outside = |found: &&Finding| {
-            found.is_of_model() && found.code != "yields" && found.severity != Severity::Note
-        };
-        let outside = found.iter().find(is_outside).map(|found| found.say(&PAGE));
-        Self { yields, outside }
-    }
-}
-
-/// Findings about the scene and about these models at a load.
-pub(crate) fn check(
-    file: &SceneFile,
-    models: &[(&str, Result<&Asked, &String>)],
-    at: At,
-) -> Findings {
-    let of_scene = file.warnings.iter().cloned().chain(file.findings());
-    let answering = models.iter().filter_map(|(_, asked)| asked.ok());
-    let of_answers = answering.flat_map(|asked| {
-        let [found, _] = asked.findings(file, &[at]);
-        found
-    });
-    // The table of values marks it at each model.
-    let unmarked = |found: &Finding| found.code != "beyond-full-contact";
-    file.accepted(of_scene.chain(of_answers).filter(unmarked).collect())
 }
 
 #[cfg(test)]
 mod tests {
+    use asperity::At;
+
     use super::*;
     use crate::Desk;
 
@@ -247,9 +199,9 @@ mod tests {
         let found = page_at(SEAL, "1 MPa", json!([]));
         let (answer, ke) = (&found["answer"], row(&found, "ke"));
         assert_eq!(answer["source"], "evidence");
-        let file = asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap();
-        let corrected =
-            crate::answer::compile(&file, "ke").unwrap().corrected(&file, "ke").unwrap();
+        let file = [asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap()];
+        let corrected = crate::answer::compile(&file, "ke").unwrap();
+        let corrected = corrected[0].corrected(&file[0], "ke").unwrap();
         let wanted = corrected.at(At::Pressure(1e6)).unwrap();
         let wanted = wanted.value(asperity::Quantity::AreaFraction).unwrap();
         let area = &answer["first"][0];
@@ -300,5 +252,76 @@ mod tests {
         assert!(
             doubtful["answer"]["basis"].as_str().unwrap().contains("uncertain: too few pixels")
         );
+    }
+
+    const GROUND: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+        poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
+
+    fn call(desk: &mut Desk, message: Value) -> Value {
+        let answer: Value = serde_json::from_str(&desk.call(&message.to_string())).unwrap();
+        answer["ok"].clone()
+    }
+
+    /// Every object with the digits of a number.
+    fn numbers<'v>(value: &'v Value, found: &mut Vec<&'v Value>) {
+        match value {
+            Value::Object(fields) if fields.get("digits").is_some_and(Value::is_string) => {
+                found.push(value);
+            }
+            Value::Object(fields) => fields.values().for_each(|value| numbers(value, found)),
+            Value::Array(items) => items.iter().for_each(|value| numbers(value, found)),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn every_number_of_an_answer_has_its_ends() {
+        let mut desk = Desk::default();
+        let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
+        assert_eq!((&shown["way"], &shown["error"]), (&json!("finish"), &Value::Null));
+        let slope = &shown["numbers"][1];
+        assert_eq!(slope["name"], "surface mean slope");
+        assert!(slope["shown"].as_str().unwrap().contains(" to "), "{slope}");
+        let models = ["gw", "ke", "persson"];
+        let load = json!({ "position": 0.6, "unit": "Pa" });
+        let asked = json!({ "call": "answer", "models": models, "load": load });
+        let found = call(&mut desk, asked);
+        let mut all = vec![];
+        numbers(&found, &mut all);
+        assert!(all.len() > 20, "{found}");
+        for number in all {
+            let [value, lower, upper] = ["digits", "lower", "upper"]
+                .map(|key| number[key].as_str().unwrap().parse::<f64>().unwrap());
+            assert!(lower <= value && value <= upper, "{number}");
+            let text = format!("{}{}{}", number["shown"], number["by"], number["says"]);
+            assert!(text.contains(" to "), "{number}");
+        }
+        assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
+        let basis = found["answer"]["basis"].as_str().unwrap();
+        let words =
+            "Ranges by ke, of a surface with rq within 1.1, mean slope within 4.2, bandwidth";
+        assert!(basis.starts_with(words), "{basis}");
+        assert_eq!(found["rows"][1]["model"], "ke");
+    }
+
+    #[test]
+    fn curves_have_their_ends_and_single_numbers_are_refused() {
+        let mut desk = Desk::default();
+        call(&mut desk, json!({ "call": "show", "text": GROUND }));
+        let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
+        let rows = curves["ke"].as_str().unwrap();
+        let of = |name: &str| -> Vec<f64> {
+            let own = rows.lines().filter(|line| line.starts_with(&format!("{name},")));
+            own.map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect()
+        };
+        let (own, lower, upper) = (of("ke"), of("ke lower"), of("ke upper"));
+        assert_eq!((own.len(), lower.len(), upper.len()), (200, 200, 200));
+        assert!((0..200).all(|k| lower[k] <= own[k] && own[k] <= upper[k]));
+        let load = json!({ "text": "1 MPa" });
+        let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
+        assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
+        let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
+        let refused: Value = serde_json::from_str(&desk.call(&export.to_string())).unwrap();
+        assert!(refused["error"]["message"].as_str().unwrap().contains("within ranges only"));
     }
 }

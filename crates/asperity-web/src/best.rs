@@ -1,45 +1,20 @@
 //! What is known at a load, from the best source: boundary elements on this scan, those on solved
 //! surfaces like this one, or the recommended model.
 
-use std::collections::BTreeMap;
-
 use asperity::{
-    At, ContactError, Corrected, CorrectedRow, Scene, Separation, SeparationUnit, usual_reference,
+    At, ContactError, CorrectedRow, Scene, Separation, SeparationUnit, usual_reference,
 };
 use asperity_answer::unranked;
 use asperity_inputs::SceneFile;
-use serde::Serialize;
-use serde_json::Value;
 
-use crate::answer::{SEPARATION, quantities};
+use crate::answer::{Column, Known, Row, Source, quantities};
 use crate::dialect::said;
 use crate::message::Solved;
-use crate::span::Load;
-
-/// Where a value comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Source {
-    /// The recommended model, without evidence.
-    Model,
-    /// Boundary elements on solved surfaces like this one.
-    Evidence,
-    /// Boundary elements on this scan at this load.
-    Solved,
-}
-
-/// A value with the ends of an interval that holds nine of ten surfaces.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Known {
-    pub(crate) value: f64,
-    pub(crate) ends: Option<[f64; 2]>,
-    pub(crate) source: Source,
-}
 
 /// What is known at a load.
 pub(crate) struct Best {
-    /// By quantity.
-    pub(crate) values: BTreeMap<String, Known>,
+    /// By column.
+    pub(crate) values: Vec<Option<Known>>,
     /// The best source.
     pub(crate) source: Source,
     /// The recommended model.
@@ -62,20 +37,27 @@ pub(crate) fn recommended(file: &SceneFile, at: At) -> &'static str {
 }
 
 impl Best {
-    /// From the row of the recommended model, its correction by the evidence, and what was solved
-    /// on this scan at this load.
+    /// From the row of the recommended model on a scene, its correction by the evidence, and what
+    /// was solved on this scan at this load.
     pub(crate) fn new(
-        file: &SceneFile,
-        row: &Value,
-        corrected: &Result<Corrected, ContactError>,
-        load: &Load,
+        (file, columns): (&SceneFile, &[Column]),
+        row: &Row,
+        corrected: Result<CorrectedRow, ContactError>,
         solved: Option<&Solved>,
     ) -> Self {
-        let model = row["model"].as_str().unwrap_or_default().to_string();
-        let (values, basis) = (BTreeMap::new(), String::new());
+        let values = (0..columns.len()).map(|column| row.value(column).copied()).collect();
+        let (model, basis) = (row.model.clone(), String::new());
         let mut best = Self { values, source: Source::Model, model, basis };
-        best.take(Source::Model, numbers(row).map(|(quantity, value)| (quantity, value, None)));
-        match corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at)) {
+        let spreads = file.spreads();
+        match corrected {
+            _ if !spreads.is_empty() => {
+                let spread = |(name, ratio)| format!("`{name}` within {ratio:.1}");
+                let spreads = spreads.into_iter().map(spread).collect::<Vec<_>>().join(", ");
+                best.basis = said(&format!(
+                    "Ranges by {}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them.",
+                    best.model
+                ));
+            }
             Ok(row) => best.take_evidence(file, &row),
             Err(reason) => {
                 let reason = reason.marked();
@@ -95,38 +77,34 @@ impl Best {
             // The mean of many surfaces is better known than one with few contacts.
             Some(_) => return best,
         };
-        let row = solved.row();
-        best.take(Source::Solved, numbers(&row).map(|(quantity, value)| (quantity, value, None)));
+        best.take(Source::Solved, solved.row(columns).cells.into_iter().map(Result::ok));
         best
     }
 
     /// Values of a better source.
-    fn take<'q>(
-        &mut self,
-        source: Source,
-        values: impl IntoIterator<Item = (&'q str, f64, Option<[f64; 2]>)>,
-    ) {
+    fn take(&mut self, source: Source, values: impl Iterator<Item = Option<Known>>) {
         self.source = source;
-        let known = |(quantity, value, ends): (&str, _, _)| {
-            (quantity.to_string(), Known { value, ends, source })
-        };
-        self.values.extend(values.into_iter().map(known));
+        for (known, better) in self.values.iter_mut().zip(values) {
+            *known = better.or(*known);
+        }
     }
 
     fn take_evidence(&mut self, file: &SceneFile, row: &CorrectedRow) {
-        for quantity in quantities(file) {
-            let (found, name) = (row.value(quantity).ok(), quantity.to_string());
-            let found = found.map(|of| (&*name, of.value, Some([of.lower, of.upper])));
-            self.take(Source::Evidence, found);
-        }
+        let known = |[value, lower, upper]: [f64; 3]| {
+            Known::new(value, Some([lower, upper]), Source::Evidence)
+        };
         let metres = |s: Separation| {
             let found = s.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene);
             found.ok().map(|found| found.value)
         };
-        let gap = row.separation().ok().and_then(|of| {
-            Some((SEPARATION, metres(of.value)?, Some([metres(of.lower)?, metres(of.upper)?])))
+        let gap = row
+            .separation()
+            .ok()
+            .and_then(|of| Some(known([metres(of.value)?, metres(of.lower)?, metres(of.upper)?])));
+        let values = quantities(file).into_iter().map(|quantity| {
+            row.value(quantity).ok().map(|of| known([of.value, of.lower, of.upper]))
         });
-        self.take(Source::Evidence, gap);
+        self.take(Source::Evidence, [gap].into_iter().chain(values));
         let lighter = match row.is_extrapolated() {
             true => "; the load is below the lightest solved one, whose ratios are used",
             false => "",
@@ -138,15 +116,7 @@ impl Best {
     }
 
     /// A value of the best source.
-    pub(crate) fn value(&self, quantity: &str) -> Option<&Known> {
-        self.values.get(quantity).filter(|known| known.source == self.source)
+    pub(crate) fn value(&self, column: usize) -> Option<&Known> {
+        self.values.get(column)?.as_ref().filter(|known| known.source == self.source)
     }
-}
-
-/// The numbers of a row by quantity.
-pub(crate) fn numbers(row: &Value) -> impl Iterator<Item = (&str, f64)> {
-    let cells = row["cells"].as_array().into_iter().flatten();
-    cells.filter_map(|cell| {
-        Some((cell["quantity"].as_str()?, cell["digits"].as_str()?.parse().ok()?))
-    })
 }

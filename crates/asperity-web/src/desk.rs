@@ -2,21 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactError, Corrected, Evidence, Findings, Severity};
+use asperity::{ContactError, Corrected, Evidence, Finding};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::advice::Judged;
+use crate::advice::ELASTIC;
+use crate::answer::Row;
 use crate::best::{Best, recommended};
 use crate::files::{admit, usable};
 use crate::message::{LoadKeys, Message, Solved};
-use crate::ranges::Ranges;
 use crate::refusal::Refusal;
 use crate::span::{Load, Span};
 use crate::{
-    advice, answer, dialect, fields, law, link, picture, press, ranges, read_scene, scan_report,
+    advice, answer, dialect, fields, law, link, picture, press, read_scene, scan_report,
     surface_keys, table,
 };
 
@@ -25,17 +25,14 @@ use crate::{
 pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
-    compiled: BTreeMap<String, Result<Asked, String>>,
+    /// The scene or, where its surface is known within ranges, those in the middle of these and at
+    /// every combination of their ends.
+    scenes: Vec<SceneFile>,
+    /// Models on all of these, or why the scene refuses them.
+    compiled: BTreeMap<String, Result<Vec<Asked>, String>>,
     /// Models corrected by the evidence.
     corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
-    /// The scene in the middle and at the ends of the ranges of its surface, if it has any.
-    ranges: Option<Box<Ranges>>,
-    /// Whether this is a scene of such ranges, on which evidence and ranges are not combined.
-    at_an_end: bool,
 }
-
-/// A scene with models on it, or the reasons why it refuses them.
-type Compiled<'d> = (&'d SceneFile, Vec<(&'d str, Result<&'d Asked, &'d String>)>);
 
 impl Desk {
     /// Takes the bytes of a file that scenes may name; returns json with its checksum, or with a
@@ -47,7 +44,7 @@ impl Desk {
     fn keep(&mut self, name: &str, bytes: Vec<u8>) -> Value {
         let checksum = link::checksum(&bytes);
         self.files.insert(name.into(), bytes);
-        (self.file, self.ranges) = (None, None);
+        self.forget();
         json!({ "name": name, "checksum": checksum })
     }
 
@@ -57,10 +54,12 @@ impl Desk {
         reply(message.and_then(|message| self.answer(message)))
     }
 
-    /// Solves the scan of the scene at mean pressures \[Pa\]; every event is passed on as json.
-    pub fn press(&self, pressures: &[f64], mut happened: impl FnMut(&str)) -> String {
+    /// Solves the scan of the scene at mean pressures \[Pa\], with `leaks` also the flow through its
+    /// gap; every event is passed on as json.
+    pub fn press(&self, pressures: &[f64], leaks: bool, mut happened: impl FnMut(&str)) -> String {
         let tell = |event: Value| happened(&event.to_string());
-        reply(self.scene().and_then(|file| press::press(file, pressures, tell)).map(Value::from))
+        let pressed = self.scene().and_then(|file| press::press(file, pressures, leaks, tell));
+        reply(pressed.map(Value::from))
     }
 
     /// The bytes of a file of the scene.
@@ -87,22 +86,17 @@ impl Desk {
         self.file.as_ref().ok_or_else(no_scene)
     }
 
-    /// The desk of a scene at an end of the ranges of its surface, or in the middle.
-    pub(crate) fn at_an_end(file: SceneFile) -> Self {
-        Self { file: Some(file), at_an_end: true, ..Self::default() }
+    fn forget(&mut self) {
+        *self = Self { files: std::mem::take(&mut self.files), ..Self::default() };
     }
 
-    /// The models of these ids on the scene, each compiled once; those that it refuses with the
-    /// reason.
-    fn compile<'d>(&'d mut self, ids: &'d [String]) -> Result<Compiled<'d>, Refusal> {
-        let file = self.file.as_ref().ok_or_else(no_scene)?;
-        let made = |id: &String| answer::compile(file, id).map_err(|refusal| refusal.message);
+    /// Compiles models on the scene, each once.
+    fn compile<'i>(&mut self, ids: impl IntoIterator<Item = &'i str>) {
+        let Self { scenes, compiled, .. } = self;
+        let made = |id| answer::compile(scenes, id).map_err(|refusal| refusal.message);
         for id in ids {
-            self.compiled.entry(id.clone()).or_insert_with(|| made(id));
+            compiled.entry(id.into()).or_insert_with(|| made(id));
         }
-        let models =
-            ids.iter().filter_map(|id| Some((id.as_str(), self.compiled.get(id)?.as_ref())));
-        Ok((file, models.collect()))
     }
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
@@ -123,18 +117,13 @@ impl Desk {
             Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
-            Message::Answer { models, load, solved } => match &mut self.ranges {
-                Some(ranges) => ranges.values(&models, &load)?,
-                None => self.values(&models, &load, &solved)?,
-            },
+            Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
             Message::Curve { models } => {
                 let pressures = Span::of(&self.scene()?.scene).pressures();
-                if self.ranges.is_some() {
-                    return ranges::curves(self.scene()?, &models, &pressures);
-                }
-                let (file, models) = self.compile(&models)?;
-                let rows = models.into_iter().filter_map(|(id, asked)| {
-                    Some((id, answer::rows(file, id, asked.ok()?, &pressures)))
+                self.compile(models.iter().map(String::as_str));
+                let rows = models.iter().filter_map(|id| {
+                    let asked = self.compiled.get(id)?.as_ref().ok()?;
+                    Some((id, answer::rows(&self.scenes, id, asked, &pressures)))
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
@@ -144,13 +133,8 @@ impl Desk {
                 picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
             }
             Message::Scan => scan_report::numbers(self.scene()?)?,
-            Message::Check { models, load } => {
-                if let Some(ranges) = &mut self.ranges {
-                    return ranges.middle.answer(Message::Check { models, load });
-                }
-                let (file, models) = self.compile(&models)?;
-                let at = Load::of(&load, &file.scene)?.at;
-                dialect::findings(&advice::check(file, &models, at), file)
+            Message::Flow { viscosity, pressure_drop, gaps } => {
+                press::flows(self.scene()?, [&viscosity, &pressure_drop], &gaps)?
             }
             Message::Export { model, form, units } => {
                 table::table(self.scene()?, &model, &form, &units)?
@@ -163,79 +147,66 @@ impl Desk {
 
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
     fn show(&mut self, text: &str) -> Value {
-        self.compiled.clear();
-        self.corrected.clear();
+        self.forget();
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
-        self.ranges = file.as_ref().and_then(|file| Ranges::of(file).ok()?).map(Box::new);
+        if let Some(file) = &file {
+            let corners = Some(file.corners()).filter(|_| !file.spreads().is_empty());
+            self.scenes = match corners {
+                Some(Ok((middle, ends))) => [middle].into_iter().chain(ends).collect(),
+                _ => vec![file.clone()],
+            };
+        }
         self.file = file;
         found
     }
 
-    pub(crate) fn values(
+    /// The values of models at a load with what is found there, and the answer.
+    fn values(
         &mut self,
         models: &[String],
         load: &LoadKeys,
         solved: &[Solved],
     ) -> Result<Value, Refusal> {
-        let (file, models) = self.compile(models)?;
+        let file = self.scene()?;
         let load = Load::of(load, &file.scene)?;
-        let (mut rows, mut findings) = (vec![], Findings::default());
-        for (id, asked) in models {
-            match asked {
-                Ok(asked) => {
-                    let (row, found) = answer::row(file, id, asked, load.at)?;
-                    rows.push(row);
-                    // The findings of the load name an area above the nominal one already.
-                    findings.extend(found.into_iter().filter(|f| f.code != "area-above-nominal"));
-                }
-                Err(reason) => rows.push(json!({ "model": id, "cells": [], "reason": reason })),
-            }
-        }
-        let findings = file.accepted(findings).at_least(Severity::Warning);
-        let findings = dialect::findings(&findings, file);
-        let answer = self.best(&load, solved, &mut rows)?;
-        Ok(json!({ "load": load, "rows": rows, "answer": answer, "findings": findings }))
-    }
-
-    /// The answer at a load; the rows of the shown models get their deviation from it.
-    fn best(
-        &mut self,
-        load: &Load,
-        solved: &[Solved],
-        rows: &mut [Value],
-    ) -> Result<Value, Refusal> {
-        let id = recommended(self.scene()?, load.at);
-        self.compile(&[id.into(), advice::ELASTIC.into()])?;
-        let Self { file: Some(file), compiled, corrected, at_an_end, .. } = self else {
+        let id = recommended(self.scenes.first().unwrap_or(file), load.at);
+        self.compile(models.iter().map(String::as_str).chain([id, ELASTIC]));
+        let Self { file: Some(file), scenes, compiled, corrected, .. } = self else {
             return Err(no_scene());
         };
-        let asked = |id: &str| compiled.get(id).and_then(|asked| asked.as_ref().ok());
-        let row = match asked(id) {
-            Some(asked) => answer::row(file, id, asked, load.at)?.0,
-            None => Value::Null,
+        let row = |id: &str| match compiled.get(id) {
+            Some(Ok(asked)) => Row::of(scenes, id, asked, load.at),
+            other => {
+                let reason = other.and_then(|refused| refused.as_ref().err().cloned());
+                Row { model: id.into(), reason, ..Row::default() }
+            }
         };
-        let corrected = corrected.entry(id).or_insert_with(|| match asked(id) {
-            _ if *at_an_end => Err(Evidence::none("the surface is known within ranges".into())),
-            Some(asked) => asked.corrected(file, id),
-            None => Err(Evidence::none(format!("{id} has no values"))),
+        let rows: Vec<Row> = models.iter().map(|id| row(id)).collect();
+        let corrected = corrected.entry(id).or_insert_with(|| match compiled.get(id) {
+            Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file, id),
+            _ => Err(Evidence::none(format!("{id} has no values"))),
         });
+        let corrected = corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at));
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
-        let best = Best::new(file, &row, corrected, load, here);
-        let ids = rows.iter().filter_map(|row| row["model"].as_str()).chain([advice::ELASTIC]);
-        let judge = |id: &str| Some((id.to_string(), Judged::of(file, asked(id)?, load.at)));
-        let judged: BTreeMap<_, _> = ids.filter_map(judge).collect();
-        for row in rows.iter_mut() {
-            let of = row["model"].as_str().and_then(|id| judged.get(id));
-            advice::hold_against(&best, row, of);
-        }
-        let mut shown = advice::answer(&best, file, load, rows, &judged);
-        if let Some(mut row) = here.map(Solved::row) {
-            advice::hold_against(&best, &mut row, None);
-            shown["solved"] = row;
-        }
-        Ok(shown)
+        let columns = answer::columns(Some(file));
+        let best = Best::new((file, &columns), &row(id), corrected, here);
+        let mut answer = advice::answer(&best, (scenes, &columns), &load, &rows, &row(ELASTIC));
+        let shown = |row: &Row| advice::shown_row(&best, row, &columns);
+        answer["solved"] = here.map(|solved| shown(&solved.row(&columns))).into();
+        let scene = &scenes[0];
+        let of_scene = scene.warnings.iter().cloned().chain(scene.findings());
+        let of_models = rows.iter().flat_map(|row| row.findings.iter().cloned());
+        // The table of values marks it at each model.
+        let unmarked = |found: &Finding| found.code != "beyond-full-contact";
+        let findings = scene.accepted(of_scene.chain(of_models).filter(unmarked).collect());
+        Ok(json!({
+            "load": load,
+            "rows": rows.iter().map(shown).collect::<Value>(),
+            "answer": answer,
+            "findings": dialect::findings(&findings, scene),
+        }))
     }
 }
 
@@ -271,6 +242,7 @@ mod tests {
         let answer = call(&mut desk, asked);
         assert_eq!(answer["ok"]["rows"][1]["model"], "gw");
         assert_eq!(answer["ok"]["load"]["pascals"], 1e6);
+        assert!(answer["ok"]["findings"].is_array());
         // A load that no model carries has rows too, with the reasons.
         let tension = json!({ "text": "-5 N", "unit": "N" });
         let asked = json!({ "call": "answer", "models": ["ke", "none"], "load": tension });
@@ -283,8 +255,6 @@ mod tests {
         let rows = curve["ok"]["ke"].as_str().unwrap();
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
         assert!(call(&mut desk, drawn)["ok"].as_str().unwrap().starts_with("<svg"));
-        let check = call(&mut desk, json!({ "call": "check", "models": ["gw"], "load": load }));
-        assert!(check["ok"].is_array(), "{check}");
     }
 
     #[test]
@@ -338,7 +308,8 @@ mod tests {
         assert!(report.contains("\"svg\":\"<svg") && report.contains("64 x 64 points"), "{report}");
         assert!(Desk::default().report(vec![], &shape).starts_with("{\"error\""));
         let mut solved = 0;
-        let answer = desk.press(&[2e8], |event| solved += usize::from(event.contains("solved")));
+        let answer =
+            desk.press(&[2e8], false, |event| solved += usize::from(event.contains("solved")));
         assert_eq!((answer.as_str(), solved), ("{\"ok\":null}", 1));
     }
 }

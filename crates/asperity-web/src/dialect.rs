@@ -83,6 +83,20 @@ pub(crate) fn model_name(model: &Model) -> &str {
     if model.id().contains('-') { model.id() } else { model.name() }
 }
 
+/// Name, authors and year of a model: `KE: Kogut & Etsion (2002)`.
+pub(crate) fn source(model: &Model) -> String {
+    let citation = model.citation();
+    format!("{}: {} ({})", model_name(model), citation.authors, citation.year)
+}
+
+/// Name, source, the differences of a variant, and range of a model.
+pub(crate) fn model_sentence(model: &Model) -> String {
+    let range = model.validity().valid_for;
+    let range = (!range.is_empty()).then(|| format!("range: {range}"));
+    let differences = model.variant().into_iter().map(String::from);
+    [source(model)].into_iter().chain(differences).chain(range).collect::<Vec<_>>().join("; ")
+}
+
 /// The name of a quantity in tables and sentences; the tangent stiffness is that on first loading.
 pub(crate) fn quantity_name(quantity: Quantity) -> String {
     match quantity {
@@ -136,8 +150,11 @@ impl Page {
     /// another number.
     pub(crate) fn finding(&self, found: &Finding) -> Value {
         let message = symbols(&found.say(self));
-        let Finding { code, severity, field, .. } = found;
-        json!({ "code": code, "severity": severity, "field": field, "message": message })
+        let Finding { code, severity, field, quantity, .. } = found;
+        json!({
+            "code": code, "severity": severity, "field": field, "quantity": quantity,
+            "message": message,
+        })
     }
 }
 
@@ -259,5 +276,15 @@ mod tests {
         }
         let no_command = |text: &String| !text.contains("asperity ") && !text.contains("--");
         assert!(all.iter().all(no_command), "{all:#?}");
+    }
+
+    #[test]
+    fn variants_say_how_they_differ() {
+        let sentence = |id: &str| model_sentence(&id.parse().unwrap());
+        assert!(sentence("ke").starts_with("KE: Kogut & Etsion (2002); range: "));
+        let cosine = sentence("jg-cosine-random");
+        let wanted = "jg-cosine-random: Jackson & Green (2005); the hardness falls with ";
+        assert!(cosine.starts_with(wanted), "{cosine}");
+        assert!(cosine.contains("; averaged over asperities"), "{cosine}");
     }
 }

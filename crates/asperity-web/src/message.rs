@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
+use crate::answer::{Column, Known, Row, Source};
 use crate::random::RandomKeys;
 
 /// What the page asks.
@@ -53,8 +54,9 @@ pub(crate) enum Message {
     },
     /// The numbers of the scan, and the shape of its heights.
     Scan,
-    /// Findings at a load.
-    Check { models: Vec<String>, load: LoadKeys },
+    /// The flows \[m³/s\] of a fluid through hydraulic gaps \[m\] along x and y, with viscosity and
+    /// fall of the pressure as typed.
+    Flow { viscosity: String, pressure_drop: String, gaps: Vec<[f64; 2]> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
     /// The law of one asperity.
@@ -97,8 +99,12 @@ pub(crate) struct Solved {
 
 impl Solved {
     /// As the row of a model.
-    pub(crate) fn row(&self) -> Value {
-        let cell = |(quantity, digits)| json!({ "quantity": quantity, "digits": digits });
-        json!({ "model": "bem", "cells": self.values.iter().map(cell).collect::<Value>() })
+    pub(crate) fn row(&self, columns: &[Column]) -> Row {
+        let known = |column: &Column| {
+            let value = self.values.get(&column.id).and_then(|digits| digits.parse().ok());
+            value.map(|value| Known::new(value, None, Source::Solved)).ok_or_else(String::new)
+        };
+        let cells = columns.iter().map(known).collect();
+        Row { model: "bem".into(), cells, ..Row::default() }
     }
 }

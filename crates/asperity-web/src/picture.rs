@@ -2,20 +2,24 @@
 
 use std::collections::BTreeMap;
 
-use asperity::Quantity;
-use asperity::bem::{Bem, Solution};
+use asperity::bem::HeightMap;
 use asperity_inputs::SceneFile;
-use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
+use asperity_plot::{
+    Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map, largest_of, legible,
+};
+use serde_json::{Value, json};
 
-use crate::answer::{SEPARATION, head};
+use crate::answer::{Column, columns};
 use crate::refusal::Refusal;
-use crate::shown::{interval, legible, shown};
+use crate::shown::shown;
 use crate::span::Load;
 
 /// Largest side of a drawn map, in pixels.
 const DRAWN: usize = 384;
 /// Width of a map, as on a phone.
 const SMALL: f64 = 340.0;
+/// Most parts along a side of a map whose values are read.
+const PARTS: usize = 64;
 /// Names of the band and of boundary elements among the curves.
 const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
@@ -31,17 +35,11 @@ pub(crate) fn curves(
     solved: &[[f64; 2]],
     (outside, size): (&[String], Option<[f64; 2]>),
 ) -> Result<String, Refusal> {
-    let (column, unit, name, is_absolute) = match view {
-        SEPARATION => ("separation_m".into(), "m", SEPARATION, false),
-        view => {
-            let quantity: Quantity = view.parse()?;
-            (quantity.column(), quantity.unit(), quantity.label(), quantity.is_absolute())
-        }
-    };
-    let head = head(file);
-    let k = head.split(',').position(|known| known == column);
+    let columns = columns(Some(file));
+    let width = 3 + columns.len();
+    let k = columns.iter().position(|known| known.id == view);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
-    let width = head.split(',').count();
+    let Column { head, unit, label: name, .. } = &columns[k];
     // The values of all models at each load; positive numbers sort as their bits do.
     let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>)>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
@@ -50,7 +48,7 @@ pub(crate) fn curves(
         let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());
         let pressure = pressure.filter(|_| cells.len() == width);
         let pressure = pressure.ok_or_else(|| Refusal::new("rows of another scene"))?;
-        let value = cells[k].parse::<f64>().ok();
+        let value = cells[3 + k].parse::<f64>().ok();
         at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value));
         values.extend(value.map(|value| (cells[0], pressure, value)));
         ids.push(cells[0]);
@@ -82,10 +80,8 @@ pub(crate) fn curves(
     let largest = numbers.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let (factor, of_axis) = legible(largest, unit);
     let of_axis = if of_axis.is_empty() { of_axis } else { format!(" ({of_axis})") };
-    let mut y = Axis::new(&column, &format!("{name}{of_axis}")).times(1.0 / factor);
-    if !is_absolute {
-        y.scale = Scale::fitting(&numbers);
-    }
+    let mut y = Axis::new(head, &format!("{name}{of_axis}")).times(1.0 / factor);
+    y.scale = Scale::fitting(&numbers);
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
     // Black is left to boundary elements.
@@ -107,7 +103,7 @@ pub(crate) fn curves(
     }
     let mut valid = ids.clone();
     valid.retain(|id| outside.iter().all(|known| known != id));
-    let mut csv = format!("model,load_N,pressure_Pa,{column}\n");
+    let mut csv = format!("model,load_N,pressure_Pa,{head}\n");
     for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
         let mut add = |name: &str, value: Option<f64>| {
             let value = value.map_or(String::new(), |value| value.to_string());
@@ -137,52 +133,44 @@ pub(crate) fn curves(
     Ok(draw(&figure, &csv)?)
 }
 
-/// The map of a solved contact, and a line about it.
-pub(crate) fn contact(
-    bem: &Bem,
-    solution: &Solution,
-    hardness: Option<f64>,
-) -> Result<(String, String), Refusal> {
-    let [rows, columns] = bem.map().shape();
-    let [dy, dx] = bem.map().pixel();
-    let size = [columns as f64 * dx, rows as f64 * dy];
-    let top = hardness.unwrap_or_else(|| solution.pressures.iter().copied().fold(0.0, f64::max));
-    let ((scale, unit), (length, of_length)) = (legible(top, "Pa"), legible(size[0], "m"));
-    let step = rows.max(columns).div_ceil(DRAWN);
-    let (values, columns) = largest_of(&solution.pressures, columns, step);
-    let mut caption = format!(
-        "{}: {} in {} patches",
-        shown(solution.mean_pressure, "Pa"),
-        interval(solution.area, None, "%").0,
-        solution.patches.len(),
-    );
-    if hardness.is_some() {
-        caption += &format!(", {} plastic", interval(solution.plastic_area, None, "%").0);
-    }
-    let svg = draw_map(&Map {
-        values: values.into_iter().map(|pressure| pressure / scale).collect(),
-        columns,
-        size: size.map(|side| side / length),
-        unit: of_length,
-        label: format!("pressure ({unit})"),
-        top: top / scale,
-        full: hardness.map_or("", |_| "plastic").into(),
-        width: Some(SMALL),
-        ..Map::default()
-    })?;
-    Ok((svg, caption))
+/// The picture of a map of a contact, as on a phone, with a line about it, and what is read of each
+/// part of its values under the pointer, which stand beside what the word for 0 is.
+pub(crate) fn map(
+    map: Map,
+    heights: &HeightMap,
+    caption: String,
+    values: &[f64],
+    said: (impl Fn(f64) -> String, &str),
+) -> Result<Value, Refusal> {
+    let svg = draw_map(&Map { width: Some(SMALL), ..map.coarser(DRAWN) })?;
+    let readings = readings(values, heights.shape(), heights.pixel(), said);
+    Ok(json!({ "svg": svg, "caption": caption, "readings": readings }))
 }
 
-/// The largest of every `step` x `step` values, so that no contact disappears, and their number in
-/// a row.
-pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
-    let wide = columns.div_ceil(step);
-    let mut most = vec![0.0_f64; wide * (values.len() / columns).div_ceil(step)];
-    for (k, value) in values.iter().enumerate() {
-        let part = &mut most[k / columns / step * wide + k % columns / step];
-        *part = part.max(*value);
-    }
-    (most, wide)
+/// The readings of rows x columns of pixels with these heights and widths, as the picture from its
+/// top: the pixels along a side of a part, of which the last of a row or column may have fewer, the
+/// middles of columns and of rows, and the largest value of each part.
+fn readings(
+    values: &[f64],
+    [rows, columns]: [usize; 2],
+    [dy, dx]: [f64; 2],
+    (said, none): (impl Fn(f64) -> String, &str),
+) -> Value {
+    let step = rows.max(columns).div_ceil(PARTS).max(1);
+    let (largest, _) = largest_of(values, columns, step);
+    let middles = |count: usize, pixel: f64| -> Value {
+        let middle = |from: usize| 0.5 * (from + (from + step).min(count)) as f64 * pixel;
+        (0..count).step_by(step).map(|from| shown(middle(from), "m")).collect()
+    };
+    // A part of several pixels is described by its largest value.
+    let bound = if step > 1 { "up to " } else { "" };
+    let text = |value: f64| match value > 0.0 {
+        true => format!("{bound}{}", said(value)),
+        false => none.into(),
+    };
+    let values: Value = largest.into_iter().map(text).collect();
+    let (x, y) = (middles(columns, dx), middles(rows, dy));
+    json!({ "pixels": [rows, columns], "step": step, "x": x, "y": y, "values": values })
 }
 
 #[cfg(test)]
@@ -206,7 +194,9 @@ mod tests {
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
-        let rows = ["gw", "ke"].map(|id| rows(&file, id, &compile(&file, id).unwrap(), &pressures));
+        let scenes = [file];
+        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &pressures);
+        let (rows, [file]) = (["gw", "ke"].map(of), &scenes);
         let load = load_of(&file, "100 N");
         let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]], ALL).unwrap();
         for text in ["range of models", "100 N", "boundary elements", ">ke<", "load (N)"] {
@@ -239,8 +229,9 @@ mod tests {
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
         let load = load_of(&file, "100 N");
-        let rows = ["persson-fudge", "gw"]
-            .map(|id| rows(&file, id, &compile(&file, id).unwrap(), &[1e5, 1e6, 1e7]));
+        let scenes = [file];
+        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
+        let (rows, [file]) = (["persson-fudge", "gw"].map(of), &scenes);
         let refused =
             curves(&file, &rows[..1], "unloading-stiffness", &load, &[], ALL).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
@@ -253,12 +244,27 @@ mod tests {
         assert!(curves(&file, &[], "area-fraction", &load, &[[1e6, 1e-3]], ALL).is_ok());
     }
 
+    const SAID: (fn(f64) -> String, &str) = (|pressure| shown(pressure, "Pa"), "no contact");
+
     #[test]
-    fn no_contact_is_lost_in_a_smaller_map() {
-        let mut values = vec![0.0; 35];
-        (values[6], values[34]) = (2.0, 3.0);
-        let (small, wide) = largest_of(&values, 7, 3);
-        assert_eq!((wide, small.len()), (3, 6));
-        assert!(small[2] > 1.0 && small[5] > 2.0);
+    fn parts_have_their_middle_and_their_largest_pressure() {
+        let mut pressures = vec![0.0; 130 * 65];
+        (pressures[129], pressures[128]) = (2e9, 1e9);
+        let found = readings(&pressures, [65, 130], [2e-6, 1e-6], SAID);
+        let all = |key: &str| found[key].as_array().unwrap();
+        assert_eq!((&found["step"], all("x").len(), all("y").len()), (&json!(3), 44, 22));
+        assert_eq!(all("x")[42..44], [json!("127.5 µm"), json!("129.5 µm")]);
+        assert_eq!((&found["y"][21], all("values").len()), (&json!("128 µm"), 44 * 22));
+        let values = ["up to 1 GPa", "up to 2 GPa", "no contact"].map(Value::from);
+        assert_eq!(all("values")[42..45], values);
+    }
+
+    #[test]
+    fn a_single_pixel_has_its_own_pressure() {
+        let found = readings(&[0.0, 3e6], [1, 2], [1e-6; 2], SAID);
+        assert_eq!(
+            (&found["step"], &found["values"]),
+            (&json!(1), &json!(["no contact", "3 MPa"]))
+        );
     }
 }

@@ -3,24 +3,54 @@
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-use asperity::bem::{BoundaryElements, LoadCase, Progress, Solution};
-use asperity::{Quantity, Separation, SeparationUnit, short};
-use asperity_inputs::SceneFile;
+use asperity::bem::{Bem, BoundaryElements, Direction, Leak, LoadCase, Progress, Solution};
+use asperity::{ContactError, Quantity, Separation, SeparationUnit, short};
+use asperity_answer::{Cell, FLOWS, Press, Pressed};
+use asperity_inputs::{SceneFile, quantity};
+use asperity_plot::Map;
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::answer::{SEPARATION, cell, quantities};
+use crate::answer::{Column, Known, Source, quantities};
 use crate::dialect::PAGE;
-use crate::map_readings::map_readings;
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{interval, shown};
 use crate::span::Span;
 
-/// Meanings of numbers that models do not have.
-const MEAN_GAP: &str = "Distance of the mean planes of the two deformed surfaces.";
-const PLASTIC: &str = "Share of the pixels that carry the hardness.";
+/// Columns of a solution that are no quantities of models: head, unit, label and meaning.
+const OWN: [[&str; 4]; 6] = [
+    ["load_N", "N", "load", ""],
+    ["plastic_fraction", "", "plastic share", "Share of the pixels that carry the hardness."],
+    ["mean_gap_m", "m", "mean gap", "Distance of the mean planes of the two deformed surfaces."],
+    ["patches", "", "patches", "Number of connected contacts."],
+    [
+        "flow_x_m3_per_s",
+        "m3/s",
+        "flow along x",
+        "From left to right through the outline of the scan.",
+    ],
+    [
+        "flow_y_m3_per_s",
+        "m3/s",
+        "flow along y",
+        "From top to bottom through the outline of the scan.",
+    ],
+];
+
+/// The column of a head, if it is shown.
+fn column(head: &str, file: &SceneFile) -> Option<Column> {
+    let is_own = |own: &&[&str; 4]| own[0] == head;
+    let own = OWN
+        .iter()
+        .find(is_own)
+        .map(|[head, unit, label, meaning]| Column::new([head, unit, label], (*meaning).into()));
+    let is_quantity = |quantity: &Quantity| quantity.column() == head;
+    let separation = || Some(Column::separation(Some(file))).filter(|column| column.head == head);
+    own.or_else(|| Quantity::ALL.into_iter().find(is_quantity).map(Column::from))
+        .or_else(separation)
+}
 
 /// The size of a scan, why it cannot be solved here, whether filling its missing points helps, and
 /// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in
@@ -48,118 +78,190 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     }))
 }
 
-/// Solves the contact of a scene's scan at mean pressures: the first before all others, and of
-/// these the heaviest first. Events are the progress, a load that is solved, and one that failed.
+/// Solves the contact of a scene's scan at mean pressures, with `leaks` also the flow through its
+/// gap: the first before all others, and of these the heaviest first. Events are the progress, a
+/// load that is solved, one that failed, and at last the map of the flow at the first load, which
+/// takes several times as long as all else.
 pub(crate) fn press(
     file: &SceneFile,
     pressures: &[f64],
+    leaks: bool,
     happened: impl FnMut(Value),
 ) -> Result<(), Refusal> {
     let bem = file.bem(None, false)?;
     if let Some(refused) = scan(file).as_ref().and_then(|scan| scan["refused"].as_str()) {
         return Err(Refusal::at("surface.file", refused));
     }
-    let interface = &file.scene.interface;
-    let (elements, hardness) = (bem.elements(interface)?, bem.hardness(interface)?);
+    let elements = bem.elements(&file.scene.interface)?;
+    let mut quantities = quantities(file);
+    let is_leak = |quantity: &Quantity| leaks && quantity.only_of() == Some(Bem::ID);
+    quantities.extend(Quantity::ALL.into_iter().filter(is_leak));
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
     let happened = RefCell::new(happened);
     let tell = |event: Value| (happened.borrow_mut())(event);
-    let event = |solution: Solution| -> Result<Value, Refusal> {
-        let mut event = solved(file, &elements, &solution);
-        let (svg, caption) = picture::contact(&bem, &solution, hardness)?;
-        (event["svg"], event["caption"]) = (svg.into(), caption.into());
-        event["readings"] = map_readings(&bem, &solution);
-        Ok(event)
-    };
     let failed = |error: Refusal| json!({ "event": "failed", "message": error.message });
+    let progress = |done: usize, what: &str| {
+        let count = pressures.len();
+        let text = format!("load {done} of {count} done; {what}");
+        tell(json!({ "event": "progress", "done": done, "count": count, "text": text }));
+    };
+    let (name, leak, refine, keep) = ("", None, false, false);
+    let (quantities, bem, mut flowing) = (&quantities, &bem, None);
     let (first, others) = given.split_at(given.len().min(1));
-    for (before, part) in [(0, first), (first.len(), others)] {
-        let watch = |progress: &Progress| {
-            let Progress { done, iterations, residual, .. } = *progress;
-            let (done, count) = (before + done, given.len());
-            let mut text = format!("load {done} of {count} done; iteration {iterations}");
+    for (before, given) in [(0, first), (first.len(), others)] {
+        let press = Press { file, name, bem, given, quantities, leak, refine, keep };
+        let watch = |of: &Progress| {
+            let mut what = format!("iteration {}", of.iterations);
             // A first iteration has none.
-            if residual.is_finite() {
-                text += &format!(", residual {residual:.0e}");
+            if of.residual.is_finite() {
+                what += &format!(", residual {:.0e}", of.residual);
             }
-            tell(json!({ "event": "progress", "done": done, "count": count, "text": text }));
+            progress(before + of.done, &what);
             ControlFlow::Continue(())
         };
-        elements.solve_each(part, watch, |_, solution| {
-            tell(solution.map_err(Refusal::from).and_then(&event).unwrap_or_else(failed));
+        press.each(&elements, watch, |_, pressed| {
+            let event = pressed.map_err(Refusal::from).and_then(|pressed| {
+                let event = solved(&press, &pressed)?;
+                let pressure = &event["pressure"];
+                let kept = || leaks.then(|| (pressure.clone(), pressed.solution));
+                flowing = flowing.take().or_else(kept);
+                Ok(event)
+            });
+            tell(event.unwrap_or_else(failed));
         });
+    }
+    if let Some((pressure, solution)) = flowing {
+        progress(given.len(), "the map of the flow");
+        let map = flow(bem, &elements, &solution);
+        let event = |map| json!({ "event": "flow", "pressure": pressure, "map": map });
+        tell(map.map_or_else(failed, event));
     }
     Ok(())
 }
 
-/// A load that was solved: its cells, with their names and what they mean. Among them are the other
-/// quantities of the models that a solved contact has, or why one is missing: the stiffness on
-/// first loading, from two more solutions, and on unloading, with the contact held.
-fn solved(file: &SceneFile, elements: &BoundaryElements, solution: &Solution) -> Value {
-    // Exactly as given.
-    let pressure = match solution.given {
-        LoadCase::MeanPressure(pressure) => pressure,
-        _ => solution.mean_pressure,
-    };
+/// A load that was solved: its cells, with their names and what they mean, its notes and its map. A
+/// quantity that boundary elements do not give has no cell.
+fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
+    let (file, mut heads, mut row) = (press.file, press.heads(), pressed.cells.clone());
     // From the plane of the models' separations, so that both are in one picture.
-    let gap = Separation::metres(solution.mean_gap).from_surface_mean();
-    let from = file.separation_from;
-    let separation = gap.measured_in(SeparationUnit::Metres, from, &file.scene);
-    let separation = separation.map(|found| found.value).map_err(|error| error.marked());
-    let load = pressure * file.scene.nominal_area;
-    let [mean_gap, patches] = [solution.mean_gap, solution.patches.len() as f64];
-    let [area, plastic] = [solution.area, solution.plastic_area];
-    let label = Quantity::AreaFraction.label();
-    let from = format!("The mean gap, measured from {from} as the models' separation.");
-    // Quantity, unit, value, name and meaning.
-    let own = [
-        ("load", "N", Ok(load), "load", ""),
-        ("pressure", "Pa", Ok(pressure), "pressure", "Mean pressure on the nominal area."),
-        ("area-fraction", "", Ok(area), label, "Real area of contact over the area of the scan."),
-        ("mean-gap", "m", Ok(mean_gap), "mean gap", MEAN_GAP),
-        (SEPARATION, "m", separation, "separation", &from),
-        ("plastic-fraction", "", Ok(plastic), "plastic share", PLASTIC),
-        ("patches", "", Ok(patches), "patches", "Number of connected contacts."),
-    ];
-    let (mut head, mut cells) = (vec![], vec![]);
-    for (quantity, unit, value, name, meaning) in own {
-        head.push((name, meaning));
-        cells.push(cell(quantity, unit, value));
-    }
-    let mut others = quantities(file);
-    others.retain(|quantity| *quantity != Quantity::AreaFraction);
-    let summary = elements.summary(solution, &others);
-    for quantity in others {
-        let found = summary.evaluate(quantity, &file.scene).map_err(|error| error.to_string());
-        if let Some(value) = found.map(|value| value.map(|value| value.value())).transpose() {
-            head.push((quantity.label(), quantity.definition()));
-            cells.push(cell(&quantity.to_string(), quantity.unit(), value));
+    let gap = Separation::metres(pressed.solution.mean_gap).from_surface_mean();
+    let separation = gap.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene);
+    let none = |error: ContactError| Cell::Blank(Some(error.marked().into()));
+    heads.insert(2, "separation_m".into());
+    row.insert(2, separation.map_or_else(none, |found| found.value.into()));
+    let (mut columns, mut cells) = (vec![], vec![]);
+    for (head, found) in heads.iter().zip(&row) {
+        let found = match (found.number(), found.reason()) {
+            (Some(value), _) => Ok(Known::new(value, None, Source::Solved)),
+            (_, Some(reason)) => Err(reason.to_string()),
+            _ => continue,
+        };
+        if let Some(column) = column(head, file) {
+            cells.push(column.cell(&found));
+            columns.push(column);
         }
     }
-    let notes: Value = solution.notes.iter().map(|note| PAGE.finding(note)).collect();
-    json!({
-        "event": "solved", "pressure": pressure, "load": shown(load, "N"),
-        "head": head, "cells": cells, "notes": notes,
-    })
+    let notes: Value = pressed.notes.iter().map(|note| PAGE.finding(note)).collect();
+    Ok(json!({
+        "event": "solved",
+        "pressure": row[1],
+        "load": shown(row[0].number().unwrap_or_default(), "N"),
+        "head": columns,
+        "cells": cells,
+        "notes": notes,
+        "maps": [contact(press, pressed)?],
+    }))
+}
+
+/// The map of the contact pressures, with a line about it.
+fn contact(press: &Press<'_>, Pressed { solution, .. }: &Pressed) -> Result<Value, Refusal> {
+    let (heights, hardness) = (press.bem.map(), press.bem.hardness(&press.file.scene.interface)?);
+    let mut caption = format!(
+        "{}: {} in {} patches",
+        shown(solution.mean_pressure, "Pa"),
+        interval(solution.area, None, "%").0,
+        solution.patches.len(),
+    );
+    if hardness.is_some() {
+        caption += &format!(", {} plastic", interval(solution.plastic_area, None, "%").0);
+    }
+    let pressures = &solution.pressures;
+    let map = Map {
+        full: hardness.map_or("", |_| "plastic").into(),
+        ..Map::of_pressures(pressures, heights.shape(), heights.pixel(), hardness)
+    };
+    picture::map(map, heights, caption, pressures, (|pressure| shown(pressure, "Pa"), "no contact"))
+}
+
+/// The map of the flow along x, with a line about it.
+fn flow(bem: &Bem, elements: &BoundaryElements, solution: &Solution) -> Result<Value, Refusal> {
+    let (heights, flux) = (bem.map(), elements.flux(solution, Direction::X)?);
+    let what = match flux.iter().any(|flux| *flux > 0.0) {
+        true => "flow from left to right through the gap",
+        false => "no open path from left to right",
+    };
+    let caption = format!("{}: {what}", shown(solution.mean_pressure, "Pa"));
+    let map = Map::of_flow(flux.clone(), heights.shape(), heights.pixel());
+    let said = |flux| format!("{} times the mean flow", short(flux));
+    picture::map(map, heights, caption, &flux, (said, "no flow"))
+}
+
+/// The flows \[m³/s\] through hydraulic gaps \[m\] along x and y of a fluid, with viscosity and fall
+/// of the pressure as typed.
+pub(crate) fn flows(
+    file: &SceneFile,
+    [viscosity, pressure_drop]: [&str; 2],
+    gaps: &[[f64; 2]],
+) -> Result<Value, Refusal> {
+    let viscosity = positive("leak.viscosity", viscosity, "Pa s", "1 mPa s")?;
+    let pressure_drop = positive("leak.pressure_drop", pressure_drop, "Pa", "1 bar")?;
+    if gaps.is_empty() {
+        return Ok(json!({ "head": [], "cells": [] }));
+    }
+    let (leak, bem) = (Leak::new(viscosity, pressure_drop)?, file.bem(None, false)?);
+    let columns: Vec<Column> = FLOWS.iter().filter_map(|(.., head)| column(head, file)).collect();
+    let of = |gaps: &[f64; 2]| -> Value {
+        let flow = |k: usize| leak.flow(gaps[k], bem.map(), FLOWS[k].1);
+        let known = |k: usize| Known::new(flow(k), None, Source::Solved);
+        columns.iter().enumerate().map(|(k, column)| column.known(&known(k))).collect()
+    };
+    Ok(json!({ "head": columns, "cells": gaps.iter().map(of).collect::<Value>() }))
+}
+
+/// A number above 0 with its unit: a flow of a wrong unit is wrong by thousands.
+fn positive(field: &str, text: &str, unit: &str, example: &str) -> Result<f64, Refusal> {
+    let text = text.trim();
+    let wrong = |reason: String| Refusal::at(field, reason);
+    if text.is_empty() {
+        return Err(wrong(format!("a flow needs both: write {example}, for example")));
+    }
+    if text.parse::<f64>().is_ok() {
+        return Err(wrong(format!("{text} has no unit: write {example}, for example")));
+    }
+    match quantity(text, unit).map_err(wrong)? {
+        value if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err(wrong(format!("{text}: a number above 0 was required"))),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
+    use asperity_answer::{Sheet, Silent};
     use asperity_inputs::{HandedFiles, parse_handed};
 
     use super::*;
     use crate::random::example;
     use crate::surface_keys::with_scan;
 
-    fn pressed(text: &str, pressures: &[f64]) -> (SceneFile, Vec<Value>) {
+    fn pressed(text: &str, pressures: &[f64], leaks: bool) -> (SceneFile, Vec<Value>) {
         let keys = example();
         let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
         let text = with_scan(text, &keys.name()).unwrap();
         let file = parse_handed(&text, &files).unwrap();
         let mut events = vec![];
-        press(&file, pressures, |event| events.push(event)).unwrap();
+        press(&file, pressures, leaks, |event| events.push(event)).unwrap();
         (file, events)
     }
 
@@ -170,7 +272,7 @@ mod tests {
 
     #[test]
     fn loads_are_solved_with_progress_as_the_library_solves_them() {
-        let (file, events) = pressed(asperity_inputs::template(), &[1e8, 5e7, 4e8]);
+        let (file, events) = pressed(asperity_inputs::template(), &[1e8, 5e7, 4e8], false);
         let (mut iterations, mut areas) = (0, vec![]);
         for event in events {
             match event["event"].as_str().unwrap() {
@@ -181,13 +283,14 @@ mod tests {
                     iterations += usize::from(event["count"] == 3);
                 }
                 "solved" => {
-                    let found = &event["readings"];
+                    let map = &event["maps"][0];
+                    let found = &map["readings"];
                     let [x, values] = ["x", "values"].map(|key| found[key].as_array().unwrap());
                     assert_eq!((x.len(), values.len()), (64, 64 * 64));
                     let touching = values.iter().filter(|value| *value != "no contact").count();
                     assert!(touching > 0 && touching < values.len(), "{touching}");
                     assert_eq!(x[0], "500 nm");
-                    assert!(event["caption"].as_str().unwrap().contains("patches"));
+                    assert!(map["caption"].as_str().unwrap().contains("patches"));
                     let [head, cells] = ["head", "cells"].map(|key| event[key].as_array().unwrap());
                     assert_eq!(head.len(), cells.len());
                     let pressure = event["pressure"].as_f64().unwrap();
@@ -215,7 +318,7 @@ mod tests {
             let wanted = format!("separation_from = \"{plane}\"");
             let text =
                 asperity_inputs::template().replace("separation_from = \"asperity-mean\"", &wanted);
-            let (file, events) = pressed(&text, &[2e8]);
+            let (file, events) = pressed(&text, &[2e8], false);
             let of = |name: &str| digits(events.last().unwrap(), name).unwrap();
             let offset = file.scene.mean_plane_offset();
             let above = if plane == "asperity-mean" { offset } else { 0.0 };
@@ -227,7 +330,7 @@ mod tests {
 
     #[test]
     fn stiffnesses_are_slopes_of_load_over_gap_and_unloading_is_the_stiffer() {
-        let (file, events) = pressed(asperity_inputs::template(), &[2e8, 1.9e8, 2.1e8]);
+        let (file, events) = pressed(asperity_inputs::template(), &[2e8, 1.9e8, 2.1e8], false);
         let solved = |wanted: f64, name: &str| {
             let at = |event: &&Value| {
                 event["pressure"].as_f64().is_some_and(|p| (p / wanted - 1.0).abs() < 1e-9)
@@ -244,10 +347,94 @@ mod tests {
         assert!(of(2e8, "unloading-stiffness") > tangent);
     }
 
+    /// Viscosity and fall of the pressure.
+    const OIL: [&str; 2] = ["1 mPa s", "1 bar"];
+
+    #[test]
+    fn leaks_are_those_of_the_program() {
+        let (file, events) = pressed(asperity_inputs::template(), &[3e8], true);
+        let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
+        let bem = file.bem(None, false).unwrap();
+        let (given, leak) = ([LoadCase::MeanPressure(3e8)], Leak::new(1e-3, 1e5).ok());
+        let quantities = [Quantity::EffectiveMediumGap];
+        let (name, refine, keep) = ("", false, false);
+        let (file, bem, given, quantities) = (&file, &bem, &given, &quantities);
+        let press = Press { file, name, bem, given, quantities, leak, refine, keep };
+        let mut sheet = Sheet::default();
+        press.solve(&mut sheet, &Silent).unwrap();
+        let same = |found: f64, head: &str| {
+            let wanted = sheet.rows[0][sheet.column(head).unwrap()].number().unwrap();
+            assert!(
+                wanted > 0.0 && (found / wanted - 1.0).abs() < 1e-13,
+                "{head}: {found} {wanted}"
+            );
+            found
+        };
+        let gap = |name: &str| digits(solved, name).unwrap();
+        same(gap("effective-medium-gap"), "effective_medium_gap_m");
+        let gaps =
+            [("hydraulic-gap-x", "hydraulic_gap_x_m"), ("hydraulic-gap-y", "hydraulic_gap_y_m")];
+        let gaps = gaps.map(|(name, head)| same(gap(name), head));
+        let found = flows(file, OIL, &[gaps]).unwrap();
+        for (k, (.., head)) in FLOWS.iter().enumerate() {
+            same(found["cells"][0][k]["digits"].as_str().unwrap().parse().unwrap(), head);
+            assert!(found["head"][k]["label"].as_str().unwrap().starts_with("flow along "));
+        }
+        assert_eq!((&map["event"], &map["pressure"]), (&json!("flow"), &solved["pressure"]));
+        let map = &map["map"];
+        assert!(
+            map["caption"].as_str().unwrap().ends_with("flow from left to right through the gap")
+        );
+        let values = map["readings"]["values"].as_array().unwrap();
+        assert!(values.iter().any(|value| value == "no flow"));
+        assert!(
+            values.iter().any(|value| value.as_str().unwrap().ends_with(" times the mean flow"))
+        );
+    }
+
+    #[test]
+    fn a_sealed_contact_has_no_flow_and_a_note_for_each_direction() {
+        let (file, events) = pressed(asperity_inputs::template(), &[1.8e9], true);
+        let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
+        assert_eq!(
+            (digits(solved, "hydraulic-gap-x"), digits(solved, "hydraulic-gap-y")),
+            (Some(0.0), Some(0.0))
+        );
+        let notes =
+            solved["notes"].as_array().unwrap().iter().filter(|note| note["code"] == "sealed");
+        let of: Vec<&Value> = notes.map(|note| &note["quantity"]).collect();
+        assert_eq!(of, ["hydraulic-gap-x", "hydraulic-gap-y"]);
+        assert!(
+            map["map"]["caption"].as_str().unwrap().ends_with("no open path from left to right")
+        );
+        assert_eq!(flows(&file, OIL, &[[0.0; 2]]).unwrap()["cells"][0][0]["shown"], "0 m³/s");
+    }
+
+    #[test]
+    fn a_wrong_fluid_is_refused_at_its_field() {
+        let (file, events) = pressed(asperity_inputs::template(), &[3e8], false);
+        assert!(events.iter().all(|event| event["event"] != "flow"));
+        assert!(!events.iter().any(|event| event.to_string().contains("hydraulic")));
+        let [viscosity, drop] = OIL;
+        for (fluid, field, text) in [
+            (["46 cSt", drop], "viscosity", "\"46 cSt\" is a kinematic viscosity: multiply it"),
+            (["20", drop], "viscosity", "20 has no unit: write 1 mPa s, for example"),
+            (["-1 mPa s", drop], "viscosity", "-1 mPa s: a number above 0 was required"),
+            (["", drop], "viscosity", "a flow needs both: write 1 mPa s, for example"),
+            ([viscosity, ""], "pressure_drop", "a flow needs both: write 1 bar, for example"),
+            ([viscosity, "2 N"], "pressure_drop", "is not a number in Pa"),
+            ([viscosity, "0 Pa"], "pressure_drop", "above 0 was required"),
+        ] {
+            let refused = flows(&file, fluid, &[]).unwrap_err();
+            assert_eq!(refused.field, Some(format!("leak.{field}")));
+            assert!(refused.message.contains(text), "{}", refused.message);
+        }
+    }
+
     #[test]
     fn a_scene_without_a_scan_is_refused_with_what_to_do() {
         let file = asperity_inputs::parse(asperity_inputs::template(), Path::new(".")).unwrap();
-        let refused = press(&file, &[1e6], |_| {}).unwrap_err();
+        let refused = press(&file, &[1e6], false, |_| {}).unwrap_err();
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
         assert!(refused.message.contains("file = \"scan.x3p\""), "{}", refused.message);
     }

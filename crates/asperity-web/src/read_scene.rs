@@ -1,15 +1,12 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
-use asperity::{
-    Body, DerivedNumber, Described, Dialect, HARDNESS_OVER_YIELD, Model, shortest_digits,
-};
+use asperity::{Body, DerivedNumber, Described, Dialect, HARDNESS_OVER_YIELD, Model};
 use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
-use crate::dialect::{PAGE, model_name, said, symbols};
-use crate::model_sentence::model_sentence;
+use crate::dialect::{PAGE, model_name, model_sentence, said, symbols};
 use crate::refusal::Refusal;
-use crate::shown::{interval, shown};
+use crate::shown::{number, ranged, shown};
 use crate::{answer, dialect, fields, press, surface_keys};
 
 /// Reads a text: the values of all keys as typed, how the surface is described, the files that it
@@ -24,11 +21,16 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     });
     let read = parse_handed(text, files).map_err(Refusal::from);
     found["fields"] = json!(typed);
-    found["views"] = answer::views(read.as_ref().ok()).into();
+    let columns = answer::columns(read.as_ref().ok());
+    found["views"] = json!(columns);
+    let derived = |of: &DerivedNumber| {
+        let shown = ranged(of.value, of.ends, of.unit);
+        number(&PAGE.term(of.name), shown, of.value, &symbols(&of.meaning))
+    };
     match read {
         Ok(file) => {
             let check = file.check(None);
-            found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(number).collect();
+            found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(derived).collect();
             let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
             let findings = file.accepted(findings);
             // Values follow from a number that cannot be meant.
@@ -36,7 +38,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["findings"] = dialect::findings(&findings, &file);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
-            found["head"] = answer::head(&file).into();
+            found["head"] = answer::head(&columns).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();
@@ -91,20 +93,6 @@ pub(crate) fn material(material: &Material) -> Value {
     }
     let Material { id, name, source, .. } = material;
     json!({ "id": id, "name": name, "shown": shown, "source": source })
-}
-
-/// A derived number, with all digits and as shown.
-fn number(number: &DerivedNumber) -> Value {
-    let shown = match interval(number.value, number.ends, number.unit) {
-        (value, range) if number.ends.is_some() => format!("{value} ({range})"),
-        _ => shown(number.value, number.unit),
-    };
-    json!({
-        "name": PAGE.term(number.name),
-        "digits": shortest_digits(number.value),
-        "shown": shown,
-        "meaning": symbols(&number.meaning),
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! The scan of a scene: its picture, its statistics, and its slopes at several distances.
 
-use asperity::shortest_digits;
 use asperity_inputs::SceneFile;
 use asperity_plot::draw_surface;
 use asperity_topography::{AtDistance, Glance, Level, Reported, Topography};
@@ -8,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{number, shown};
 
 /// Slopes and curvatures, each row at one distance of points.
 const SCALES: [&str; 5] =
@@ -27,12 +26,9 @@ pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
     let (Some(scan), Some(measured)) = (&file.scan, &file.measured) else {
         return Err(Refusal::new("the scene has no scan"));
     };
-    let number = |of: Reported| {
-        let value = of.value?;
-        let (digits, shown) = (shortest_digits(value), shown(value, of.unit));
-        Some(json!({ "name": of.name, "digits": digits, "shown": shown, "meaning": of.meaning }))
-    };
-    let numbers: Value = measured.statistics.numbers().into_iter().filter_map(number).collect();
+    let reported =
+        |of: Reported| Some(number(of.name, shown(of.value?, of.unit), of.value?, &of.meaning));
+    let numbers: Value = measured.statistics.numbers().into_iter().filter_map(reported).collect();
     let (columns, pixel_size) = (scan.columns(), scan.pixel_size());
     let shape = Shape { columns, pixel_size, periodic: scan.is_periodic() };
     Ok(json!({ "numbers": numbers, "shape": shape }))

@@ -1,26 +1,11 @@
 //! Numbers as the page shows them: four digits and a decimal prefix.
 
 use asperity::{short, shortest_digits};
+use asperity_plot::{PREFIXES, legible};
+use serde_json::{Value, json};
 
-/// Units that take a prefix.
-const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"];
-const PREFIXES: [(f64, &str); 7] =
-    [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")];
 /// All digits of a number but the last, in which conversions differ.
 pub(crate) const EXACTLY: usize = 15;
-
-/// The unit in which a number is legible, in SI units and by its name: `(1e6, "MN/m")`.
-pub(crate) fn legible(value: f64, unit: &str) -> (f64, String) {
-    let name = unit.replace("m2", "m²");
-    let size = value.abs();
-    let (least, fits) = (PREFIXES[PREFIXES.len() - 1], |p: &(f64, &str)| size >= p.0);
-    match PREFIXES.into_iter().find(fits).unwrap_or(least) {
-        (factor, prefix) if PREFIXED.contains(&unit) && (1e-12..1e15).contains(&size) => {
-            (factor, format!("{prefix}{name}"))
-        }
-        _ => (1.0, name),
-    }
-}
 
 /// A number with its unit: `12.5 MN/m`, `3.2e-8 m²`; the digits alone for a pure number.
 pub(crate) fn shown(value: f64, unit: &str) -> String {
@@ -40,6 +25,20 @@ pub(crate) fn interval(value: f64, ends: Option<[f64; 2]>, unit: &str) -> (Strin
     let range =
         ends.map_or(String::new(), |[low, high]| format!("{} to {}", digits(low), digits(high)));
     (format!("{} {name}", digits(value)), range)
+}
+
+/// A number with four digits or, known within a range, with three and this behind it.
+pub(crate) fn ranged(value: f64, ends: Option<[f64; 2]>, unit: &str) -> String {
+    match interval(value, ends, unit) {
+        (value, range) if ends.is_some() => format!("{value} ({range})"),
+        _ => shown(value, unit),
+    }
+}
+
+/// A number of a table by its name, with all digits, as shown, and what it means.
+pub(crate) fn number(name: &str, shown: String, value: f64, meaning: &str) -> Value {
+    let digits = shortest_digits(value);
+    json!({ "name": name, "digits": digits, "shown": shown, "meaning": meaning })
 }
 
 /// A deviation in percent, with its sign: `+19 %`.

@@ -8,8 +8,9 @@ use serde_json::{Value, json};
 use crate::refusal::Refusal;
 use crate::span::Span;
 
-/// Largest error of interpolation in a table.
-const TABLE_ERROR: f64 = 0.01;
+/// Largest error of interpolation in a table, and larger ones for programs that take few nodes.
+const ERROR: f64 = 0.01;
+const LARGER: [f64; 3] = [0.03, 0.1, 0.3];
 
 /// The table of a model over the range of the slider for a finite-element program, as a file.
 pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
@@ -30,13 +31,8 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
         Export { subject, ends, nodes, log: false, max_error, format, units, conductance, friction }
             .answer(&mut Sheet::default(), &Silent)
     };
-    let mut found = within(TABLE_ERROR);
-    // COMBIN39 takes few nodes.
-    for error in [0.03, 0.1, 0.3] {
-        if form == "ansys" && found.is_err() {
-            found = within(error);
-        }
-    }
+    let found =
+        LARGER.into_iter().fold(within(ERROR), |found, larger| found.or_else(|_| within(larger)));
     let text = found.map_err(Refusal::new)?.text;
     Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": text }))
 }

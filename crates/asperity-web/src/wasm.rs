@@ -49,8 +49,8 @@ impl JsDesk {
     }
 
     /// See [`Desk::press`](crate::Desk::press).
-    pub fn press(&self, pressures: &[f64], happened: &js_sys::Function) -> String {
-        self.desk.press(pressures, |event| {
+    pub fn press(&self, pressures: &[f64], leaks: bool, happened: &js_sys::Function) -> String {
+        self.desk.press(pressures, leaks, |event| {
             // The page does not answer.
             let _ = happened.call1(&JsValue::NULL, &JsValue::from_str(event));
         })

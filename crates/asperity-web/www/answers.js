@@ -10,7 +10,6 @@ export function answer(found, isExample) {
     element("dt", {}, name), element("dd", {}, element("b", { data }, shown), element("small", {}, more)));
   $("answer").querySelector("dl").replaceChildren(...(found ? [
     ...found.first.map((one) => part(one.name, attributes(one, "answer"), one.shown, one.by)),
-    part("plasticity index", {}, found.plasticity.shown, found.plasticity.says),
     part("model to use", {}, found.use?.model ?? "–", found.use?.says ?? ""),
   ] : PARTS.map((name) => part(name, {}, "–", ""))));
   const [example, basis] = $("basis").children;

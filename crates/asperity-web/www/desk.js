@@ -135,9 +135,9 @@ export class Desk {
     });
   }
 
-  async press(text, pressures, happened) {
+  async press(text, pressures, leaks, happened) {
     await this.sure(() => this.ready(text));
-    const answer = await this.send("press", { pressures: new Float64Array(pressures) }, happened);
+    const answer = await this.send("press", { pressures: new Float64Array(pressures), leaks }, happened);
     this.deaths = 0;
     return answer;
   }

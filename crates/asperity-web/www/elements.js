@@ -1,6 +1,6 @@
 // Boundary elements in a worker of their own, load by load. Stopping ends the worker.
 import { $, cell, element, heading, lowered, noPicture, picture, tell } from "./page.js";
-import { desks, page, work } from "./state.js";
+import { desks, page, state, work } from "./state.js";
 
 const NO_SCAN = "They need the heights of a surface: drop a scan or make a random surface.";
 
@@ -19,6 +19,8 @@ class Elements {
   // The loads of the run by their pressure, in words.
   wanted = new Map();
   changed = () => {};
+  // Gives solved loads the flow through their gap.
+  flow = () => {};
 
   // What the scene allows, after every change of it; null for a scene with an error.
   allow(scan, error = !page.shown || page.shown.error) {
@@ -43,6 +45,7 @@ class Elements {
     this.scene = scene;
     this.solved = this.kept.get(scene) ?? [];
     if (this.solved.length > 0) this.table();
+    this.flow();
   }
 
   drop() {
@@ -68,7 +71,7 @@ class Elements {
       this.wanted = wanted;
       this.busy(true);
       try {
-        await desks.solver.press(text, pressures, (event) => this.run === run && this.happened(event));
+        await desks.solver.press(text, pressures, Boolean(state.leak), (event) => this.run === run && this.happened(event));
         if (this.run === run) $("iterations").textContent = "";
       } catch (error) {
         if (this.run === run) throw error;
@@ -120,12 +123,16 @@ class Elements {
       if ($("loads-done").textContent !== loads) $("loads-done").textContent = loads;
     } else if (event.event === "failed") {
       tell(event.message);
+    } else if (event.event === "flow") {
+      this.at(event.pressure)?.maps.push(event.map);
+      this.table();
     } else {
       this.solved = this.solved.filter(({ pressure }) => pressure !== event.pressure);
       this.solved.push(event);
       this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
+      this.flow();
       this.changed(event.pressure);
     }
   }
@@ -144,50 +151,57 @@ class Elements {
     if (near && near !== this.shown) this.show(near);
   }
 
-  show(one) {
-    this.shown = one;
-    picture($("contact"), one.svg, `contact pressures at ${one.load}: ${one.caption}`);
-    $("contact-reading").textContent = one.caption;
+  // The map of the pressures, or of the flow.
+  show(one, map = one.maps[0]) {
+    [this.shown, this.map] = [one, map];
+    picture($("contact"), map.svg, `map at ${one.load}: ${map.caption}`);
+    $("contact-reading").textContent = map.caption;
   }
 
-  // The pressures of the map under the pointer.
+  // The values of the map under the pointer.
   readings() {
     const [figure, output] = [$("contact"), $("contact-reading")];
     figure.addEventListener("pointermove", ({ clientX, clientY }) => {
       const box = figure.querySelector("image")?.getBoundingClientRect();
       if (!box || !this.shown) return;
-      const { pixels: [rows, columns], step, x, y, values } = this.shown.readings;
+      const { pixels: [rows, columns], step, x, y, values } = this.map.readings;
       const part = (share, pixels) => Math.floor(Math.floor(share * pixels) / step);
       const column = part((clientX - box.left) / box.width, columns);
       const row = part((clientY - box.top) / box.height, rows);
       output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
     });
-    figure.addEventListener("pointerleave", () => { output.textContent = this.shown?.caption ?? ""; });
+    figure.addEventListener("pointerleave", () => { output.textContent = this.shown ? this.map.caption : ""; });
   }
 
   table() {
     const [table, notes] = [$("solved"), $("solved-notes")];
     table.hidden = false;
     // A column a load: so many quantities are wider than the page.
-    const { head: [, ...names] } = this.solved[0];
-    const show = (one) => {
-      const button = element("button", { type: "button", onclick: () => this.show(one) }, "show");
-      button.setAttribute("aria-label", `show the map at ${one.load}`);
+    const all = this.solved.map(({ head, cells, flow }) => ({ head: [...head, ...(flow?.head ?? [])], cells: [...cells, ...(flow?.cells ?? [])] }));
+    const [, ...rows] = new Map(all.flatMap(({ head }) => head.map((column) => [column.id, column]))).values();
+    const none = { shown: "not solved; move to this load and press Solve this load" };
+    const show = (one, k) => {
+      if (!one.maps[k]) return cell(none);
+      const button = element("button", { type: "button", onclick: () => this.show(one, one.maps[k]) }, "show");
+      button.setAttribute("aria-label", `show the map${k ? " of the flow" : ""} at ${one.load}`);
       return element("td", {}, button);
     };
+    const maps = ["map", "map of the flow"].filter((_, k) => this.solved.some((one) => one.maps[k]));
     table.tHead.replaceChildren(element("tr", {}, heading("load"), ...this.solved.map(({ load, pressure, cells: [{ digits }] }) => {
       const head = heading(load, digits);
       Object.assign(head.dataset, { pressure, model: "bem", quantity: "load", value: digits });
       return head;
     })));
     table.tBodies[0].replaceChildren(
-      ...names.map(([name, definition], k) => element("tr", {}, element("th", { scope: "row", title: definition }, name), ...this.solved.map(({ cells }) => cell(cells[k + 1], "bem")))),
-      element("tr", {}, element("th", { scope: "row" }, "map"), ...this.solved.map(show)));
+      ...rows.map(({ id, label, definition }) => element("tr", {}, element("th", { scope: "row", title: definition }, label),
+        ...all.map(({ cells }) => cell(cells.find(({ quantity }) => quantity === id) ?? none, "bem")))),
+      ...maps.map((name, k) => element("tr", {}, element("th", { scope: "row" }, name), ...this.solved.map((one) => show(one, k)))));
     // What several loads have in common is shown once, for the lightest.
     const lines = new Map();
-    for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
-      if (!lines.has(code)) lines.set(code, { text: `${severity}: ${message}`, also: [] });
-      else lines.get(code).also.push(load);
+    for (const { load, notes } of this.solved) for (const { code, quantity, severity, message } of notes) {
+      const same = `${code} ${quantity}`;
+      if (!lines.has(same)) lines.set(same, { text: `${severity}: ${message}`, also: [] });
+      else lines.get(same).also.push(load);
     }
     notes.hidden = lines.size === 0;
     notes.replaceChildren(...[...lines.values()].map(({ text, also }) =>

@@ -20,9 +20,9 @@ export function rest() {
 export const writeLink = () => work("page", "link", async () => {
   const kind = done;
   done = null;
-  const { text, models, load, view, scan, random, example } = state;
+  const { text, models, load, view, scan, random, example, leak } = state;
   try {
-    const hash = `#s=${await desks.quick.call("link", { state: { scene: text, models, load, view, scan, random, example } })}`;
+    const hash = `#s=${await desks.quick.call("link", { state: { scene: text, models, load, view, scan, random, example, leak } })}`;
     if (hash === location.hash) return;
     // The link beside the button is no longer that of the page.
     $("link").hidden = true;
@@ -46,8 +46,8 @@ export async function openLink(setScene) {
     return { opened: false, message: error.message };
   }
   written = hash;
-  const { scene, models, load, view, scan, random, example } = found;
-  Object.assign(state, { models, load, view, scan, random, example });
+  const { scene, models, load, view, scan, random, example, leak = null } = found;
+  Object.assign(state, { models, load, view, scan, random, example, leak });
   if (random && scan && files.get(scan.name)?.checksum !== scan.checksum) files.set(scan.name, { keys: random, checksum: scan.checksum });
   page.wanted = scan && files.get(scan.name)?.checksum !== scan.checksum ? scan : null;
   await setScene(scene, "open");

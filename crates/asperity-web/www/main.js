@@ -6,6 +6,7 @@ import { note, openLink, rest, writeLink } from "./link.js";
 import { clear } from "./answers.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
+import { leak, showLeak } from "./leak.js";
 import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
@@ -50,6 +51,7 @@ function surfaces() {
 function boundaryElements() {
   Object.assign(elements, { changed: redraw, edit });
   elements.readings();
+  leak();
   $("solve").addEventListener("click", () => elements.solve(true));
   $("solve-load").addEventListener("click", () => elements.solve(false));
   $("stop").addEventListener("click", () => elements.stop());
@@ -63,6 +65,7 @@ function fail(message) {
 
 async function open() {
   const { opened, message } = await openLink(setScene);
+  showLeak();
   if (opened) tries(state.example);
   if (message) tell(message);
   return { opened, message };

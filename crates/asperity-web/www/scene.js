@@ -132,10 +132,8 @@ async function values(keys) {
   table();
   await curves(desks.quick, models);
   await draw();
-  const findings = await check(desks.quick, models);
-  blocks.findings(findings);
-  blocks.addFindings(found.findings);
-  form.mark(null, findings);
+  blocks.findings(found.findings);
+  form.mark(null, found.findings);
   takeAway.code();
   if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, keys));
 }
@@ -168,8 +166,6 @@ async function curves(desk, models) {
   Object.entries(rows).forEach(([id, text]) => page.rows.set(id, text));
 }
 
-const check = (desk, models) => ask(desk, "check", { models, load: { text: state.load } });
-
 // Models whose laws take seconds, in a worker of their own: they appear when they are ready.
 async function slowValues(shown, keys) {
   const current = () => page.shown === shown;
@@ -191,8 +187,7 @@ async function slowValues(shown, keys) {
   await curves(desks.slow, models);
   if (!current()) return page.rows.clear();
   work("page", "draw", draw);
-  const findings = await check(desks.slow, models);
-  if (current() && state.load === load) blocks.addFindings([...found.findings, ...findings]);
+  if (state.load === load) blocks.addFindings(found.findings);
 }
 
 // The values of models, and of boundary elements where they are solved at this load.

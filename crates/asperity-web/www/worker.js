@@ -9,7 +9,7 @@ onmessage = async ({ data: { id, kind, message } }) => {
     const desk = await ready;
     let answer;
     if (kind === "hand") answer = desk.hand(message.name, new Uint8Array(message.bytes));
-    else if (kind === "press") answer = desk.press(message.pressures, (event) => postMessage({ id, event }));
+    else if (kind === "press") answer = desk.press(message.pressures, message.leaks, (event) => postMessage({ id, event }));
     else if (kind === "file") return postMessage({ id, file: desk.file(message.name) });
     else if (kind === "heights") return hand(id, desk.heights());
     else if (kind === "report") answer = desk.report(message.heights, message.shape);

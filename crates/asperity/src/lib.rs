@@ -46,7 +46,7 @@ pub use evidence::{
     Estimate, ExpectedContact, Ratio, SurfaceShape, compile_compared, compile_known,
 };
 #[cfg(feature = "evidence")]
-pub use ranking::nearest_to_bem;
+pub use ranking::nearest_in_each;
 #[cfg(feature = "evidence")]
 pub use recommend::{
     Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,

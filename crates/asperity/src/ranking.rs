@@ -4,38 +4,29 @@ use crate::Compared;
 
 /// Number of models listed.
 const MOST_LISTED: usize = 3;
-/// The quantities in which models are ranked, with their names in the program; the first two are
-/// known of every scan that is solved.
-pub(crate) const NAMES: [(Compared, &str); 3] = [
-    (Compared::Area, "area"),
-    (Compared::Stiffness, "stiffness in first loading"),
-    (Compared::UnloadingStiffness, "unloading stiffness"),
-];
+
+impl Compared {
+    /// The quantities in which models are ranked, with their names in the program.
+    pub const RANKED: [(Self, &str); 3] = [
+        (Self::Area, "area"),
+        (Self::Stiffness, "stiffness in first loading"),
+        (Self::UnloadingStiffness, "unloading stiffness and conductances"),
+    ];
+}
 
 /// The models nearest to boundary elements in a quantity of this name, each with its largest
-/// deviation, in one sentence with at most `most` of them; `None` if none has the quantity
-/// everywhere. Each model comes with its deviations from boundary elements (0.1: 10 % high), one a
-/// load, or `None` where one is missing.
-///
-/// ```
-/// use asperity::nearest_to_bem;
-///
-/// let deviations = [("gw", vec![Some(-0.4)]), ("ke", vec![Some(-0.13)]), ("gao", vec![None])];
-/// let found = nearest_to_bem("area", deviations, 3).unwrap_or_default();
-/// assert_eq!(found, "nearest to boundary elements in area are ke (13 % low), gw (40 % low)");
-/// ```
-#[must_use]
-pub fn nearest_to_bem<'m>(
+/// deviation, in one sentence; `None` if none has the quantity everywhere. Each model comes with
+/// its deviations from boundary elements.
+fn nearest<'m>(
     quantity: &str,
-    models: impl IntoIterator<Item = (&'m str, Vec<Option<f64>>)>,
-    most: usize,
+    models: impl Iterator<Item = (&'m str, Vec<Option<f64>>)>,
 ) -> Option<String> {
     let known = |(id, off): (&'m str, Vec<Option<f64>>)| {
         Some((off.into_iter().collect::<Option<Vec<f64>>>()?, id))
     };
-    let mut ranked: Vec<(Vec<f64>, &str)> = models.into_iter().filter_map(known).collect();
+    let mut ranked: Vec<(Vec<f64>, &str)> = models.filter_map(known).collect();
     ranked.sort_by(|a, b| largest(&a.0).total_cmp(&largest(&b.0)));
-    let listed = ranked.iter().take(most).map(|(off, id)| format!("{id} ({})", words(off)));
+    let listed = ranked.iter().take(MOST_LISTED).map(|(off, id)| format!("{id} ({})", words(off)));
     let listed: Vec<String> = listed.collect();
     let verb = if listed.len() == 1 { "is" } else { "are" };
     let sentence =
@@ -43,16 +34,30 @@ pub fn nearest_to_bem<'m>(
     (!listed.is_empty()).then_some(sentence)
 }
 
-/// The sentences of these quantities with their names, or one that no model is known everywhere in
-/// any; `off` returns the deviations of a model in a quantity.
-pub(crate) fn nearest_in_each<'m>(
+/// The models nearest to boundary elements in each of these quantities, a sentence with the three
+/// nearest for each, or one that no model is known everywhere in any. `off` returns the deviations
+/// of a model in a quantity (0.1: 10 % high), one a load, `None` where one is missing.
+///
+/// ```
+/// use asperity::{Compared, nearest_in_each};
+///
+/// let off = |id: &str, _| vec![match id {
+///     "gw" => Some(-0.4),
+///     "ke" => Some(-0.13),
+///     _ => None,
+/// }];
+/// let found = nearest_in_each(["gw", "ke", "gao"], off, &[(Compared::Area, "area")]);
+/// assert_eq!(found, ["nearest to boundary elements in area are ke (13 % low), gw (40 % low)"]);
+/// ```
+#[must_use]
+pub fn nearest_in_each<'m>(
     models: impl IntoIterator<Item = &'m str>,
     off: impl Fn(&str, Compared) -> Vec<Option<f64>>,
     names: &[(Compared, &str)],
 ) -> Vec<String> {
     let ids: Vec<&str> = models.into_iter().collect();
     let of = |(quantity, name): &(Compared, &str)| {
-        nearest_to_bem(name, ids.iter().map(|id| (*id, off(id, *quantity))), MOST_LISTED)
+        nearest(name, ids.iter().map(|id| (*id, off(id, *quantity))))
     };
     let found: Vec<String> = names.iter().filter_map(of).collect();
     match found.is_empty() {
@@ -104,7 +109,7 @@ mod tests {
         let area = "b (less than 1 % off), a (at most 20 % off), d (at most 50 % high)";
         let stiffness = "c (at most 25 % off), a (at most 30 % off), d (at most 50 % low)";
         assert_eq!(
-            nearest_in_each(["d", "a", "b", "c"], off, &NAMES[..2]),
+            nearest_in_each(["d", "a", "b", "c"], off, &Compared::RANKED[..2]),
             [
                 format!("nearest to boundary elements in area are {area}"),
                 format!(
@@ -112,10 +117,10 @@ mod tests {
                 )
             ]
         );
-        let one = nearest_in_each(["b"], off, &NAMES[..2]);
+        let one = nearest_in_each(["b"], off, &Compared::RANKED[..2]);
         assert_eq!(one, ["nearest to boundary elements in area is b (less than 1 % off)"]);
         // Only what is asked for.
-        let none = nearest_in_each(["b"], off, &NAMES[1..2]);
+        let none = nearest_in_each(["b"], off, &Compared::RANKED[1..2]);
         let wanted = "no model can be compared with boundary elements in stiffness in first loading everywhere";
         assert_eq!(none, [wanted]);
     }

@@ -2,17 +2,11 @@
 
 use asperity::{
     At, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request, Scene,
-    SurfaceShape, nearest_to_bem, recommend_among, usual_reference,
+    SurfaceShape, nearest_in_each, recommend_among, usual_reference,
 };
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth};
-
-/// Number of models listed.
-const MOST_LISTED: usize = 3;
-/// The quantities in which models are ranked, with their names: known of every scan that is solved.
-const RANKED: [(Compared, &str); 2] =
-    [(Compared::Area, "area"), (Compared::Stiffness, "stiffness in first loading")];
 
 /// Codes of notes on loads that few pixels or patches carry.
 const FEW: [&str; 2] = ["few-pixels", "few-patches"];
@@ -26,20 +20,10 @@ impl Truth {
         self.notes.iter().any(|note| codes.contains(&note.code))
     }
 
-    /// A quantity of a model relative to boundary elements on this scan.
-    fn ratio(&self, id: &str, quantity: Compared) -> Option<Ratio> {
+    /// The deviation of a model in a quantity.
+    fn off(&self, id: &str, quantity: Compared) -> Option<f64> {
         let (_, state) = self.models.iter().find(|(model, _)| model.id() == id)?;
-        self.ratio_of(state, quantity)
-    }
-
-    fn ratio_of(&self, state: &ContactState, quantity: Compared) -> Option<Ratio> {
-        let off = self.deviation(state);
-        match quantity {
-            Compared::Area => off.area_fraction.map(|off| Ratio::exactly(1.0 + off)),
-            Compared::Stiffness => off.stiffness.map(|off| Ratio::exactly(1.0 + off)),
-            Compared::MeanGap => off.mean_gap.map(Ratio::exactly),
-            _ => None,
-        }
+        self.deviation(state).get(&quantity).copied()
     }
 }
 
@@ -50,7 +34,7 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
     match codes {
         _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
-            "the grid is too coarse for the shortest waves of the scan; set `smooth` to 16 pixels or more, measure on smaller pixels, or compare with half the grid (refine)",
+            "the grid is too coarse for the shortest waves of the scan; set `smooth`, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
         ),
         _ if codes.iter().all(|codes| has(&FEW, codes)) => {
             Some("too few pixels or patches are in contact")
@@ -59,64 +43,55 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
     }
 }
 
-/// Which models are nearest to boundary elements over these loads, in area and in stiffness in
-/// first loading. Loads that few pixels or patches carry do not count; on a grid too coarse for the
-/// shortest waves of the scan models are ranked where `half` the grid differs by less than each of
+/// Which models are nearest to boundary elements over these loads, in area and the compared
+/// stiffnesses. Loads that few pixels or patches carry do not count; on a grid too coarse for the
+/// shortest waves of the scan models are ranked where half the grid differs by less than each of
 /// them.
 #[must_use]
-pub fn summary(found: &[Truth], half: &[Option<Truth>]) -> String {
-    let mut ranked = RANKED.to_vec();
-    if found.iter().any(|truth| truth.has_note(&COARSE)) {
-        ranked.retain(|(quantity, _)| grid_is_nearest(found, half, *quantity));
-    }
+pub fn summary(found: &[Truth]) -> String {
+    let mut known = Compared::RANKED.to_vec();
+    known.retain(|(quantity, _)| found.iter().any(|truth| truth.bem.contains_key(quantity)));
+    let is_coarse = found.iter().any(|truth| truth.has_note(&COARSE));
+    let is_ranked = |(quantity, _): &_| !is_coarse || grid_is_nearest(found, *quantity);
+    let (ranked, others): (Vec<_>, Vec<_>) = known.into_iter().partition(is_ranked);
     let codes = |truth: &Truth| {
         let codes = truth.notes.iter().map(|note| note.code);
         codes.filter(|code| ranked.is_empty() || !COARSE.contains(code)).collect()
     };
     if let Some(why) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
-        return format!("models are not ranked: {why}");
+        let refine = match is_coarse && found.iter().all(|truth| truth.half.is_none()) {
+            true => ", or compare with half the grid (refine)",
+            false => "",
+        };
+        return format!("models are not ranked: {why}{refine}");
     }
-    let resolved = || found.iter().filter(|truth| !truth.has_note(&FEW));
-    let count = resolved().count();
+    let resolved: Vec<&Truth> = found.iter().filter(|truth| !truth.has_note(&FEW)).collect();
     let models = found.first().map_or(&[][..], |first| &first.models);
-    let off = |id: &str, quantity| {
-        let of = |truth: &Truth| Some(truth.ratio(id, quantity)?.deviation(quantity));
-        resolved().map(of).collect()
-    };
-    let nearest = |(quantity, name): &(Compared, &str)| {
-        let ids = models.iter().map(|(model, _)| model.id());
-        nearest_to_bem(name, ids.map(|id| (id, off(id, *quantity))), MOST_LISTED)
-    };
-    let nearest = match ranked.iter().filter_map(nearest).collect::<Vec<_>>() {
-        none if none.is_empty() => {
-            let names = RANKED.map(|(_, name)| name).join(" or ");
-            format!("no model can be compared with boundary elements in {names} everywhere")
-        }
-        found => found.join("; "),
-    };
-    match found.len() {
-        all if all == count => format!("over these loads, {nearest}"),
-        all => format!(
+    let ids = models.iter().map(|(model, _)| model.id());
+    let off = |id: &str, of| resolved.iter().map(|truth| truth.off(id, of)).collect();
+    let mut nearest = nearest_in_each(ids, off, &ranked).join("; ");
+    for (_, name) in others {
+        nearest += &format!("; models are not ranked in {name}, which depends on the grid");
+    }
+    match (resolved.len(), found.len()) {
+        (count, all) if all == count => format!("over these loads, {nearest}"),
+        (count, all) => format!(
             "over the loads with enough pixels and patches in contact ({count} of {all}), {nearest}"
         ),
     }
 }
 
 /// Whether, at their worst loads, half the grid differs from the whole one by less than each model.
-fn grid_is_nearest(found: &[Truth], half: &[Option<Truth>], quantity: Compared) -> bool {
-    let worst = |states: Vec<Option<&ContactState>>| {
-        let off = |(truth, state): (&Truth, Option<&ContactState>)| {
-            Some(truth.ratio_of(state?, quantity)?.deviation(quantity).abs())
-        };
-        let all: Option<Vec<f64>> = found.iter().zip(states).map(off).collect();
+fn grid_is_nearest(found: &[Truth], quantity: Compared) -> bool {
+    let worst = |state: &dyn for<'t> Fn(&'t Truth) -> Option<&'t ContactState>| {
+        let off = |truth: &Truth| Some(truth.deviation(state(truth)?).get(&quantity)?.abs());
+        let all: Option<Vec<f64>> = found.iter().map(off).collect();
         all?.into_iter().reduce(f64::max)
     };
     let count = found.first().map_or(0, |first| first.models.len());
-    let of_model = |k: usize| {
-        worst(found.iter().map(|truth| truth.models.get(k).map(|(_, state)| state)).collect())
-    };
+    let of_model = |k: usize| worst(&|truth| truth.models.get(k).map(|(_, state)| state));
     let nearest = (0..count).filter_map(of_model).reduce(f64::min);
-    let grid = worst(half.iter().map(|half| half.as_ref().map(|half| &half.bem)).collect());
+    let grid = worst(&|truth| truth.half.as_ref());
     grid.zip(nearest).is_some_and(|(grid, nearest)| grid < nearest)
 }
 
@@ -165,7 +140,8 @@ fn lines(
     };
     let line = |quantity: Compared| {
         let both = |(truth, place): &(&Truth, &EvidenceAt)| {
-            Some((truth.ratio(model.id(), quantity)?, place.ratio(model.id(), quantity)?))
+            let off = truth.off(model.id(), quantity)?;
+            Some((Ratio::solved(off, quantity), place.ratio(model.id(), quantity)?))
         };
         let both: Vec<(Ratio, Ratio)> = covered.iter().filter_map(both).collect();
         // An area of F/H is an end of its interval.

@@ -3,24 +3,45 @@
 use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactError, Described, Finding, Findings, Model};
+use asperity::{Compared, ContactError, Described, Finding, Findings, Model, Quantity};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use crate::bem::half_grid;
-use crate::models::{self, by_reason, grouped};
+use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
 
-/// A number of a contact, or its deviation.
-type Number = fn(&ContactState) -> Option<f64>;
-/// The columns between the model and the boundary.
-const COLUMNS: [(&str, &str, Number); 3] = [
-    ("area_fraction", "area_deviation", |state| state.area_fraction),
-    ("mean_gap_m", "mean_gap_deviation_over_sq", |state| state.mean_gap),
-    ("stiffness_N_per_m", "stiffness_deviation", |state| state.stiffness),
+/// The heads of the compared quantities and of their deviations, between the model and the
+/// boundary.
+const COLUMNS: [(Compared, [&str; 2]); 4] = [
+    (Compared::Area, ["area_fraction", "area_deviation"]),
+    (Compared::MeanGap, ["mean_gap_m", "mean_gap_deviation_over_sq"]),
+    (Compared::Stiffness, ["stiffness_N_per_m", "stiffness_deviation"]),
+    (
+        Compared::UnloadingStiffness,
+        ["unloading_stiffness_N_per_m", "unloading_stiffness_deviation"],
+    ),
 ];
 
-/// Area, gap and stiffness of boundary elements and of the models named, or of all, at mean
+/// What is compared: area and mean gap, which are part of every solution, and the stiffnesses behind
+/// the quantities named, by default that of first loading. A conductance deviates as the unloading
+/// stiffness does.
+///
+/// # Errors
+/// A quantity that is not compared.
+pub fn compared(named: &[Quantity]) -> Result<Vec<Compared>, AnswerError> {
+    let behind = |quantity: &Quantity| match quantity {
+        Quantity::Stiffness => Ok(Compared::Stiffness),
+        other => Compared::behind(*other).map(|(behind, _)| behind).ok_or_else(|| {
+            format!("{other} is not compared: choose tangent, unloading-stiffness or a conductance")
+        }),
+    };
+    let named = if named.is_empty() { &[Quantity::Tangent] } else { named };
+    let named: Vec<Compared> = named.iter().map(behind).collect::<Result<_, _>>()?;
+    Ok(once(&[vec![Compared::Area, Compared::MeanGap], named].concat()))
+}
+
+/// The compared quantities of boundary elements and of the models named, or of all, at mean
 /// pressures \[Pa\], with the deviations of the models; `refine` adds half the grid. Where the work
 /// is stopped, the rows are those solved by then. `name` is that of the scene in messages.
 ///
@@ -30,18 +51,18 @@ pub fn truth(
     (file, name, bem): (&SceneFile, &str, &Bem),
     models: &[String],
     pressures: &[f64],
+    quantities: &[Compared],
     refine: bool,
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
-    let numbers: Vec<&str> = COLUMNS.iter().flat_map(|(of, off, _)| [*of, *off]).collect();
-    sheet.under(&[&["load_N", "pressure_Pa", "model"], &numbers, &["boundary"]]);
+    sheet.under(&[&heads(quantities), &["boundary"]]);
     let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
     let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
     let of_scan = Model::new(bem.clone());
     let other = file.other_joint(models.iter().chain([&of_scan]));
     sheet.extend(file.accepted(other.into_iter().collect()));
-    let solved = Truths::solve(file, bem, &models, pressures, refine, watch)?;
+    let solved = Truths::solve(file, bem, &models, pressures, quantities, refine, watch)?;
     let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
     errors.for_each(|error| sheet.warn("unsolved", error.to_string()));
@@ -58,16 +79,16 @@ pub fn truth(
     let (unsupported, missing): (Vec<_>, Vec<_>) = solved.missing().into_iter().partition(never);
     by_reason(missing).into_iter().for_each(|text| sheet.warn("no-value", text));
     by_reason(unsupported).into_iter().for_each(|text| sheet.note("no-value", text));
-    sheet.note("nearest", summary(found, &solved.half));
+    sheet.note("nearest", summary(found));
     for line in beside_table(file, found) {
         sheet.note("evidence", line);
     }
-    for mut row in solved.rows(file.scene.nominal_area) {
+    for mut row in solved.rows(file.scene.nominal_area, quantities) {
         row.push(bem.continuation().name().into());
         sheet.rows.push(row);
     }
-    let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
-    if !models.is_empty() && states.all(|state| state == ContactState::default()) {
+    let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| state);
+    if !models.is_empty() && states.all(ContactState::is_empty) {
         let text = format!("{name}: no model has a result");
         sheet.findings.push(Finding::refusal("no-result", "", f64::NAN).fact(text));
     }
@@ -80,8 +101,6 @@ pub fn truth(
 pub struct Truths {
     /// The solved pressures, in their order.
     pub found: Vec<Truth>,
-    /// The same on half the grid, where that is asked for and solved.
-    pub half: Vec<Option<Truth>>,
     /// The places of the other pressures, with the reasons.
     pub failed: Vec<(usize, BemError)>,
 }
@@ -97,28 +116,26 @@ impl Truths {
         bem: &Bem,
         models: &[Model],
         pressures: &[f64],
+        quantities: &[Compared],
         refine: bool,
         watch: &dyn Watch,
     ) -> Result<Self, AnswerError> {
         let solve = |bem: &Bem, models: &[Model]| {
-            compare_with_bem(&file.scene, bem, pressures, models, |progress| {
-                let all = 3 * pressures.len();
-                watch.step(&format!("boundary elements: contact {} of {all}", progress.done + 1))
+            compare_with_bem(&file.scene, bem, pressures, models, quantities, |progress| {
+                let (number, all) = (progress.done + 1, pressures.len());
+                watch.step(&format!("boundary elements: contact {number} of {all}"))
             })
         };
         let half = refine.then(|| half_grid(bem)).transpose()?;
         let found = solve(bem, models)?;
-        let half = match half.filter(|_| !watch.is_stopped()) {
-            Some(half) => solve(&half, &[])?.into_iter().map(Result::ok).collect(),
-            None => vec![None; found.len()],
-        };
+        let half = half.filter(|_| !watch.is_stopped());
+        let half = half.map_or(Ok(vec![]), |half| solve(&half, &[]))?;
+        let mut half = half.into_iter().map(|half| half.ok().map(|truth| truth.bem));
         let mut all = Self::default();
-        for (place, (found, half)) in found.into_iter().zip(half).enumerate() {
+        for (place, found) in found.into_iter().enumerate() {
+            let half = half.next().flatten();
             match found {
-                Ok(found) => {
-                    all.found.push(found);
-                    all.half.push(half);
-                }
+                Ok(found) => all.found.push(Truth { half, ..found }),
                 Err(error) => all.failed.push((place, error)),
             }
         }
@@ -129,12 +146,8 @@ impl Truths {
     /// area.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        let of_truth = |truth: &Truth| {
-            let refused = truth.refused.iter().map(|(_, why)| why.clone());
-            let merging = truth.merging.iter().cloned();
-            truth.notes.iter().cloned().chain(refused).chain(merging).collect::<Vec<_>>()
-        };
-        self.found.iter().flat_map(of_truth).collect::<Findings>().by_cause()
+        let all = self.found.iter().flat_map(|truth| truth.notes.iter().chain(&truth.crowded));
+        all.cloned().collect::<Findings>().by_cause()
     }
 
     /// What models lack, by their ids: one reason per model and kind, as others differ only in the
@@ -142,31 +155,34 @@ impl Truths {
     #[must_use]
     pub fn missing(&self) -> Vec<(&str, &ContactError)> {
         let missing = self.found.iter().flat_map(|truth| &truth.missing);
-        let kinds = grouped(missing.map(|(model, why)| ((model.id(), discriminant(why)), why)));
+        let kinds = grouped(missing.map(|(id, why)| ((&**id, discriminant(why)), why)));
         kinds.into_iter().map(|((id, _), whys)| (id, whys[0])).collect()
     }
 
-    /// The [rows](Truth::rows) of all pressures on a nominal area \[m^2\].
+    /// Rows on a nominal area \[m^2\], under [`heads`]: of each pressure one by boundary elements,
+    /// one on half the grid, if solved, and one by each model.
     #[must_use]
-    pub fn rows(&self, area: f64) -> Vec<Vec<Cell>> {
-        let both = self.found.iter().zip(&self.half);
-        both.flat_map(|(truth, half)| truth.rows(half.as_ref(), area)).collect()
+    pub fn rows(&self, area: f64, quantities: &[Compared]) -> Vec<Vec<Cell>> {
+        let of_place = |truth: &Truth| {
+            let models = truth.models.iter().map(|(model, state)| (model.id(), state));
+            let half = truth.half.iter().map(|half| ("bem-half-grid", half));
+            let all = [("bem", &truth.bem)].into_iter().chain(half).chain(models);
+            let row = |(id, state): (&str, &ContactState)| {
+                let off = truth.deviation(state);
+                let pair = |of| [state, &off].map(|found| Cell::from(found.get(of).copied()));
+                let place = [(truth.pressure * area).into(), truth.pressure.into(), id.into()];
+                place.into_iter().chain(quantities.iter().flat_map(pair)).collect()
+            };
+            all.map(row).collect::<Vec<_>>()
+        };
+        self.found.iter().flat_map(of_place).collect()
     }
 }
 
-impl Truth {
-    /// Its rows on a nominal area \[m^2\], by boundary elements, on `half` the grid and by each
-    /// model: load, pressure, model, and area, gap and stiffness, each with its deviation.
-    #[must_use]
-    pub fn rows(&self, half: Option<&Self>, area: f64) -> Vec<Vec<Cell>> {
-        let models = self.models.iter().map(|(model, state)| (model.id(), state));
-        let half = half.map(|half| ("bem-half-grid", &half.bem));
-        let row = |(id, state): (&str, &ContactState)| {
-            let off = self.deviation(state);
-            let numbers = COLUMNS.iter().flat_map(|(.., of)| [of(state), of(&off)]);
-            let place = [(self.pressure * area).into(), self.pressure.into(), id.into()];
-            place.into_iter().chain(numbers.map(Cell::from)).collect()
-        };
-        [("bem", &self.bem)].into_iter().chain(half).chain(models).map(row).collect()
-    }
+/// Load, pressure, model, and each quantity with its deviation.
+#[must_use]
+pub fn heads(quantities: &[Compared]) -> Vec<&'static str> {
+    let column = |of: &Compared| COLUMNS.iter().find(|(quantity, _)| quantity == of);
+    let numbers = quantities.iter().filter_map(column).flat_map(|(_, heads)| heads);
+    ["load_N", "pressure_Pa", "model"].iter().chain(numbers).copied().collect()
 }

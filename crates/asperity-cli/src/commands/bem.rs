@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Error, Result, bail};
 use asperity::Quantity;
 use asperity::bem::{Bem, Continuation, Leak, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, Sheet, rounded, truth};
+use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -30,8 +30,9 @@ pub struct BemCommand {
     scene: PathBuf,
     #[command(flatten)]
     places: Places,
-    /// Compare models with boundary elements: area, mean gap and stiffness, with deviations
-    #[arg(long, conflicts_with_all = ["quantities", "gaps", "map", "picture", "viscosity", "flow_picture"])]
+    /// Compare models with boundary elements, with deviations: area, mean gap and the stiffness of
+    /// first loading or, with --quantity unloading-stiffness or tangent,unloading-stiffness, others
+    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "viscosity", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -152,7 +153,9 @@ impl BemCommand {
                 };
                 let pressures: Vec<f64> = given.iter().filter_map(pressure).collect();
                 let scan = (file, name, &bem);
-                truth(scan, &self.models, &pressures, self.refine, sheet, &watch).map(|()| vec![])
+                let quantities = compared(&self.quantities)?;
+                truth(scan, &self.models, &pressures, &quantities, self.refine, sheet, &watch)
+                    .map(|()| vec![])
             }
             false => press.solve(sheet, &watch),
         };

@@ -204,7 +204,7 @@ fn evidence_is_about_what_is_requested() {
     let run = bench.run(&format!("recommend scene.toml --pressure 1e6 {ask}"));
     let off = cells(&run.out, "unloading_stiffness_off_bem");
     assert!(off.iter().all(|off| off.parse::<f64>().is_ok()), "{}", run.out);
-    let nearest = "nearest to boundary elements in unloading stiffness are ";
+    let nearest = "nearest to boundary elements in unloading stiffness and conductances are ";
     assert!(run.messages.contains(nearest), "{}", run.messages);
     let heavy = bench.run(&format!("recommend scene.toml --pressure 8e8 {ask}"));
     let none = "boundary elements have no expected value of the unloading stiffness";

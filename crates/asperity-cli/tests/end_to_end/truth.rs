@@ -1,7 +1,7 @@
 //! `truth`: comparison of models with boundary elements on a scan.
 
 use crate::bem::bench;
-use crate::bench::{NO_SHEAR, cells, column};
+use crate::bench::{NO_SHEAR, cells, column, column_of};
 
 #[test]
 fn models_are_compared_with_boundary_elements() {
@@ -127,6 +127,36 @@ fn half_the_grid_stands_beside_it() {
     let of_bem = column(&bem, "area_fraction_half_grid")[0];
     assert!((half / of_bem - 1.0).abs() < 1e-12, "{half} {of_bem}");
     assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
+}
+
+#[test]
+fn unloading_stiffnesses_are_compared_if_named() {
+    let bench = bench();
+    let ask = "truth scan.toml --pressure 1e9 --model zmc,ke-random --format csv --quantity";
+    // Conductances deviate alike, and need no conductivity for that.
+    let [stiffness, conductance] = ["unloading-stiffness", "thermal-conductance"]
+        .map(|quantity| bench.run(&format!("{ask} {quantity}")));
+    assert_eq!(stiffness.out, conductance.out);
+    let bem =
+        bench.data("bem scan.toml --pressure 1e9 --format csv --quantity unloading-stiffness");
+    let of_model = "curve scan.toml --pressure 1e9 --model zmc --format csv --quantity";
+    let of_model = bench.data(&format!("{of_model} unloading-stiffness"));
+    let name = "unloading_stiffness_N_per_m";
+    let [bem, of_model] = [bem, of_model].map(|data| column(&data, name)[0]);
+    let [Some(found), Some(zmc), None] = column_of(&stiffness.out, name)[..] else {
+        panic!("{}", stiffness.out)
+    };
+    assert!((found / bem - 1.0).abs() < 1e-12 && (zmc / of_model - 1.0).abs() < 1e-12);
+    let off = column_of(&stiffness.out, "unloading_stiffness_deviation")[1];
+    assert!((off.unwrap() - (of_model / bem - 1.0)).abs() < 1e-12);
+    assert!(!stiffness.out.contains(",stiffness_deviation"), "{}", stiffness.out);
+    let why = "ke-random cannot give contact radii";
+    assert_eq!(stiffness.messages.matches(why).count(), 1, "{}", stiffness.messages);
+    let both = bench.run(&format!("{ask} unloading-stiffness,tangent"));
+    assert!(both.out.contains(",stiffness_deviation"), "{}", both.out);
+    let none = bench.run(&format!("{ask} force"));
+    let why = "force is not compared: choose tangent, unloading-stiffness or a conductance";
+    assert!(none.code == Some(1) && none.messages.contains(why), "{}", none.messages);
 }
 
 /// A scan with resolved waves, of this skewness.

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import LOADS, Rows, one_scene, place, record
 from asperity._asperity import Engine, Scene
-from asperity._model import Model, as_model
+from asperity._model import Model, as_model, as_models
 
 #: Name, value, ends of its range, unit and meaning.
 Number = tuple[str, float, "tuple[float, float] | None", str, str]
@@ -165,14 +165,14 @@ def recommend(
     *,
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
-    models: Sequence[str] | None = None,
+    models: str | Model | Sequence[str | Model] | None = None,
 ) -> Recommendation:
     """Deviations of models from a reference, the simplest model within a relative deviation, and the
     expected deviations from boundary elements, interpolated between solved surfaces.
 
     By default area and, at separations, force are compared; at a load the force is the same. The
     default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;
-    ``models`` are the ids to compare, by default all.
+    ``models`` are those to compare, also of your own, by default all.
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
@@ -186,9 +186,9 @@ def recommend(
     if quantities is None:
         quantities = ("area",) if axis in LOADS else ("force", "area")
     against = as_model(reference or scene._usual_reference())
-    ids = None if models is None else list(models)
+    engines = None if models is None else as_models(models)
     asked = against, rows, quantities, rtol
-    simplest, compared, evidence, places, text = _asperity.recommend(asked, within, ids)
+    simplest, compared, evidence, places, text = _asperity.recommend(asked, within, engines)
     deviations = {id: dict(known) for id, known, _, _ in compared if known}
     refused = {id: reason for id, _, reason, _ in compared if reason is not None}
     off = {id: off for id, _, _, off in compared if off is not None}

@@ -379,7 +379,7 @@ def corrected(
     asked: _Asked, unit: str
 ) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
 def recommend(
-    asked: _Asked, within: _Float, models: Sequence[str] | None
+    asked: _Asked, within: _Float, engines: Sequence[Engine] | None
 ) -> tuple[
     str | None,
     list[tuple[str, list[tuple[str, float]], str | None, _Fields | None]],
@@ -403,11 +403,12 @@ def bem_unloading(
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
-    elastic: bool,
-    boundary: str | None,
-    models: Sequence[str] | None,
+    elastic_and_boundary: tuple[bool, str | None],
+    engines: Sequence[Engine] | None,
+    quantities: str | Iterable[str],
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
+    list[str],
     list[list[str | float | None]],
     tuple[str | None, list[str]],
     dict[str, str],

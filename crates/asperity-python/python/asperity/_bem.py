@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -13,6 +14,7 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import Floats, checked_errors, floats, in_si, place
 from asperity._asperity import Scene, Topography
+from asperity._model import Model, as_models
 from asperity._records import Interface
 
 Boundary = Literal["periodic", "periodic-part", "free"]
@@ -278,9 +280,7 @@ def bem_unloading(
     return BemUnloading(**found | arrays)
 
 
-class TruthRow(TypedDict):
-    """One model at one pressure, compared with boundary elements."""
-
+class _ComparedRow(TypedDict):
     load: float
     pressure: float
     model: str
@@ -288,8 +288,15 @@ class TruthRow(TypedDict):
     area_deviation: float | None
     mean_gap: float | None
     mean_gap_deviation: float | None
+
+
+class TruthRow(_ComparedRow, total=False):
+    """One model at one pressure, compared with boundary elements; stiffnesses as requested."""
+
     stiffness: float | None
     stiffness_deviation: float | None
+    unloading_stiffness: float | None
+    unloading_stiffness_deviation: float | None
 
 
 class TruthRows(list[TruthRow]):
@@ -309,7 +316,7 @@ class TruthRows(list[TruthRow]):
 
     def __str__(self) -> str:
         """A table of the rows, and the nearest models."""
-        heads = list(TruthRow.__annotations__)
+        heads = list(self[0] if self else TruthRow.__annotations__)
         table = [heads, *([_cell(value) for value in row.values()] for row in self)]
         widths = [max(map(len, column)) for column in zip(*table, strict=True)]
         cells = (zip(line, widths, strict=True) for line in table)
@@ -330,21 +337,24 @@ def truth(
     load: npt.ArrayLike | None = None,
     elastic: bool = False,
     boundary: Boundary | None = None,
-    models: Sequence[str] | None = None,
+    models: str | Model | Sequence[str | Model] | None = None,
+    quantities: str | Sequence[str] = "stiffness",
     refine: bool = False,
     errors: str = "raise",
 ) -> TruthRows:
     """Models compared with boundary elements on a scan.
 
     The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
-    one for every model: all that the scene allows, or the named ones. Deviations are relative to
-    bem; that of the mean gap is over the rms height of the scan. A quantity that a model lacks is
-    None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
-    a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
-    the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
-    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and
-    with ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without a
-    solution raises or, with ``errors="mask"``, has no rows and a reason in ``rows.failures``.
+    one for every model: all that the scene allows, or the given ones, also of your own. Area and mean
+    gap are compared, and ``quantities``: "stiffness", that of first loading, and
+    "unloading-stiffness", as which conductances deviate. Deviations are relative to bem; that of the
+    mean gap is over the rms height of the scan. A quantity that a model lacks is None, with a
+    warning, and so are all numbers of a model that needs more than the nominal area, or a pressure
+    above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that the scene
+    does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the nearest
+    models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and with
+    ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without a solution
+    raises or, with ``errors="mask"``, has no rows and a reason in ``rows.failures``.
     """
     if (pressure is None) == (load is None):
         raise TypeError("exactly one of pressure and load was required")
@@ -352,12 +362,12 @@ def truth(
     pressures = floats(value, name).ravel()
     if name == "load":
         pressures = pressures / scene.nominal_area
-    ids = None if models is None else list(models)
-    refine_and_mask = refine, checked_errors(errors) == "mask"
-    found, (nearest, beside), refused, failures, used = _asperity.truth(
-        scene, pressures.tolist(), elastic, boundary, ids, refine_and_mask
+    engines = None if models is None else as_models(models)
+    how, refine_and_mask = (elastic, boundary), (refine, checked_errors(errors) == "mask")
+    heads, found, (nearest, beside), refused, failures, used = _asperity.truth(
+        scene, pressures.tolist(), how, engines, quantities, refine_and_mask
     )
-    names = TruthRow.__annotations__
+    names = [re.sub("_(N|Pa|m|N_per_m|over_sq)$", "", head) for head in heads]
     rows = TruthRows(TruthRow(**dict(zip(names, row, strict=True))) for row in found)  # type: ignore[typeddict-item]
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
     rows.boundary, rows.solved_surfaces = used, tuple(beside)

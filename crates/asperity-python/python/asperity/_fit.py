@@ -13,7 +13,7 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import Floats, floats, one_scene, record
 from asperity._asperity import Scene
-from asperity._model import Model, as_model
+from asperity._model import Model, as_models
 
 
 @dataclass(frozen=True)
@@ -164,9 +164,7 @@ def fit(
     0.004
     """
     scene = one_scene(scene, "fit")
-    chosen = [scene._usual_reference()] if model is None else model
-    chosen = [chosen] if isinstance(chosen, str | Model) else list(chosen)
-    engines = [as_model(one) for one in chosen]
+    engines = as_models(scene._usual_reference() if model is None else model)
     if not engines:
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)

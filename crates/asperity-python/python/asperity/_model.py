@@ -403,6 +403,11 @@ def as_model(model: str | Model) -> Model:
     return model if isinstance(model, Model) else Model(model)
 
 
+def as_models(models: str | Model | Sequence[str | Model]) -> list[Model]:
+    """One or several of them."""
+    return [as_model(one) for one in ([models] if isinstance(models, str | Model) else models)]
+
+
 def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
     """A model by id, with options by the names of a scene file's [options]; or a model written in
     Python, from a class whose instances are the laws of one asperity: see ``AsperityLaws``.

@@ -13,8 +13,8 @@ use crate::ask::asked::{Arguments, Asked};
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::{Object, object, refused, tolerance, value_error};
-use crate::model::engine::Engine;
-use crate::scene::{SceneFile, models_among};
+use crate::model::engine::{Engine, Engines, models_among, raise_own};
+use crate::scene::SceneFile;
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
 type CheckResult<'py> = (Vec<CheckedNumber>, Object<'py>);
@@ -158,19 +158,24 @@ type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<
 /// The simplest model, all models, the evidence in sentences and place by place, and the text.
 type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Object<'py>>, String);
 
-/// Deviations from the reference of the models of a scene, or of the named models.
+/// Deviations from the reference of the models of a scene, or of these.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
     asked: Arguments<'_>,
     within: f64,
-    models: Option<Vec<String>>,
+    engines: Engines,
 ) -> PyResult<Advice<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    let (among, left_out) = models_among(file, models)?;
+    let (among, left_out) = models_among(file, &engines)?;
     let advice =
         asked.engine().run(py, || file.recommend_among(among, &request, &asked.model, within))?;
+    let refusals = advice.comparisons.iter().flat_map(|found| {
+        let lacking = found.lacking.iter().map(|(_, why)| why);
+        found.deviations.as_ref().err().into_iter().chain(lacking)
+    });
+    raise_own(py, &engines, refusals)?;
     let compared = |found: &Comparison| -> PyResult<Compared<'py>> {
         let (all, lacking) = (&found.deviations, found.lacking.first().map(|(_, reason)| reason));
         let known = all.iter().flatten().map(|(quantity, off)| (quantity.to_string(), *off));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity::bem::{BemError, ContactSummary, Leak, Solution};
 use asperity::{ContactModel, Findings, Request, linspace};
-use asperity_answer::{FLOWS, Truths, Watch, beside_table, once, summary};
+use asperity_answer::{FLOWS, Truths, Watch, beside_table, compared, heads, once, summary};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -15,7 +15,8 @@ use crate::ask::long::run_interruptible;
 use crate::convert::{
     Object, Quantities, object, refused, value_error, warn, warn_text, warn_unless,
 };
-use crate::scene::{SceneFile, models_among};
+use crate::model::engine::{Engines, models_among, raise_own};
+use crate::scene::SceneFile;
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
 /// rows and columns.
@@ -176,10 +177,16 @@ pub(crate) fn bem_unloading<'py>(
 
 /// Sentences about the nearest models, and beside solved surfaces.
 type Sentences = (Option<String>, Vec<String>);
-/// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
-/// and the boundary.
-type TruthFields<'py> =
-    (Object<'py>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+/// Heads, rows, sentences, the reasons of missing models by id, the reasons of failed pressures by
+/// place, and the boundary.
+type TruthFields<'py> = (
+    Vec<&'static str>,
+    Object<'py>,
+    Sentences,
+    BTreeMap<String, String>,
+    BTreeMap<usize, String>,
+    &'static str,
+);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -187,35 +194,39 @@ pub(crate) fn truth<'py>(
     py: Python<'py>,
     scene: &SceneFile,
     pressures: Vec<f64>,
-    elastic: bool,
-    boundary: Option<&str>,
-    models: Option<Vec<String>>,
+    elastic_and_boundary: (bool, Option<String>),
+    engines: Engines,
+    quantities: Quantities,
     refine_and_mask: (bool, bool),
 ) -> PyResult<TruthFields<'py>> {
-    let (refine, mask) = refine_and_mask;
-    let scene = &*scene.0;
-    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary, elastic)?;
-    let (models, left_out) = models_among(scene, models)?;
+    let (scene, (elastic, boundary), (refine, mask)) =
+        (&*scene.0, elastic_and_boundary, refine_and_mask);
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary.as_deref(), elastic)?;
+    let quantities = compared(&quantities.0).map_err(value_error)?;
+    let (models, left_out) = models_among(scene, &engines)?;
     let found = run_interruptible(py, None, |stop| {
-        Truths::solve(scene, &bem, &models, &pressures, refine, stop)
+        Truths::solve(scene, &bem, &models, &pressures, &quantities, refine, stop)
     })?;
     let found = found.map_err(value_error)?;
     if let Some((_, error)) = found.failed.first().filter(|_| !mask) {
         return Err(value_error(error));
     }
+    let missing = found.missing();
+    raise_own(py, &engines, missing.iter().map(|(_, why)| *why))?;
     scene.accepted(found.findings()).iter().try_for_each(|note| warn(py, note, 1))?;
+    let left_out = left_out.into_iter();
     let mut refused: BTreeMap<String, String> =
-        left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
-    for (id, why) in found.missing() {
-        if !refused.contains_key(id) {
-            warn_text(py, &scene.accept, "no-value", format!("{id}: {why}"))?;
-            refused.insert(id.into(), why.to_string());
-        }
+        left_out.map(|model| (model.id, model.reason.to_string())).collect();
+    for (id, why) in missing {
+        warn_text(py, &scene.accept, "no-value", format!("{id}: {why}"))?;
+        let reasons = refused.entry(id.into()).or_default();
+        *reasons += if reasons.is_empty() { "" } else { "; " };
+        *reasons += &why.to_string();
     }
     let failures = found.failed.iter().map(|(place, error)| (*place, error.to_string())).collect();
-    let rows = object(py, &found.rows(scene.scene.nominal_area))?;
-    let nearest =
-        (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found, &found.half));
+    let rows = object(py, &found.rows(scene.scene.nominal_area, &quantities))?;
+    let nearest = (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found));
     let sentences = (nearest, py.detach(|| beside_table(scene, &found.found)));
-    Ok((rows, sentences, refused, failures, bem.continuation().name()))
+    let boundary = bem.continuation().name();
+    Ok((heads(&quantities), rows, sentences, refused, failures, boundary))
 }

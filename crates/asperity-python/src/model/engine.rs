@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::bem::Bem;
 use asperity::recommended::FLOW;
 use asperity::{Citation, ContactError, Model, Quantity, testkit};
-use asperity_inputs::{ModelOptions, SceneFile};
+use asperity_inputs::{LeftOut, ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -231,12 +231,40 @@ impl Engine {
 
     /// The exception of a refusal: that of the user's own code, or the library's.
     pub(crate) fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
-        let own = match &self.0 {
-            Kind::Python { raised, .. } => raised.exception(py, &refusal),
-            Kind::Named { .. } => None,
-        };
-        own.unwrap_or_else(|| refused(refusal))
+        self.own(py, &refusal).unwrap_or_else(|| refused(refusal))
     }
+
+    /// The exception of the user's own code that caused a refusal.
+    fn own(&self, py: Python<'_>, refusal: &ContactError) -> Option<PyErr> {
+        match &self.0 {
+            Kind::Python { raised, .. } => raised.exception(py, refusal),
+            Kind::Named { .. } => None,
+        }
+    }
+}
+
+/// Models that are compared.
+pub(crate) type Engines = Option<Vec<Py<Engine>>>;
+
+/// These models on a scene or, without any, all that can be compared with boundary elements, and
+/// those that the scene does not allow.
+pub(crate) fn models_among(
+    file: &SceneFile,
+    engines: &Engines,
+) -> PyResult<(Vec<Model>, Vec<LeftOut>)> {
+    let Some(engines) = engines else { return Ok(file.models_beside_bem()) };
+    let models = engines.iter().map(|engine| engine.get().on(file));
+    Ok((models.collect::<PyResult<_>>()?, vec![]))
+}
+
+/// Raises the exception of the user's own code among refusals of these models.
+pub(crate) fn raise_own<'e>(
+    py: Python<'_>,
+    engines: &Engines,
+    refusals: impl IntoIterator<Item = &'e ContactError>,
+) -> PyResult<()> {
+    let own = |why| engines.iter().flatten().find_map(|engine| engine.get().own(py, why));
+    refusals.into_iter().find_map(own).map_or(Ok(()), Err)
 }
 
 /// The ids of the models of asperities without adhesion and hardening, by year.

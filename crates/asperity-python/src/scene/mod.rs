@@ -6,8 +6,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{HeightDistribution, Model};
-use asperity_inputs::LeftOut;
+use asperity::HeightDistribution;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -354,16 +353,6 @@ impl SceneFile {
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
     }
-}
-
-/// The models of these ids, or those that can be compared with boundary elements, and the others.
-pub(crate) fn models_among(
-    file: &asperity_inputs::SceneFile,
-    ids: Option<Vec<String>>,
-) -> PyResult<(Vec<Model>, Vec<LeftOut>)> {
-    let Some(ids) = ids else { return Ok(file.models_beside_bem()) };
-    let models = ids.iter().map(|id| file.model(id).map_err(value_error));
-    Ok((models.collect::<PyResult<_>>()?, vec![]))
 }
 
 /// A commented scene file with every key.

@@ -50,7 +50,8 @@ impl Compared {
     }
 
     /// The quantity of a contact that is compared; none is the distance of the mean planes.
-    pub(crate) fn quantity(self) -> Option<Quantity> {
+    #[must_use]
+    pub fn quantity(self) -> Option<Quantity> {
         match self {
             Self::Area => Some(Quantity::Area),
             Self::Stiffness => Some(Quantity::Tangent),

@@ -18,9 +18,10 @@ pub struct Ratio {
 }
 
 impl Ratio {
-    /// A ratio that is known, as on a surface that was solved.
+    /// The ratio of a model with this deviation on a surface that was solved, without an interval.
     #[must_use]
-    pub fn exactly(ratio: f64) -> Self {
+    pub fn solved(deviation: f64, quantity: Compared) -> Self {
+        let ratio = agreement(quantity) + deviation;
         Self { ratio, low: ratio, high: ratio }
     }
 
@@ -121,8 +122,9 @@ mod tests {
         assert_eq!(of(1.1, 1.3).words(Compared::Area), "overestimates the area by 10 to 30 %");
         assert_eq!(of(0.88, 1.003).words(Compared::Area), "underestimates the area by 0 to 12 %");
         assert_eq!(of(0.997, 1.12).words(Compared::Area), "overestimates the area by 0 to 12 %");
-        assert_eq!(Ratio::exactly(0.88).words(Compared::Area), "underestimates the area by 12 %");
-        assert_eq!(Ratio::exactly(1.002).words(Compared::Area), "agrees in the area within 0.5 %");
+        let solved = |off| Ratio::solved(off, Compared::Area).words(Compared::Area);
+        assert_eq!(solved(-0.12), "underestimates the area by 12 %");
+        assert_eq!(solved(0.002), "agrees in the area within 0.5 %");
         assert_eq!(
             of(0.97, 1.04).words(Compared::Stiffness),
             "is within -3 to +4 % of the stiffness of first loading"

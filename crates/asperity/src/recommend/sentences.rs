@@ -23,7 +23,7 @@ impl Recommendation {
             let in_words = |(of, name): (Compared, &str)| {
                 Some(format!("{name} {}", words(&[off.in_quantity(of)?[0]])))
             };
-            let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
+            let asked = Compared::RANKED.into_iter().filter(|(of, _)| self.compared.contains(of));
             let all: Vec<String> = asked.filter_map(in_words).collect();
             Some(format!("{id} ({})", all.join(", ")))
         };
@@ -80,7 +80,7 @@ impl Recommendation {
     /// surfaces do not determine.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
-        let asked = ranking::NAMES.into_iter().filter(|(of, _)| self.compared.contains(of));
+        let asked = Compared::RANKED.into_iter().filter(|(of, _)| self.compared.contains(of));
         let marked = self.summary_named(&asked.collect::<Vec<_>>());
         marked.iter().map(|line| AsWritten.say(line)).collect()
     }
@@ -232,7 +232,7 @@ impl fmt::Display for Recommendation {
                     for (quantity, deviation) in all {
                         write!(f, " {quantity} {} %", percent(*deviation))?;
                     }
-                    for (quantity, name) in ranking::NAMES {
+                    for (quantity, name) in Compared::RANKED {
                         let asked = self.compared.contains(&quantity);
                         let off = off.filter(|_| asked).and_then(|off| off.in_quantity(quantity));
                         let Some([off, spread]) = off.map(|off| off.map(|x| 100.0 * x)) else {

@@ -139,13 +139,13 @@ fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
     assert!(some[1].starts_with(&format!("{none} at 2 places from a pressure of ")), "{some:?}");
     let unloading = ask(Quantity::UnloadingStiffness, &[0.1]);
     let summary = unloading.summary();
-    let nearest = "nearest to boundary elements in unloading stiffness are ";
+    let nearest = "nearest to boundary elements in unloading stiffness and conductances are ";
     assert!(summary.len() == 1 && summary[0].starts_with(nearest), "{summary:?}");
     let off = unloading.comparisons.iter().find(|c| c.model.id() == "ke").unwrap().off.unwrap();
     let found = unloading.evidence[0].ratio("ke", Compared::UnloadingStiffness).unwrap();
     assert_eq!(off.unloading_stiffness, Some(found.ratio - 1.0));
     let line = format!(
-        "ke           unloading-stiffness 0 %, unloading stiffness {:+.0} % relative to boundary elements",
+        "ke           unloading-stiffness 0 %, unloading stiffness and conductances {:+.0} % relative to boundary elements",
         100.0 * (found.ratio - 1.0)
     );
     assert!(unloading.to_string().contains(&line), "{unloading}");
