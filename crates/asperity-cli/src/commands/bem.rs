@@ -30,8 +30,8 @@ pub struct BemCommand {
     scene: PathBuf,
     #[command(flatten)]
     places: Places,
-    /// Compare models with boundary elements, with deviations: area, mean gap and the stiffness of
-    /// first loading or, with --quantity unloading-stiffness or tangent,unloading-stiffness, others
+    /// Compare models with boundary elements: area, mean gap and, unless --quantity names others, the
+    /// stiffness of first loading, with deviations
     #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "viscosity", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
@@ -51,7 +51,8 @@ pub struct BemCommand {
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
     /// electrical-conductance,
     /// -per-area), flows through the gap (hydraulic-gap-x, hydraulic-gap-y, effective-medium-gap),
-    /// or any other that follows from load and area
+    /// or any other that follows from load and area; with --compare tangent, unloading-stiffness or
+    /// both
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Add the flow in m3/s along x and y of a fluid of this viscosity in Pa s, or with a unit, for
