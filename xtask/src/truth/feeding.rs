@@ -1,4 +1,5 @@
-//! Three ways of giving skewed surfaces and those with a lay to models of isotropic surfaces.
+//! Skewed surfaces and those with a lay, described in three ways to models of isotropic Gaussian
+//! surfaces.
 
 use anyhow::{Context, Result};
 use asperity::{
@@ -14,7 +15,8 @@ use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared: one law without and two with yielding, and the whole surface.
 const SHOWN: [&str; 6] = ["gw", "ke", "jg", "jg-random", "persson-fudge", "persson-plastic"];
-/// Maps whose differences are moments have 16 pixels per shortest wave, which leaves 2 % in m4.
+/// Factor of the pixels of maps whose moments are differences: 16 per shortest wave, which leaves
+/// an error of 2 % in m4.
 const FINER: usize = 2;
 
 /// What a user takes from the scan: moments averaged over all directions with Gaussian heights,

@@ -1,7 +1,6 @@
-//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and
-//! load.
+//! Scenes of engineers, solved on surfaces of their own bandwidth, plasticity index and load.
 //!
-//! They are not in the table: they show what its advice is worth between solved families.
+//! They are not part of the evidence: they show how well it holds between solved families.
 
 use std::path::Path;
 
@@ -25,7 +24,7 @@ const SEEDS: u64 = 8;
 /// A scene and its mean pressures \[Pa\].
 type Ordinary = (&'static str, Scene, Vec<f64>);
 
-/// Machined metals of the papers and the examples under 0.1 to 10 MPa; a wheel on a rail.
+/// Machined metals of the papers and examples under 0.1 to 10 MPa, and a wheel on a rail.
 fn scenes() -> Result<Vec<Ordinary>> {
     let steel = Body::new(210e9, 0.3, 2e9);
     let aluminium = Body::yielding(69e9, 0.33, 275e6);
@@ -62,7 +61,7 @@ fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
     let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
     let case = |pressure: &f64| -> Result<Case> {
         let load = pressure / unit;
-        // Moments change with the number of pixels, and with them the index of one hardness.
+        // Moments change with the number of pixels, and with them the index of a hardness.
         let surface = family.surface(family.pixels_for(load))?;
         let one = scene(&surface, 1.0)?.interface.hardness.context("a hardness")?;
         Ok(Case { family, index: one / hardness, load, seeds: [LEAST_SEEDS, SEEDS] })

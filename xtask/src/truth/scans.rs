@@ -1,7 +1,6 @@
-//! How often intervals hold single scans that had no part in the evidence, most of them of few long
-//! waves: such a scan has a skewness and a height distribution of its own.
-//!
-//! The intervals were made with seeds below [`FIRST_SEED`].
+//! How often the intervals of the evidence hold the values of single scans that are not part of it:
+//! seeds from [`FIRST_SEED`] on. Most scans have few long waves, and with them a skewness and a
+//! height distribution of their own.
 
 use std::path::PathBuf;
 
@@ -155,7 +154,7 @@ pub fn read() -> Result<Vec<Scan>> {
     Ok(csv.into_deserialize().collect::<Result<_, _>>()?)
 }
 
-/// A solved value and, where there is one, the expected value with its interval.
+/// The expected value with the ends of its interval, if there is one, and the solved value.
 type Pair = (Option<[f64; 3]>, f64);
 
 impl Scan {
@@ -171,7 +170,7 @@ impl Scan {
         Ok(scene)
     }
 
-    /// Its values in the order of [`Compared::ALL`], as the evidence of a scan gives them.
+    /// Its values in the order of [`Compared::ALL`], beside those that the evidence expects.
     fn pairs(&self, evidence: &Evidence) -> Result<[Pair; 4]> {
         let scene = self.scene()?;
         let pressure = self.load * MODULUS * GRADIENT;
@@ -221,7 +220,7 @@ fn bins() -> Vec<Bin> {
     waves.into_iter().chain(ends.windows(2).map(by_skewness)).collect()
 }
 
-/// The share of solved values inside their interval.
+/// The share of solved values inside their interval, of those that have one.
 fn share(pairs: &[Pair]) -> f64 {
     let answered = pairs.iter().filter_map(|(found, solved)| Some(((*found)?, solved)));
     let inside: Vec<bool> =

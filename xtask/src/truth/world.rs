@@ -23,10 +23,11 @@ const SEEDS: u64 = 1;
 const CHALLENGE: [f64; 3] = [100e-6, 20e-6, 0.1e-6];
 /// Half of the Challenge's side \[m\], which leaves 8.2 pixels for the shortest wave.
 const SIDE: f64 = 50e-6;
-/// The Challenge's mean pressure over the equivalent modulus, and its rms gradient.
+/// The Challenge's mean pressure over the equivalent modulus; its rms gradient is 1.
 const PRESSURE: f64 = 0.01;
-/// Width of the bins of pressure over the equivalent modulus, and their number.
+/// Width of the bins of pressure over the equivalent modulus.
 const BIN: f64 = 0.05;
+/// Number of bins.
 const BINS: usize = 30;
 
 /// Solves both surfaces, and fits the closures; returns the paths.
@@ -106,7 +107,7 @@ fn densities(found: &Solution) -> [f64; BINS] {
     counts
 }
 
-/// What is wanted of the elastic contact at each pressure; the modulus is 1.
+/// The numbers `of` the elastic contact at each pressure; the modulus is 1.
 fn solved<T>(
     surface: &RandomSurface,
     pressures: &[f64],

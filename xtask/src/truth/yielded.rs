@@ -16,12 +16,12 @@ use crate::table::{markdown_head, markdown_row};
 
 /// The models that are compared.
 const SHOWN: [&str; 6] = ["ceb", "zmc", "ke", "jg", "ke-random", "persson-plastic"];
-/// Shares of the force at which something and not all yields.
+/// Shares of the force at which some contacts yield and not all.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
-/// Logarithmic step of the hardness, between which areas and shares are interpolated: 0.6 % off.
-/// All cases of a family share the contacts, as random asperities are averaged for each hardness.
+/// Logarithmic step of the hardness; areas and shares are interpolated between steps, 0.6 % off.
+/// Compiled contacts are shared by the cases of a family, as random asperities take long to average.
 const STEP: f64 = 0.1;
-/// Hardnesses reach so many steps, a factor of 20, from that of a case.
+/// Steps to either side of the hardness of a case: a factor of 20.
 const MOST_STEPS: i32 = 30;
 /// Relative tolerance.
 const TOLERANCE: f64 = 1e-4;
@@ -29,7 +29,7 @@ const TOLERANCE: f64 = 1e-4;
 /// A model on a family, at any number of steps of the hardness from that of ψ = 1.
 struct Hardnesses<'m> {
     model: &'m Model,
-    /// ψ = 1.
+    /// The scene with ψ = 1.
     scene: Scene,
     contacts: BTreeMap<i32, Option<Box<dyn Contact>>>,
 }

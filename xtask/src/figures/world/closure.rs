@@ -18,9 +18,9 @@ pub const SPECIMENS: [u32; 3] = [1, 2, 3];
 /// The models that are fitted, with assumed hardnesses \[Pa\], which GW ignores.
 pub const MODELS: [(&str, f64); 3] = [(ELASTIC, 1e9), ("ke", 1e9), ("ke", 3e8)];
 pub(super) const ELASTIC: &str = "gw";
-/// Curves of unloading end here \[Pa\].
+/// Pressure at which curves of unloading end \[Pa\].
 const LOWEST: f64 = 1e5;
-/// The file of the fits, and its columns.
+/// The file of the fits.
 pub const FITS: &str = "closure-fits.csv";
 /// Its columns.
 pub const FIT_COLUMNS: [&str; 13] = [
@@ -52,7 +52,7 @@ pub(super) const LAWS: [(&str, usize, &str, UnloadingLaw); 3] = [
 pub(super) const MEASURED: [&str; 2] = ["measured loading", "measured unloading"];
 const LOADING: &str = "loading";
 
-/// A fitted model: specimen, id, hardness, rms, and three parameters with their ends.
+/// A row of [`FITS`]: specimen, model, hardness, rms, and three parameters with their ends.
 pub(super) type Fitted = (u32, String, f64, f64, [Option<f64>; 9]);
 
 /// The scene of a fracture.

@@ -1,5 +1,5 @@
-//! Models held against numbers that nobody here made: measurements, and other people's
-//! simulations. Their numbers stand in `xtask/data/world`, each with its source.
+//! Models beside other methods: finite elements of one sphere, other people's simulations, and a
+//! measurement. The numbers are in `xtask/data/world`, each with its source.
 
 pub mod closure;
 pub mod gfmd;

@@ -121,20 +121,36 @@ fn closures(drawn: &[Row]) -> Result<String> {
 mod tests {
     use super::*;
 
+    fn csv<'c>(name: &str, closures: &'c str) -> Result<&'c str> {
+        let sphere = "panel,curve,x,value\nforce,ke,0.5,1.1\nforce,ke,3,0.8\nforce,ke,4,1.1\n";
+        Ok(match name {
+            "world-sphere" => sphere,
+            "world-elastic" => "panel,curve,x,value\ngap,gw,0.01,1.5\ngap,gw,0.5,9\n",
+            _ => closures,
+        })
+    }
+
     #[test]
     fn deviations_are_taken_within_each_range_and_missing_ones_are_named() -> Result<()> {
-        let csv = |name: &str| {
-            Ok(match name {
-                "world-sphere" => "panel,curve,x,value\nforce,ke,0.5,1.1\nforce,ke,3,0.8\n",
-                "world-elastic" => "panel,curve,x,value\ngap,gw,0.01,1.5\ngap,gw,0.5,9\n",
-                _ => "case,curve,closure_m,pressure_Pa\n",
-            })
-        };
-        let missing = table(csv, Evidence::committed()?).unwrap_err().to_string();
-        assert_eq!(missing, "measured readings");
-        let rows = drawn(csv("world-sphere")?)?;
-        assert_eq!(off(rows.iter().map(|row| &row.3)), "16");
-        assert_eq!(off([].iter()), NOTHING);
+        let head = "case,curve,closure_m,pressure_Pa\n".to_owned();
+        let missing = table(|name| csv(name, &head), Evidence::committed()?).unwrap_err();
+        assert_eq!(missing.to_string(), "measured readings");
+        let curves = [&closure::MEASURED[..], &closure::LAWS.map(|law| law.0)].concat();
+        let mut closures = head.clone();
+        for (specimen, _, hardness, ..) in rows::<closure::Fitted>(closure::FITS)? {
+            for (k, curve) in curves.iter().enumerate() {
+                let case = closure::case(specimen, hardness);
+                closures += &format!("{case},{curve},{},1e5\n", 1e-4 * (10 - k) as f64);
+            }
+        }
+        let found = table(|name| csv(name, &closures), Evidence::committed()?)?;
+        let line = |start: &str| found.lines().find(|line| line.starts_with(start));
+        // Of 0.8 and 1.1, √(0.05/2).
+        assert!(line("| `ke` | 10 | 16 | – |").is_some(), "{found}");
+        assert!(line("| `gw` |").is_some_and(|gw| gw.contains("| – | 50 |")), "{found}");
+        assert!(
+            line("| 1 | 1 | ").is_some_and(|row| row.ends_with("| 10 % | 20 % | 30 % | 40 % |"))
+        );
         Ok(())
     }
 }
