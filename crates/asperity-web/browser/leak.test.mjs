@@ -73,7 +73,7 @@ test("a wrong fluid is refused at its field, and has no flow", async () => {
 });
 
 test("a sealed contact has a note for each direction, and a link keeps the fluid", async () => {
-  await solve("150 kN");
+  await solve("200 kN");
   assert.equal((await page.solved()).at(-1)["flow-x"], 0);
   for (const way of ["x", "y"]) assert.match(await page.text("solved-notes"), new RegExp(`no open path of pixels leads along ${way} with`));
   await page.browser.go(await page.run("return location.href"));
