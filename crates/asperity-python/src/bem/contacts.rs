@@ -50,16 +50,8 @@ pub(crate) fn bem<'py>(
     let request = Request::new(quantities.iter().copied());
     bem.compile(&scene, &request).map_err(refused)?;
     let all = load_cases(given, area);
-    let press = Press {
-        file: &scene.into(),
-        name: "",
-        bem: &bem,
-        given: &all,
-        quantities: &quantities,
-        leak,
-        refine: false,
-        keep: false,
-    };
+    let file = scene.into();
+    let press = Press { leak, ..Press::new(&file, &bem, &all, &quantities) };
     let heads = press.heads();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
