@@ -75,7 +75,18 @@ pub struct Pressed {
 /// The cells of each solution, `None` without one, the solutions that are kept, and the findings.
 type Solved = (Vec<Option<Vec<Cell>>>, Vec<Solution>, Findings);
 
-impl Press<'_> {
+impl<'a> Press<'a> {
+    /// Loads or gaps on the scan of a scene, without a fluid, and solutions that are not kept.
+    #[must_use]
+    pub fn new(
+        file: &'a SceneFile,
+        bem: &'a Bem,
+        given: &'a [LoadCase],
+        quantities: &'a [Quantity],
+    ) -> Self {
+        Self { file, name: "", bem, given, quantities, leak: None, refine: false, keep: false }
+    }
+
     /// The columns of a solved load or gap.
     #[must_use]
     pub fn heads(&self) -> Vec<String> {
@@ -100,34 +111,28 @@ impl Press<'_> {
         progress: impl FnMut(&Progress) -> ControlFlow<()>,
         mut deliver: impl FnMut(usize, Result<Pressed, BemError>),
     ) {
-        let quantities = self.quantities();
-        elements.solve_each(self.given, progress, |index, solution| {
-            deliver(index, solution.map(|found| self.pressed(elements, &quantities, found)));
-        });
-    }
-
-    fn pressed(
-        &self,
-        elements: &BoundaryElements,
-        quantities: &[Quantity],
-        solution: Solution,
-    ) -> Pressed {
-        let scene = &self.file.scene;
-        let numbers = COLUMNS.iter().map(|(_, number)| number(&solution, scene.nominal_area));
-        let mut cells: Vec<Cell> = numbers.map(Cell::from).collect();
-        let summary = elements.summary(&solution, quantities);
-        cells.extend(quantities.iter().map(|quantity| match summary.evaluate(*quantity, scene) {
-            Ok(value) => value.map(|value| value.value()).into(),
-            Err(reason) => Cell::Blank(Some(reason.marked().into())),
-        }));
-        let flow = |leak: Leak, (gap, direction, _)| {
-            let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
-            Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
+        let (quantities, scene) = (self.quantities(), &self.file.scene);
+        let pressed = |solution: Solution| {
+            let numbers = COLUMNS.iter().map(|(_, number)| number(&solution, scene.nominal_area));
+            let summary = elements.summary(&solution, &quantities);
+            let values =
+                quantities.iter().map(|quantity| match summary.evaluate(*quantity, scene) {
+                    Ok(value) => value.map(|value| value.value()).into(),
+                    Err(reason) => Cell::Blank(Some(reason.marked().into())),
+                });
+            let flow = |leak: Leak, (gap, direction, _)| {
+                let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
+                Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
+            };
+            let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
+            let cells = numbers.map(Cell::from).chain(values).chain(flows.into_iter().flatten());
+            let cells = cells.collect();
+            let notes = solution.notes.iter().cloned().chain(summary.sealed()).collect();
+            Pressed { cells, notes, solution }
         };
-        let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
-        cells.extend(flows.into_iter().flatten());
-        let notes = solution.notes.iter().cloned().chain(summary.sealed()).collect();
-        Pressed { cells, notes, solution }
+        elements.solve_each(self.given, progress, |index, solution| {
+            deliver(index, solution.map(pressed));
+        });
     }
 
     /// Fills a sheet with a row for each load or gap, and returns the solutions, if they are kept.

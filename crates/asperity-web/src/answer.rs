@@ -55,7 +55,8 @@ impl From<Quantity> for Column {
 impl Column {
     /// A column under its head, which the id follows from.
     pub(crate) fn new([head, unit, label]: [&'static str; 3], definition: String) -> Self {
-        let id = head.trim_end_matches(unit).trim_end_matches('_').replace('_', "-");
+        let name = head.trim_end_matches(&unit.replace('/', "_per_")).trim_end_matches('_');
+        let id = name.replace('_', "-");
         Self { id, label, definition, head: head.into(), unit }
     }
 

@@ -127,11 +127,7 @@ impl Desk {
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
-            Message::Draw { rows, view, load, solved, outside, size } => {
-                let file = self.scene()?;
-                let load = Load::of(&load, &file.scene)?;
-                picture::curves(file, &rows, &view, &load, &solved, (&outside, size))?.into()
-            }
+            Message::Draw(asked) => picture::curves(self.scene()?, &asked)?.into(),
             Message::Scan => scan_report::numbers(self.scene()?)?,
             Message::Flow { viscosity, pressure_drop, gaps } => {
                 press::flows(self.scene()?, [&viscosity, &pressure_drop], &gaps)?

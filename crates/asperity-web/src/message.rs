@@ -40,18 +40,8 @@ pub(crate) enum Message {
     },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
-    /// The picture of rows, of this size in pixels; models outside of their range have no part in
-    /// the band.
-    Draw {
-        rows: Vec<String>,
-        view: String,
-        load: LoadKeys,
-        solved: Vec<[f64; 2]>,
-        #[serde(default)]
-        outside: Vec<String>,
-        #[serde(default)]
-        size: Option<[f64; 2]>,
-    },
+    /// The picture of rows.
+    Draw(Draw),
     /// The numbers of the scan, and the shape of its heights.
     Scan,
     /// The flows \[m³/s\] of a fluid through hydraulic gaps \[m\] along x and y, with viscosity and
@@ -65,6 +55,19 @@ pub(crate) enum Message {
     Link { state: Map<String, Value> },
     /// The state of a link.
     Unlink { link: String },
+}
+
+/// Rows of models, of which those outside of their range have no part in the band, with solved
+/// points, in a picture of this size in pixels.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Draw {
+    pub(crate) rows: Vec<String>,
+    pub(crate) view: String,
+    pub(crate) load: LoadKeys,
+    pub(crate) solved: Vec<[f64; 2]>,
+    pub(crate) outside: Vec<String>,
+    pub(crate) size: Option<[f64; 2]>,
 }
 
 /// A new value of a key; none removes the key.

@@ -10,6 +10,7 @@ use asperity_plot::{
 use serde_json::{Value, json};
 
 use crate::answer::{Column, columns};
+use crate::message::Draw;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::span::Load;
@@ -27,23 +28,17 @@ const BEM: &str = "boundary elements";
 
 /// Curves of rows against the load, with the load marked, the spread of the models shaded and
 /// boundary elements as points.
-pub(crate) fn curves(
-    file: &SceneFile,
-    rows: &[String],
-    view: &str,
-    load: &Load,
-    solved: &[[f64; 2]],
-    (outside, size): (&[String], Option<[f64; 2]>),
-) -> Result<String, Refusal> {
+pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
+    let load = Load::of(&asked.load, &file.scene)?;
     let columns = columns(Some(file));
     let width = 3 + columns.len();
-    let k = columns.iter().position(|known| known.id == view);
-    let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
+    let k = columns.iter().position(|known| known.id == asked.view);
+    let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {}", asked.view)))?;
     let Column { head, unit, label: name, .. } = &columns[k];
     // The values of all models at each load; positive numbers sort as their bits do.
     let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>)>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
-    for line in rows.iter().flat_map(|rows| rows.lines()) {
+    for line in asked.rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
         let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());
         let pressure = pressure.filter(|_| cells.len() == width);
@@ -54,12 +49,10 @@ pub(crate) fn curves(
         ids.push(cells[0]);
     }
     ids.dedup();
-    if values.is_empty() && solved.is_empty() {
+    if values.is_empty() && asked.solved.is_empty() {
         let has = if ids.len() == 1 { "has" } else { "have" };
         let reason = match ids.join(", ") {
-            none if none.is_empty() => {
-                format!("no model is chosen: choose models to see their {name}")
-            }
+            _ if ids.is_empty() => format!("no model is chosen: choose models to see their {name}"),
             ids => format!("{ids} {has} no {name} here: choose other models or another quantity"),
         };
         return Err(Refusal::at("view", reason));
@@ -67,7 +60,7 @@ pub(crate) fn curves(
     // The picture has no curve without a value, and its legend none either.
     let mut drawn: Vec<&str> = values.iter().map(|(id, ..)| *id).chain([BEM]).collect();
     drawn.dedup();
-    for [pressure, value] in solved {
+    for [pressure, value] in &asked.solved {
         at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value)));
     }
 
@@ -92,7 +85,7 @@ pub(crate) fn curves(
     let look = |id: &&str| 1 + looks.iter().position(|known| *known == model(id)).unwrap_or(0);
     let curves = ids.iter().filter(|id| drawn.contains(id));
     panel.curves = curves.map(|id| Curve::new(look(id), id, id)).collect();
-    if !solved.is_empty() {
+    if !asked.solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, BEM));
     }
     let is_any = |is_beside: fn(&f64, &f64) -> bool| {
@@ -102,7 +95,7 @@ pub(crate) fn curves(
         panel.verticals.push(Mark::new(at, &load.text));
     }
     let mut valid = ids.clone();
-    valid.retain(|id| outside.iter().all(|known| known != id));
+    valid.retain(|id| asked.outside.iter().all(|known| known != id));
     let mut csv = format!("model,load_N,pressure_Pa,{head}\n");
     for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
         let mut add = |name: &str, value: Option<f64>| {
@@ -129,7 +122,7 @@ pub(crate) fn curves(
     }
     let mut figure = Figure::new("", &[], vec![panel]);
     figure.size =
-        size.map(|[width, height]| [width.clamp(280.0, 2000.0), height.clamp(220.0, 1500.0)]);
+        asked.size.map(|[width, height]| [width.clamp(280.0, 2000.0), height.clamp(220.0, 1500.0)]);
     Ok(draw(&figure, &csv)?)
 }
 
@@ -177,17 +170,16 @@ fn readings(
 mod tests {
     use super::*;
     use crate::answer::{compile, rows};
-
-    /// No model is out of its range, in the usual size.
-    const ALL: (&[String], Option<[f64; 2]>) = (&[], None);
+    use crate::message::LoadKeys;
 
     fn file() -> SceneFile {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
     }
 
-    fn load_of(file: &SceneFile, text: &str) -> Load {
-        let keys = crate::message::LoadKeys { text: text.into(), ..Default::default() };
-        Load::of(&keys, &file.scene).unwrap()
+    fn asked(rows: &[String], view: &str, load: &str, solved: &[[f64; 2]]) -> Draw {
+        let load = LoadKeys { text: load.into(), ..LoadKeys::default() };
+        let (rows, view, solved) = (rows.to_vec(), view.into(), solved.to_vec());
+        Draw { rows, view, load, solved, ..Draw::default() }
     }
 
     #[test]
@@ -197,8 +189,10 @@ mod tests {
         let scenes = [file];
         let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &pressures);
         let (rows, [file]) = (["gw", "ke"].map(of), &scenes);
-        let load = load_of(&file, "100 N");
-        let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]], ALL).unwrap();
+        let draw = |rows: &[String], view: &str, load: &str, solved: &[[f64; 2]]| {
+            curves(file, &asked(rows, view, load, solved))
+        };
+        let svg = draw(&rows, "area-fraction", "100 N", &[[1e6, 1e-3]]).unwrap();
         for text in ["range of models", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
         }
@@ -208,40 +202,34 @@ mod tests {
         let lines: Vec<&str> = reading.split("</title>").next().unwrap().lines().collect();
         assert_eq!((lines.len(), lines[3]), (4, "boundary elements 0.001"), "{lines:?}");
         assert!(lines[1] == "gw 3.868e-4" && lines[2] == "ke 6.645e-4", "{lines:?}");
-        let load = load_of(&file, "1 MPa");
-        let alone = curves(&file, &rows[..1], "separation", &load, &[], ALL).unwrap();
+        let alone = draw(&rows[..1], "separation", "1 MPa", &[]).unwrap();
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
-        let small = curves(
-            &file,
-            &rows,
-            "area-fraction",
-            &load,
-            &[],
-            (&["gw".into()], Some([340.0, 300.0])),
-        );
-        let small = small.unwrap();
+        let asked = asked(&rows, "area-fraction", "1 MPa", &[]);
+        let (outside, size) = (vec!["gw".into()], Some([340.0, 300.0]));
+        let small = curves(file, &Draw { outside, size, ..asked }).unwrap();
         assert!(small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models"));
-        assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[], ALL).is_err());
-        assert!(curves(&file, &rows, "speed", &load, &[], ALL).is_err());
+        assert!(draw(&["x,1\n".into()], "tangent", "1 MPa", &[]).is_err());
+        assert!(draw(&rows, "speed", "1 MPa", &[]).is_err());
     }
 
     #[test]
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
-        let load = load_of(&file, "100 N");
         let scenes = [file];
         let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
         let (rows, [file]) = (["persson-fudge", "gw"].map(of), &scenes);
-        let refused =
-            curves(&file, &rows[..1], "unloading-stiffness", &load, &[], ALL).unwrap_err();
+        let draw = |rows: &[String], view: &str, solved: &[[f64; 2]]| {
+            curves(file, &asked(rows, view, "100 N", solved))
+        };
+        let refused = draw(&rows[..1], "unloading-stiffness", &[]).unwrap_err();
         assert!(refused.message.starts_with("persson-fudge has no unloading stiffness here: "));
         assert_eq!(refused.field.as_deref(), Some("view"));
-        let svg = curves(&file, &rows, "unloading-stiffness", &load, &[], ALL).unwrap();
+        let svg = draw(&rows, "unloading-stiffness", &[]).unwrap();
         assert!(svg.contains(">gw<") && !svg.contains(">persson-fudge<"));
-        let none = curves(&file, &[], "unloading-stiffness", &load, &[], ALL).unwrap_err();
+        let none = draw(&[], "unloading-stiffness", &[]).unwrap_err();
         let wanted = "no model is chosen: choose models to see their unloading stiffness";
         assert_eq!((&*none.message, none.field.as_deref()), (wanted, Some("view")));
-        assert!(curves(&file, &[], "area-fraction", &load, &[[1e6, 1e-3]], ALL).is_ok());
+        assert!(draw(&[], "area-fraction", &[[1e6, 1e-3]]).is_ok());
     }
 
     const SAID: (fn(f64) -> String, &str) = (|pressure| shown(pressure, "Pa"), "no contact");

@@ -9,22 +9,19 @@ use serde::Serialize;
 use crate::dialect::{offered, said};
 
 /// An error with its place.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub(crate) struct Refusal {
     pub(crate) message: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) line: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) field: Option<String>,
     /// The message without line and key, to follow the name of the field in the form.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) field_message: Option<String>,
 }
 
 impl Refusal {
     pub(crate) fn new(message: impl ToString) -> Self {
         let message = offered(&message.to_string());
-        Self { message, line: None, field: None, field_message: None }
+        Self { message, ..Self::default() }
     }
 
     pub(crate) fn at(field: &str, message: impl ToString) -> Self {

@@ -24,7 +24,7 @@ pub(crate) fn interval(value: f64, ends: Option<[f64; 2]>, unit: &str) -> (Strin
     };
     let range =
         ends.map_or(String::new(), |[low, high]| format!("{} to {}", digits(low), digits(high)));
-    (format!("{} {name}", digits(value)), range)
+    (format!("{} {name}", digits(value)).trim_end().into(), range)
 }
 
 /// A number with four digits or, known within a range, with three and this behind it.

@@ -136,14 +136,11 @@ impl BemCommand {
         let bem = self.bem(&scene)?;
         let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
-            file,
             name,
-            bem: &bem,
-            given: &given,
-            quantities: &self.quantities,
             leak: self.leak()?,
             refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
+            ..Press::new(file, &bem, &given, &self.quantities)
         };
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| match self.compare {

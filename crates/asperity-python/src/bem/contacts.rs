@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::{BemError, ContactSummary, Leak, Solution};
-use asperity::{ContactModel, Findings, Request, linspace};
-use asperity_answer::{FLOWS, Truths, Watch, beside_table, compared, heads, once, summary};
+use asperity::bem::{BemError, Leak};
+use asperity::{AsWritten, ContactModel, Dialect, Findings, Quantity, Request, linspace};
+use asperity_answer::{
+    self as answer, Press, Truths, Watch, beside_table, compared, heads, summary,
+};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,21 +24,13 @@ use crate::scene::SceneFile;
 /// rows and columns.
 type Contacts<'py> = (Bound<'py, PyDict>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
-/// The name of a number of a solution, and the number.
-type Head = (&'static str, fn(&Solution) -> f64);
-
-/// The numbers of a solution by name; the load still over the area.
-const HEADS: [Head; 9] = [
-    ("load", |s| s.mean_pressure),
-    ("pressure", |s| s.mean_pressure),
-    ("area_fraction", |s| s.area),
-    ("area_fraction_pixels", |s| s.pixel_area),
-    ("plastic_fraction", |s| s.plastic_area),
-    ("mean_gap", |s| s.mean_gap),
-    ("patches", |s| s.patches.len() as f64),
-    ("iterations", |s| s.iterations as f64),
-    ("residual", |s| s.residual),
-];
+/// The name of a field: that of its quantity, or of its column without the unit.
+fn field(head: &str) -> String {
+    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
+    let units = ["_N", "_m", "_m3_per_s"];
+    let own = || units.iter().find_map(|unit| head.strip_suffix(unit)).unwrap_or(head).into();
+    quantity.map_or_else(own, |quantity| quantity.to_string().replace('-', "_"))
+}
 
 /// Solves contacts at mean pressures, loads or mean gaps.
 #[pyfunction]
@@ -51,59 +45,47 @@ pub(crate) fn bem<'py>(
     let (maps, mask) = maps_and_mask;
     let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
     let leak = leak.map_err(value_error)?;
-    let mut quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    quantities.extend(leak.iter().flat_map(|_| FLOWS.map(|(gap, ..)| gap)));
-    let quantities = once(&quantities);
+    let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let Pressed { bem, scene, accept } = Pressed::new(pressed)?;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
-    let area = scene.nominal_area;
+    let (area, pixels) = (scene.nominal_area, bem.map().heights().len());
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
     bem.compile(&scene, &request).map_err(refused)?;
     let all = load_cases(given, area);
-    let pixels = bem.map().heights().len();
+    let file = scene.into();
+    let press = Press { leak, ..Press::new(&file, &bem, &all, &quantities) };
+    let heads = press.heads();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
-    let mut columns: Vec<Vec<f64>> = vec![missing(1); HEADS.len() + quantities.len()];
+    let mut columns: Vec<Vec<f64>> = vec![missing(1); heads.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
     run_interruptible(py, None, |stop| {
-        let mut fail = |index, error: PyErr, message| match mask {
-            true => drop(failures.insert(index, message)),
+        let mut fail = |index, reason: String| match mask {
+            true => drop(failures.insert(index, reason)),
             false => {
                 // This error is raised, so the other contacts are not needed.
                 stop.stop();
-                failed.get_or_insert(error);
+                failed.get_or_insert(value_error(reason));
             }
         };
-        elements.solve_each(
-            &all,
+        press.each(
+            &elements,
             |_| stop.step(""),
-            |index, solution| match solution {
-                Ok(solution) => {
-                    let (heads, of_joints) = columns.split_at_mut(HEADS.len());
-                    for (column, (_, number)) in heads.iter_mut().zip(HEADS) {
-                        column[index] = number(&solution);
-                    }
-                    heads[0][index] *= area;
-                    let summary =
-                        (!quantities.is_empty()).then(|| elements.summary(&solution, &quantities));
-                    for (column, &quantity) in of_joints.iter_mut().zip(&quantities) {
-                        match summary.as_ref().map(|summary| summary.evaluate(quantity, &scene)) {
-                            Some(Ok(Some(found))) => column[index] = found.value(),
-                            Some(Err(error)) => {
-                                fail(index, refused(error.clone()), error.to_string())
-                            }
-                            _ => {}
-                        }
+            |index, solved| match solved {
+                Ok(answer::Pressed { cells, notes: of_one, solution }) => {
+                    for (column, cell) in columns.iter_mut().zip(&cells) {
+                        column[index] = cell.number().unwrap_or(f64::NAN);
+                        let reason = cell.reason().map(|reason| AsWritten.say(reason));
+                        reason.into_iter().for_each(|reason| fail(index, reason));
                     }
                     let kept = maps.iter_mut().flatten();
                     for (all, map) in kept.zip([&solution.pressures, &solution.gaps]) {
                         all[index * pixels..][..pixels].copy_from_slice(map);
                     }
-                    notes.extend(solution.notes);
-                    notes.extend(summary.iter().flat_map(ContactSummary::sealed));
+                    notes.extend(of_one);
                 }
-                Err(error) => fail(index, value_error(&error), error.to_string()),
+                Err(error) => fail(index, error.to_string()),
             },
         );
     })?;
@@ -111,18 +93,7 @@ pub(crate) fn bem<'py>(
         return Err(error);
     }
     notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
-    let names = HEADS.iter().map(|(name, _)| (*name).to_string());
-    let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
-    let mut names: Vec<String> = names.collect();
-    for (leak, (gap, direction, head)) in leak.iter().flat_map(|leak| FLOWS.map(|one| (leak, one)))
-    {
-        let gaps = quantities.iter().position(|one| *one == gap).map(|k| &columns[HEADS.len() + k]);
-        let flow = |gap: &f64| leak.flow(*gap, bem.map(), direction);
-        let flows: Vec<f64> = gaps.into_iter().flatten().map(flow).collect();
-        columns.push(flows);
-        names.push(head.trim_end_matches("_m3_per_s").into());
-    }
-    let fields = arrays(py, names.into_iter().zip(columns))?;
+    let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
     fields.set_item("failures", failures)?;
     fields.set_item("boundary", bem.continuation().name())?;
     fields.set_item("nominal_area", area)?;
