@@ -64,6 +64,7 @@ impl Press<'_> {
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
         sheet.under(&[&["load_N", "pressure_Pa"], &COLUMNS.map(|(head, _)| head)]);
+        sheet.findings.extend(self.leak.and_then(|leak| leak.finding()));
         let flows = self.leak.map_or(&[][..], |_| &FLOWS);
         let mut quantities = self.quantities.to_vec();
         quantities.extend(flows.iter().map(|(gap, ..)| *gap));

@@ -62,10 +62,6 @@ impl Range {
     pub(crate) fn status(&'static self) -> &'static str {
         &self.status
     }
-
-    pub(crate) fn contains(&self, value: f64) -> bool {
-        (self.lower..=self.upper).contains(&value)
-    }
 }
 
 #[cfg(test)]
@@ -113,7 +109,10 @@ mod tests {
             }
             let ratio = slope / (0.125 * rq.powf(0.402));
             let range = Range::of_finish("slope", finish).unwrap();
-            assert!(range.contains(ratio), "{surface} {cut} {short}, {finish}: {ratio}");
+            assert!(
+                (range.lower..=range.upper).contains(&ratio),
+                "{surface} {cut} {short}, {finish}: {ratio}"
+            );
             compared += 1;
         }
         assert!(compared > 15, "{compared}");

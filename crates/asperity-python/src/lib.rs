@@ -31,7 +31,7 @@ mod _asperity {
         ask::advice::{check, plan, pull_off, recommend},
         ask::contact::Contact,
         ask::values::{answer, corrected, separations, shares},
-        bem::contacts::{bem, bem_unloading, truth},
+        bem::contacts::{bem, bem_slip, bem_unloading, truth},
         convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::{BemError, ContactSummary, Leak, Solution};
-use asperity::{ContactModel, Findings, Request, linspace};
-use asperity_answer::{FLOWS, Truths, Watch, beside_table, once, summary};
+use asperity::bem::{Bem, BemError, ContactSummary, Leak, Solution};
+use asperity::joints::UnloadingLaw;
+use asperity::{ContactModel, Findings, Request, Severity, Tolerance, linspace};
+use asperity_answer::{
+    Amplitude, FLOWS, Sheet, Slip, Subject, Truths, Watch, beside_table, once, stick_map, summary,
+};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,10 +15,12 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
+use crate::convert::axis::Axis;
 use crate::convert::{
     Object, Quantities, object, refused, value_error, warn, warn_text, warn_unless,
 };
 use crate::scene::{SceneFile, models_among};
+use crate::tables::columns;
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
 /// rows and columns.
@@ -109,6 +114,7 @@ pub(crate) fn bem<'py>(
     if let Some(error) = failed {
         return Err(error);
     }
+    notes.extend(leak.and_then(|leak| leak.finding()));
     notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
     let names = HEADS.iter().map(|(name, _)| (*name).to_string());
     let names = names.chain(quantities.iter().map(|q| q.to_string().replace('-', "_")));
@@ -172,6 +178,35 @@ pub(crate) fn bem_unloading<'py>(
     fields.set_item("boundary", bem.continuation().name())?;
     fields.set_item("nominal_area", area)?;
     Ok(fields)
+}
+
+/// The loop of a cycle of this amplitude \[m\] on the scan of a scene under a load or pressure, and
+/// whether each pixel slips (1) or sticks (2) at the amplitude. The fields of the package's class,
+/// rows and columns.
+#[pyfunction]
+pub(crate) fn bem_slip<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    given: (Axis, f64),
+    friction: f64,
+    cycle: (f64, usize),
+) -> PyResult<(Bound<'py, PyDict>, [usize; 2])> {
+    let (file, model) = (&*scene.0, scene.0.model(Bem::ID).map_err(value_error)?);
+    let ((axis, number), (amplitude, points)) = (given, cycle);
+    let (at, tolerance) = (axis.at(number, file.separation_from), Tolerance::default());
+    let subject = Subject { file, name: "", id: Bem::ID, model: &model, tolerance };
+    let slip = Slip { subject, law: UnloadingLaw::Hertz, friction };
+    let (mut sheet, cycle) = (Sheet::default(), [Amplitude::Shift(amplitude)]);
+    let states = run_interruptible(py, None, |stop| {
+        slip.answer(&[at], &cycle, points, &mut sheet, stop)?;
+        stick_map(&subject, at, friction, amplitude, stop)
+    })?;
+    let states = states.map_err(value_error)?;
+    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
+    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
+    let fields = columns(py, &sheet)?;
+    fields.set_item("states", PyArray1::from_vec(py, states))?;
+    Ok((fields, file.bem(None, false).map_err(value_error)?.map().shape()))
 }
 
 /// Sentences about the nearest models, and beside solved surfaces.
