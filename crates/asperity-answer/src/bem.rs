@@ -147,6 +147,7 @@ impl<'a> Press<'a> {
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
         sheet.heads = self.heads();
+        sheet.findings.extend(self.leak.and_then(|leak| leak.finding()));
         // Refuses what boundary elements or the scene lack before anything is solved.
         self.bem.compile(&self.file.scene, &Request::new(self.quantities()))?;
         // Before the hours of the whole grid.

@@ -30,6 +30,8 @@ pub struct Inquiry<'s> {
     pub films: bool,
     /// Whether nobody has chosen the separations: findings are about a typical one then.
     pub at_defaults: bool,
+    /// Whether each model is asked for those of the quantities alone that it has.
+    pub each_its_own: bool,
 }
 
 /// The columns beside each quantity.
@@ -52,8 +54,8 @@ impl<'s> Inquiry<'s> {
     #[must_use]
     pub fn new(file: &'s SceneFile, models: Vec<NamedModel>, request: Request) -> Self {
         let beside = Beside::Nothing;
-        let (all, films, at_defaults) = (false, false, false);
-        Self { file, models, request, beside, all, films, at_defaults }
+        let (all, films, at_defaults, each_its_own) = (false, false, false, false);
+        Self { file, models, request, beside, all, films, at_defaults, each_its_own }
     }
 
     /// Fills a sheet: model, load and pressure at loads, separation, and the quantities. Values
@@ -113,15 +115,14 @@ impl<'s> Inquiry<'s> {
 
     fn heads(&self) -> Vec<String> {
         let mut heads: Vec<String> = self.place_heads().into_iter().map(String::from).collect();
-        let beside_each: &[&str] = match self.beside {
-            Beside::Nothing | Beside::Errors => &[],
-            Beside::Deviations(_) => &["deviation"],
-            Beside::Intervals => &ENDS,
-        };
         let quantities = &self.request.quantities;
         for quantity in quantities {
             heads.push(quantity.column());
-            heads.extend(beside_each.iter().map(|what| column_beside(*quantity, what)));
+            match self.beside {
+                Beside::Nothing | Beside::Errors => {}
+                Beside::Deviations(_) => heads.push(column_beside(*quantity, "deviation")),
+                Beside::Intervals => heads.extend(ENDS.map(|end| column_of_end(*quantity, end))),
+            }
         }
         match self.beside {
             Beside::Errors => heads.extend(quantities.iter().map(|q| column_beside(*q, "error"))),
@@ -172,7 +173,7 @@ impl<'s> Inquiry<'s> {
             Err(error) => AnswerError::Contact(error),
         };
         let asked = asked.map_err(placed)?;
-        let refusals = asked.refusals().into_iter();
+        let refusals = asked.refusals().into_iter().filter(|_| !self.each_its_own);
         found.lacking.extend(refusals.map(|reason| (reason, id.clone())));
         // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
@@ -249,6 +250,13 @@ pub(crate) const ENDS: [&str; 2] = ["lower", "upper"];
 #[must_use]
 pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
+}
+
+/// The name of a column with an end of a quantity: `area_lower_m2`.
+#[must_use]
+pub(crate) fn column_of_end(quantity: Quantity, end: &str) -> String {
+    let name = quantity.to_string().replace('-', "_");
+    quantity.column().replacen(&name, &format!("{name}_{end}"), 1)
 }
 
 fn cell(value: &Result<Evaluation, ContactError>) -> Cell {

@@ -1,52 +1,47 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
-use asperity::{Finding, Quantity, Severity};
-use asperity_inputs::SceneFile;
+use asperity::{Finding, Quantity, Severity, map_runs};
+use asperity_inputs::{SceneFile, Unknown};
 
-use crate::inquiry::{ENDS, column_beside};
+use crate::inquiry::{ENDS, column_of_end};
 use crate::{AnswerError, Cell, Sheet};
 
 /// Stiffnesses, which waviness beyond the cut-off of the profile lowers.
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
-/// What each unknown is narrowed by.
-const NARROWED: [(&str, &str); 3] = [
-    ("rq", "`rq` would narrow it"),
-    ("mean_slope", "`rdq`, `rz` with `rsm`, or a scan would narrow it"),
-    ("bandwidth", "`bandwidth` or a scan would narrow it"),
-];
 
 /// Fills a sheet for a scene. Where numbers of its surface are known within ranges, it is filled in
-/// the middle of the ranges and at every combination of their ends; each number that differs there
-/// gets the smallest and the largest of these as columns `_lower` and `_upper`, and is blank if it
-/// is missing at an end. Findings say which unknown makes the ranges wide.
+/// the middle of the ranges and at every combination of their ends; each answer, and each place
+/// that differs there, gets the smallest and the largest of these as columns with `_lower` and
+/// `_upper`, and is blank if it is missing at an end. Findings say which unknown makes the ranges wide.
 ///
 /// # Errors
 /// Those of `fill`, in the middle or at an end.
-pub fn with_ranges<T, E: From<AnswerError>>(
+pub fn with_ranges<T, E: From<AnswerError> + Send>(
     file: &SceneFile,
     sheet: &mut Sheet,
-    fill: impl Fn(&SceneFile, &mut Sheet) -> Result<T, E>,
+    fill: impl Fn(&SceneFile, &mut Sheet) -> Result<T, E> + Sync,
 ) -> Result<T, E> {
     if file.spreads().is_empty() {
         return fill(file, sheet);
     }
     let (middle, corners) = file.corners().map_err(AnswerError::from)?;
     let found = fill(&middle, sheet)?;
-    if sheet.heads.iter().any(|head| head.ends_with("_lower")) {
+    if sheet.heads.iter().any(|head| head.contains("_lower")) {
         let text = "intervals by boundary elements are not combined with ranges of the surface";
         return Err(AnswerError::from(text).into());
     }
-    let mut ends = Ends { file, sheets: vec![] };
-    for corner in &corners {
+    let filled = |corner: &SceneFile| {
         let mut at_corner = Sheet::default();
         fill(corner, &mut at_corner)?;
         if at_corner.rows.len() != sheet.rows.len() {
             let text = "the number of rows differs between the ends of the ranges of the surface";
             return Err(AnswerError::from(text).into());
         }
-        ends.sheets.push(at_corner);
-    }
+        Ok(at_corner)
+    };
+    let sheets = map_runs(&corners, 1, |one| one.iter().map(filled).collect());
+    let ends = Ends { file, sheets: sheets.into_iter().collect::<Result<_, E>>()? };
     ends.add_findings(sheet);
     ends.add_columns(sheet);
     Ok(found)
@@ -91,7 +86,7 @@ impl Ends<'_> {
         all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
     }
 
-    /// Adds the ends of every column whose numbers differ.
+    /// Adds the ends of every column of answers, and of places whose numbers differ.
     fn add_columns(&self, sheet: &mut Sheet) {
         let differs = |column: &usize| {
             (0..sheet.rows.len()).any(|row| {
@@ -102,7 +97,13 @@ impl Ends<'_> {
                 })
             })
         };
-        let columns: Vec<usize> = (0..sheet.heads.len()).filter(differs).collect();
+        let is_answer = |column: &usize| match quantity_of(&sheet.heads[*column]) {
+            Some(Quantity::Pressure) => sheet.column("load_N").is_none(),
+            Some(_) => true,
+            None => ANSWERS.iter().any(|end| sheet.heads[*column].ends_with(end)),
+        };
+        let columns = (0..sheet.heads.len()).filter(|column| is_answer(column) || differs(column));
+        let columns: Vec<usize> = columns.collect();
         let mut blank = 0;
         // From the last, so that the places of the others stay.
         for column in columns.into_iter().rev() {
@@ -163,10 +164,10 @@ impl Ends<'_> {
             sheet.findings.push(other.from_origin(AT_AN_END));
         }
         let spreads = self.file.spreads();
-        let columns = sheet.heads.iter().enumerate().filter_map(|(column, head)| {
-            let quantity = Quantity::ALL.into_iter().find(|one| one.column() == *head)?;
-            Some((quantity, self.width(sheet, column)?))
-        });
+        let columns =
+            sheet.heads.iter().enumerate().filter_map(|(column, head)| {
+                Some((quantity_of(head)?, self.width(sheet, column)?))
+            });
         let widths: Vec<(Quantity, Width)> = columns.collect();
         let sum = |k: usize| widths.iter().map(|(_, width)| width.of_unknowns[k]).sum::<f64>();
         let widest = (0..spreads.len()).max_by(|a, b| sum(*a).total_cmp(&sum(*b)));
@@ -177,10 +178,13 @@ impl Ends<'_> {
             format!("`{quantity}` within {}", ratio(width.of_unknowns[k]))
         };
         let each = widths.iter().map(within).collect::<Vec<_>>().join(", ");
-        let narrowed = NARROWED.iter().find(|(known, _)| *known == name).map_or("", |of| of.1);
+        let of_faces = self.file.unknowns().map(|(_, one)| one).filter(|one| one.name == name);
+        let width = |one: &&Unknown| one.range[2] / one.range[0];
+        let widest = of_faces.max_by(|a, b| width(a).total_cmp(&width(b)));
+        let narrowed = widest.map_or("", |one| one.narrowed);
         let spread = ratio(spread.ln());
         let text = format!(
-            "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed}"
+            "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed} would narrow it"
         );
         sheet.note("unknown-surface", text);
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
@@ -204,6 +208,8 @@ impl Ends<'_> {
     }
 }
 
+/// Ends of the names of columns about models, beside those of quantities.
+const ANSWERS: [&str; 3] = ["_deviation", "_off_bem", "_spread"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.
@@ -218,12 +224,16 @@ fn most(numbers: &[f64]) -> f64 {
     numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The name of a column with an end of another: `area_lower` of `area_m2`, as of corrected models,
-/// and `separation_lower_m`.
+/// The quantity of a column.
+fn quantity_of(head: &str) -> Option<Quantity> {
+    Quantity::ALL.into_iter().find(|quantity| quantity.column() == head)
+}
+
+/// The name of a column with an end of another: `area_lower_m2` of `area_m2`, as of corrected
+/// models, and `separation_lower_m`.
 fn head_of_end(head: &str, end: &str) -> String {
-    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
-    match (quantity, head.strip_suffix("_m")) {
-        (Some(quantity), _) => column_beside(quantity, end),
+    match (quantity_of(head), head.strip_suffix("_m")) {
+        (Some(quantity), _) => column_of_end(quantity, end),
         (None, Some(length)) => format!("{length}_{end}_m"),
         (None, None) => format!("{head}_{end}"),
     }

@@ -33,26 +33,31 @@ const OFF: [(Compared, &str); 3] = [
 ];
 
 impl Recommend<'_> {
-    /// Fills a sheet with a row for each model, from simplest to most complex; the verdict and the
-    /// evidence are findings.
+    /// Refuses what is compared on no scene.
     ///
     /// # Errors
-    /// Those of the reference, and of the models named.
-    pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
-        let Self { request, within, .. } = self;
+    /// A force at loads alone, and boundary elements among the models.
+    pub fn check(&self) -> Result<(), AnswerError> {
+        let request = &self.request;
         let given = |at: &At| !matches!(at, At::Separation(_));
         if request.quantities.contains(&Quantity::Force) && request.at.iter().all(given) {
             return Err("force is given at a load; compare area, tangent or others".into());
         }
-        if self
-            .models
-            .iter()
-            .map(String::as_str)
-            .chain(self.reference)
-            .any(|id| id == asperity::bem::Bem::ID)
-        {
+        let mut ids = self.models.iter().map(String::as_str).chain(self.reference);
+        if ids.any(|id| id == asperity::bem::Bem::ID) {
             return Err("bem: models are compared with boundary elements; name others".into());
         }
+        Ok(())
+    }
+
+    /// Fills a sheet with a row for each model, from simplest to most complex; the verdict and the
+    /// evidence are findings.
+    ///
+    /// # Errors
+    /// Those of [`check`](Self::check), of the reference, and of the models named.
+    pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
+        self.check()?;
+        let Self { request, within, .. } = self;
         let (id, reference) = one_model(file, self.reference, sheet)?;
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;

@@ -58,6 +58,7 @@ impl<'w> ScanSlip<'w> {
         let elements = bem.elements(&scene.interface)?;
         let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id));
         let solution = elements.solve_all(&[load_case(scene, preload)?], step).remove(0)?;
+        sheet.report(subject.file, solution.notes.iter().cloned().collect());
         let ratio = 4.0 * shear / scene.interface.equivalent_modulus;
         let (pressure, area) = (solution.mean_pressure, scene.nominal_area);
         let place = Separation::metres(solution.mean_gap).from_surface_mean();

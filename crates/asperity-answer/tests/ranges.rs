@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use asperity::{At, Quantity, Request};
+use asperity::{At, Quantity, Request, Separation};
 use asperity_answer::{AnswerError, Conductance, Inquiry, Sheet, Silent, models, with_ranges};
 use asperity_inputs::{SceneFile, parse};
 
@@ -26,19 +26,25 @@ fn finished(finish: &str, ra: f64, hardness: f64) -> SceneFile {
 
 /// Middle, lower and upper end of a quantity by a model.
 fn ends(file: &SceneFile, id: &str, quantity: Quantity) -> ([f64; 3], Sheet) {
+    ends_at(file, id, quantity, At::Pressure(PRESSURE))
+}
+
+fn ends_at(file: &SceneFile, id: &str, quantity: Quantity, at: At) -> ([f64; 3], Sheet) {
     let mut sheet = Sheet::default();
     let fill = |file: &SceneFile, sheet: &mut Sheet| -> Result<(), AnswerError> {
-        let request = Request::new([quantity]).at([At::Pressure(PRESSURE)]);
+        let request = Request::new([quantity]).at([at]);
         let models = models(file, &[id.into()], SceneFile::models, &request.quantities, sheet)?;
         Inquiry::new(file, models, request).answer(sheet, &Silent)
     };
     with_ranges(file, &mut sheet, fill).unwrap();
-    (numbers(&sheet, &quantity.column(), &quantity.to_string().replace('-', "_")), sheet)
+    (numbers(&sheet, quantity), sheet)
 }
 
-fn numbers(sheet: &Sheet, column: &str, name: &str) -> [f64; 3] {
-    [column.to_string(), format!("{name}_lower"), format!("{name}_upper")].map(|head| {
-        let column = sheet.column(&head).unwrap_or_else(|| panic!("{head}: {:?}", sheet.heads));
+fn numbers(sheet: &Sheet, quantity: Quantity) -> [f64; 3] {
+    let (column, name) = (quantity.column(), quantity.to_string().replace('-', "_"));
+    let unit = column.strip_prefix(&name).unwrap();
+    [&column, &format!("{name}_lower{unit}"), &format!("{name}_upper{unit}")].map(|head| {
+        let column = sheet.column(head).unwrap_or_else(|| panic!("{head}: {:?}", sheet.heads));
         sheet.rows[0][column].number().unwrap()
     })
 }
@@ -80,7 +86,7 @@ fn widths_are_those_of_closed_forms() {
         };
         with_ranges(&file, &mut sheet, fill).unwrap();
         let quantity = Quantity::ThermalConductancePerArea;
-        let found = numbers(&sheet, &quantity.column(), "thermal_conductance_per_area");
+        let found = numbers(&sheet, quantity);
         assert!((width(found) / (conductance * lay) - 1.0).abs() < 1e-3, "{line}: {found:?}");
         // With a known bandwidth, only Rq is left to the stiffness.
         let (found, _) = ends(&two_faces(&keys, 2e9), "gw", Quantity::Tangent);
@@ -116,6 +122,23 @@ fn a_known_surface_has_one_value_and_no_columns_of_ends() {
 }
 
 #[test]
+fn columns_of_ends_depend_on_what_is_asked_and_not_on_the_numbers() {
+    // Factors of a film ratio depend on no number of the surface.
+    let thick = At::from(Separation::film_ratio(2.0));
+    let factor = Quantity::PressureFlowFactorX;
+    let file = finished("ground", 0.8, 2e9);
+    let ([middle, lower, upper], sheet) = ends_at(&file, "patir-cheng", factor, thick);
+    assert!((upper / lower - 1.0).abs() < 1e-9 && middle > 0.0, "{middle} {lower} {upper}");
+    let heads = sheet.heads.join(" ");
+    assert!(heads.contains("separation_m separation_lower_m separation_upper_m"), "{heads}");
+    // A pressure that is given has none.
+    let (_, sheet) = ends(&file, "ke", Quantity::Area);
+    let heads = sheet.heads.join(" ");
+    assert!(heads.contains("load_N pressure_Pa separation_over_sigma "), "{heads}");
+    assert!(heads.ends_with("area_m2 area_lower_m2 area_upper_m2"), "{heads}");
+}
+
+#[test]
 fn the_finding_names_the_widest_unknown_and_the_shares() {
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "persson", Quantity::Area);
     let texts: Vec<String> = sheet.findings.iter().map(|found| found.message()).collect();
@@ -125,6 +148,17 @@ fn the_finding_names_the_widest_unknown_and_the_shares() {
     );
     let words = "mean_slope is unknown within a factor of 4.2, and with it area within 4.2; rdq, ";
     assert!(texts.iter().any(|text| text.starts_with(words)), "{texts:?}");
+    // What is given already does not narrow the slope.
+    for (keys, narrowed) in [
+        ("ra = 1e-6\nrz = 6e-6\nrsm = 1e-4", "; rdq or a scan would narrow it"),
+        ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "within 1.1; a scan would narrow it"),
+    ] {
+        let (_, sheet) = ends(&two_faces(keys, 2e9), "persson", Quantity::Area);
+        let texts: Vec<String> = sheet.findings.iter().map(|found| found.message()).collect();
+        let of_slope = |text: &&String| text.starts_with("mean_slope is unknown");
+        let text = texts.iter().find(of_slope).unwrap_or_else(|| panic!("{texts:?}"));
+        assert!(text.ends_with(narrowed), "{text}");
+    }
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "gw", Quantity::Tangent);
     assert!(sheet.findings.iter().any(|found| found.code == "waviness"));
 }

@@ -2,6 +2,9 @@
 
 use crate::BemError;
 
+/// The least map.
+const TWO: &str = "a surface of at least 2 x 2 pixels (a profile is one row)";
+
 /// Heights of a surface on a grid of pixels, about their mean plane.
 ///
 /// Heights grow towards the half-space: the highest pixel touches first.
@@ -30,7 +33,7 @@ impl HeightMap {
         let [rows, columns] = shape;
         for (field, found) in [("rows", rows), ("columns", columns)] {
             if found < 2 {
-                return Err(BemError::Size { field, found, required: "at least 2" });
+                return Err(BemError::Size { field, found, required: TWO });
             }
         }
         let found = heights.len();

@@ -9,6 +9,7 @@
 
 use std::fmt;
 
+use asperity_core::Finding;
 use asperity_quadrature::bracketed_root;
 
 use crate::height_map::positive;
@@ -18,6 +19,9 @@ use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
 
 /// Largest difference of the flows through both faces, relative to them.
 const BALANCE: f64 = 1e-6;
+
+/// Usual viscosities \[Pa s\], from hydrogen to thick oils and greases.
+const USUAL: [f64; 2] = [5e-6, 10.0];
 
 /// A direction of flow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,6 +58,16 @@ impl Leak {
     pub fn new(viscosity: f64, pressure_drop: f64) -> Result<Self, BemError> {
         let viscosity = positive("viscosity", viscosity)?;
         Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
+    }
+
+    /// A warning of a viscosity that no usual fluid has, most often one in mm²/s.
+    #[must_use]
+    pub fn finding(&self) -> Option<Finding> {
+        let found = Finding::warning("likely-unit", "viscosity", self.viscosity).unit("Pa s");
+        let found = found
+            .usual(USUAL)
+            .advice("oil of 46 mm2/s (ISO VG 46) has about 0.04 Pa s, water 0.001 and air 2e-5");
+        (found.excess() > 1.0).then_some(found)
     }
 
     /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ)

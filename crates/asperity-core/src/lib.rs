@@ -38,6 +38,8 @@ pub use check::likely_unit;
 pub use check::{Check, DerivedNumber};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
+#[doc(hidden)]
+pub use engine::parallel::map_runs;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};
 pub use engine::sweep::Sweep;
 pub use error::ContactError;

@@ -53,8 +53,9 @@ impl Data {
     /// `pressure_Pa` beside `load_N` is compared with it by [`check_loads`](Self::check_loads);
     /// `separation_over_sigma` and `model` are ignored.
     /// Separations have no relative error: without `separation_m_std`, a separation beside a load
-    /// is compared by the load at that separation. `closure_m`, the approach since any reading, is
-    /// a separation with the other sign and an unknown offset.
+    /// is compared by the load at that separation. `closure_m`, the approach since any reading,
+    /// above 0 where the surfaces are closer, is a separation with the other sign and an unknown
+    /// offset.
     ///
     /// # Errors
     /// [`FitError`] naming the column or the row, its value and what is required.

@@ -122,7 +122,7 @@ impl Drawing<'_> {
         let made = |range: &'static Range, ends: [f64; 2], text: &str| {
             let Range { lower, upper, source, .. } = range;
             let source = format!("{text} {lower} to {upper}: {source}");
-            Unknown::new(NAMES[0], ends, &range.status, source)
+            Unknown::new(NAMES[0], ends, &range.status, source, "`rq`")
         };
         match (ra, rz) {
             (Some(ra), _) => {
@@ -156,10 +156,10 @@ impl Drawing<'_> {
         if rsm.is_some() && rz.is_none() {
             return self.missing("rz", "rsm gives the slope with rz only".into());
         }
-        let (range, slope, power, text) = match rz.zip(rsm) {
+        let (range, slope, power, text, narrowed) = match rz.zip(rsm) {
             Some((rz, rsm)) => {
                 let range = self.at_ratio("slope_over_rz_rsm", "rdq")?;
-                (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm")
+                (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm", "`rdq` or a scan")
             }
             None if self.finish.is_none() => {
                 return self.missing(
@@ -172,7 +172,8 @@ impl Drawing<'_> {
             }
             None => {
                 let slope = usual_slope(height.range[1]);
-                (self.range("slope")?, slope, POWER, "times 0.125 Rq^0.402 (um)")
+                let text = "times 0.125 Rq^0.402 (um)";
+                (self.range("slope")?, slope, POWER, text, "`rdq`, `rz` with `rsm`, or a scan")
             }
         };
         let Range { lower, upper, source, .. } = range;
@@ -183,7 +184,7 @@ impl Drawing<'_> {
             ends = ends.map(|end| end.max(cusps));
             source += &format!("; at least feed/(4 nose_radius) = {}", short(cusps));
         }
-        Ok((Unknown::new(NAMES[1], ends, &range.status, source), power))
+        Ok((Unknown::new(NAMES[1], ends, &range.status, source, narrowed), power))
     }
 
     /// Feed and nose radius of a turned surface.
@@ -215,7 +216,7 @@ impl Drawing<'_> {
             "{}; slope along over across the lay of {finish} surfaces {} to {}: {}",
             across.source, lay.lower, lay.upper, lay.source
         );
-        Ok(Unknown::new(NAMES[1], ends, status, source))
+        Ok(Unknown::new(NAMES[1], ends, status, source, across.narrowed))
     }
 
     /// The bandwidth, given or by the ratio of the cut-offs.
@@ -226,7 +227,8 @@ impl Drawing<'_> {
         let range = self.at_ratio("bandwidth", "bandwidth")?;
         let [short_cut, cut] = self.wavelengths.map(|length| short(1e6 * length));
         let source = format!("lambda_c {cut} um, lambda_s {short_cut} um: {}", range.source);
-        Ok(Unknown::new(NAMES[2], [range.lower, range.upper], &range.status, source))
+        let ends = [range.lower, range.upper];
+        Ok(Unknown::new(NAMES[2], ends, &range.status, source, "`bandwidth` or a scan"))
     }
 
     /// The warning of a height that only another unit makes usual.
@@ -247,16 +249,21 @@ impl Drawing<'_> {
             let warning = Finding::warning("roughness-numbers", key, value);
             found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place));
         };
-        if let Some((ra, rq)) = self.number("ra")?.zip(self.number("rq")?) {
-            let (ratio, range) = (rq / ra, self.range("rq_over_ra")?);
-            if !range.contains(ratio) {
+        // Where Rq is not given, some value of its range is to go with Rz.
+        let [least, _, most] = height.range;
+        let of_ra = self.number("ra")?.map(|ra| [ra; 2]);
+        for (key, other, of, what, known) in [
+            ("rq", "`ra`", of_ra, "rq_over_ra", " (a sine has 1.11)"),
+            ("rz", "the Rq of the surface", Some([least, most]), "rz_over_rq", ""),
+        ] {
+            let Some((value, [least, most])) = self.number(key)?.zip(of) else { continue };
+            let Range { lower, upper, .. } = self.range(what)?;
+            if value > upper * most || value < lower * least {
+                let ratio = short(value / (least * most).sqrt());
                 let fact = format!(
-                    "`rq` is {} times `ra`, and such surfaces have {} to {} (a sine has 1.11)",
-                    short(ratio),
-                    range.lower,
-                    range.upper
+                    "`{key}` is {ratio} times {other}, and such surfaces have {lower} to {upper}{known}"
                 );
-                warn("rq", rq, fact, "remove `rq` unless it was measured");
+                warn(key, value, fact, "check both, or remove what was not measured");
             }
         }
         let (slope, usual) = (across.range[1], usual_slope(height.range[1]));

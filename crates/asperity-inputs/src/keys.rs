@@ -169,7 +169,7 @@ keys! {
             also "rms_slope rms_gradient" "it is the rms gradient of the surface; ")
         ra("m" ", as on a drawing, with a finish: answers are ranges" form "Roughness Ra" "0.8 um")
         rq("m" ", instead of ra" form "or Rq" "1 um")
-        rz("m" ", instead of ra, or with rsm" form "or Rz" "5 um")
+        rz("m" ", instead of ra, or with rsm; beside ra alone, a check of it" form "or Rz" "5 um")
         finish("" "or blasted, turned, milled, lapped, polished, honed, unknown"
             form "Finish" "blasted|ground|turned|milled|lapped|polished|honed|unknown")
         rsm("m" ", mean width of profile elements: with rz instead of a finish"

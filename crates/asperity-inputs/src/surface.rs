@@ -161,13 +161,9 @@ pub(crate) fn surface(
         }
         (first, second) => {
             if has_ranges {
-                let (scan, finish) = if first.is_some() {
-                    (COUNTERFACE, "surface")
-                } else {
-                    ("surface", COUNTERFACE)
-                };
-                let needed = "a scan or numbers for both surfaces: a scan and ranges do not add,";
-                return Err(document.conflict(scan, finish, needed));
+                let at = document.place(if first.is_some() { "surface" } else { COUNTERFACE });
+                let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
+                return Err(SceneError::Refused { at, reason: reason.into() });
             }
             let moments = first.or(second).map(|numbers| numbers.moments());
             let (file, of_scan) = measured(document, heights, asked, pair, moments)?;

@@ -29,6 +29,8 @@ pub struct Unknown {
     pub status: &'static str,
     /// Where the range comes from.
     pub source: String,
+    /// What would narrow the range.
+    pub narrowed: &'static str,
 }
 
 impl Unknown {
@@ -37,12 +39,15 @@ impl Unknown {
         [lower, upper]: [f64; 2],
         status: &'static str,
         source: String,
+        narrowed: &'static str,
     ) -> Self {
-        Self { name, range: [lower, (lower * upper).sqrt(), upper], status, source }
+        Self { name, range: [lower, (lower * upper).sqrt(), upper], status, source, narrowed }
     }
 
     pub(crate) fn given(name: &'static str, value: f64, source: &str) -> Self {
-        Self { range: [value; 3], ..Self::new(name, [value; 2], "given", source.into()) }
+        // Only the lay of a finish opens a given slope again.
+        let given = Self::new(name, [value; 2], "given", source.into(), "a scan");
+        Self { range: [value; 3], ..given }
     }
 }
 
@@ -235,7 +240,7 @@ impl SceneFile {
             self.spreads().iter().map(|(name, _)| format!("`{name}`")).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "the surface is known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth`",
+                "the surface is known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth` without a `finish`, whose lay leaves the slope open",
                 names.join(", ")
             )
         })

@@ -147,6 +147,10 @@ impl Contact for OnScene {
             match quantity {
                 Quantity::PlasticShare => Some(Evaluation::absolute(plastic, rounded)),
                 Quantity::ElasticShare => Some(Evaluation::absolute(1.0 - plastic, rounded)),
+                // At full plasticity, rounding leaves the ratio of the totals above the hardness.
+                Quantity::MeanPressure if limit > 0.0 => {
+                    Some(Evaluation::new((pressure / fraction).min(limit), 2.0 * error))
+                }
                 _ => Evaluation::of_totals(quantity, totals, nominal, error),
             }
         };
@@ -286,6 +290,14 @@ mod tests {
         assert!(refused.iter().all(|error| matches!(error, ContactError::Unsupported { .. })));
         let contacts = of(Quantity::Contacts, at).unwrap_err().to_string();
         assert!(contacts.ends_with("elastic-share, plastic-share)"), "{contacts}");
+        // Nearly all of a soft surface is at its hardness, which no mean pressure exceeds.
+        scene.interface.hardness = Some(70.3);
+        let soft = on(&scene, PerssonVariance::Plastic).unwrap();
+        for k in 1..1000 {
+            let at = At::Pressure(70.3 * f64::from(k) / 1000.0);
+            let mean = soft.evaluate(Quantity::MeanPressure, at).unwrap().value();
+            assert!(mean <= 70.3 && mean > 70.2, "{k}: {mean:e}");
+        }
         for at in [At::Pressure(8e4), At::Load(9e4 * 3e-5)] {
             let text = of(Quantity::Area, at).unwrap_err().to_string();
             assert!(text.contains("pressure is") && text.contains("below the hardness"), "{text}");

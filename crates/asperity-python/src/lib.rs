@@ -32,6 +32,7 @@ mod _asperity {
         ask::contact::Contact,
         ask::values::{answer, corrected, separations, shares},
         bem::contacts::{bem, bem_unloading, truth},
+        bem::slip::bem_slip,
         convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,

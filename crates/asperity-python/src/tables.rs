@@ -21,7 +21,7 @@ use crate::scene::SceneFile;
 type Table<'py> = (Bound<'py, PyDict>, f64, f64, String);
 
 /// The columns of a sheet by their heads; NaN for blanks.
-fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
     let number = |cell: &Cell| cell.number().unwrap_or(f64::NAN);
     let column = |k: usize| sheet.rows.iter().map(|row| number(&row[k])).collect();
     arrays(py, sheet.heads.iter().enumerate().map(|(k, head)| (head, column(k))))

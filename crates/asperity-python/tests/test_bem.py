@@ -276,7 +276,7 @@ def test_impossible_arguments_are_refused(scene: asperity.Scene) -> None:
     hole[3, 4] = np.nan
     with pytest.raises(ValueError, match="the height in row 3, column 4 is NaN"):
         asperity.bem(asperity.Topography(hole, 1e-6, "m"), interface=STEEL, pressure=1e7)
-    with pytest.raises(ValueError, match="rows is 1: at least 2 was required"):
+    with pytest.raises(ValueError, match="rows is 1: a surface of at least 2 x 2 pixels"):
         asperity.bem(asperity.Topography(hole[5], 1e-6, "m"), interface=STEEL, pressure=1e7)
 
 
@@ -376,6 +376,32 @@ def test_a_yielded_scan_opens_along_its_own_path() -> None:
         asperity.bem_unloading(heights, pressure=1e7, retreat=-1.0, **given)
 
 
+def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
+    np.save(tmp_path / "scan.npy", rough())
+    shear = "equivalent_shear_modulus = 24e9"
+    elastic = asperity.Scene.parse(scene.to_toml().replace("hardness = 2e9", shear), tmp_path)
+    given: dict[str, Any] = {"friction": 0.3, "pressure": "20 MPa"}
+    slip = asperity.bem_slip(elastic, amplitude="3 nm", points=5, **given)
+    np.testing.assert_allclose(slip.shift, np.linspace(-3e-9, 3e-9, 5), atol=1e-24)
+    assert np.isnan(slip.force[:2]).all() and slip.force[2] == 0
+    # The first shift halved is the start of the way back (Masing).
+    assert slip.back[2] == pytest.approx(slip.force[4] - 2 * slip.force[3], rel=1e-9)
+    assert slip.forth[2] == -slip.back[2] and 0 < slip.loss[3] < slip.loss[4]
+    pressed = asperity.bem(elastic, pressure=20e6)
+    assert pressed.pressures is not None
+    np.testing.assert_array_equal(slip.states > 0, pressed.pressures > 0)
+    assert {1.0, 2.0} < set(slip.states.ravel())
+    # All slides at friction times the load.
+    load = float(pressed.load)
+    gross = asperity.bem_slip(elastic, amplitude=1e-6, points=3, friction=0.3, load=load)
+    assert gross.force[2] == pytest.approx(0.3 * load, rel=1e-9)
+    assert gross.states.max() == 1 and 1.2 < gross.loss_factor[2] < 4 / np.pi
+    with pytest.raises(ValueError, match="equivalent_shear_modulus is missing"):
+        asperity.bem_slip(scene, amplitude=1e-9, **given)
+    with pytest.raises(ValueError, match="points is 1: 2 to 100000 were required"):
+        asperity.bem_slip(elastic, amplitude=1e-9, points=1, **given)
+
+
 def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:
     given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["effective-medium-gap"]}
     fluid: dict[str, Any] = {"viscosity": "1 mPa s", "pressure_drop": "1 MPa"}
@@ -391,6 +417,8 @@ def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:
     with pytest.warns(asperity.ContactWarning, match=r"sealed: no open path of pixels leads along [xy]"):
         sealed = asperity.bem(scan(), interface=STEEL, pressure=5e9, **given, **fluid)
     assert sealed.quantities["hydraulic_gap_x"] == sealed.quantities["flow_x"] == 0
+    with pytest.warns(asperity.ContactWarning, match="viscosity is 46 Pa s"):
+        asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=46, pressure_drop=1e5)
     with pytest.raises(TypeError, match="both or neither"):
         asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=1e-3)
     with pytest.raises(ValueError, match="viscosity is -1: a positive, finite number was required"):

@@ -13,8 +13,10 @@ use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, Tan
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
-/// Tolerance of the tables relative to the envelope of the law; rounding errors are just below.
-const TOLERANCE: f64 = 2e-13;
+/// Tolerance of the tables, relative to the envelope of the law, over that of its values; rounding
+/// errors are just below the least.
+const TABLE: f64 = 2e-3;
+const LEAST: f64 = 2e-13;
 /// Fraction of a range of y, next to 0, on which G is taken as constant: it changes there by less
 /// than √y, and its contribution is as small.
 const STILL: f64 = 1e-10;
@@ -34,6 +36,8 @@ pub(crate) struct Average<'m> {
     /// Interferences \[m\] at which parts of the force are cut in two, so that each has a share of
     /// its own.
     pub(crate) cuts: &'m [f64],
+    /// Of the values.
+    pub(crate) tolerance: Tolerance,
 }
 
 impl IsVariant for Average<'_> {
@@ -66,6 +70,7 @@ impl Average<'_> {
     /// The average of κ^(-n) law(κ w), of interferences counted from [`Population::begin`] below
     /// u = 0.
     fn average(&self, law: &Law, power: i32) -> Law {
+        let tolerance = (TABLE * self.tolerance.relative()).max(LEAST);
         let unit = self.population.unit;
         let scale = unit / law.interference_unit;
         let average = |part: &Part| {
@@ -80,7 +85,7 @@ impl Average<'_> {
             let kinks: &[f64] = if is_thin { &[BEGIN] } else { &[] };
             let integral = Integral { form, scale, breaks, power, deep };
             let table =
-                FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), kinks, TOLERANCE);
+                FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), kinks, tolerance);
             let form = Formula::sampled(Arc::new(Averaged { table, deep }));
             let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }

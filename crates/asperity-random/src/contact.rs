@@ -54,9 +54,10 @@ impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         let (model, variant) = (self.0.laws(&scene.heights)?, &self.0);
         let population = Population::new(scene)?;
-        let average = Average { model, variant, population, cuts: &[] };
+        let tolerance = request.tolerance;
+        let average = Average { model, variant, population, cuts: &[], tolerance };
         let averaged = compiled(&average, scene, request)?;
-        let (variant, tolerance) = (variant.clone(), request.tolerance);
+        let variant = variant.clone();
         Ok(Box::new(OnScene { averaged, variant, scene: scene.clone(), population, tolerance }))
     }
 }
@@ -165,8 +166,9 @@ impl Contact for OnScene {
         let asperity = population.scene(&self.scene).asperity()?;
         let critical = asperity.critical_interference()?;
         let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
-        let average = Average { model, variant: &self.variant, population, cuts: &cuts };
-        let request = Request::new([Quantity::Force]).at([at]);
+        let (variant, tolerance) = (&self.variant, self.tolerance);
+        let request = Request::new([Quantity::Force]).within(tolerance).at([at]);
+        let average = Average { model, variant, population, cuts: &cuts, tolerance };
         let averaged = compiled(&average, &self.scene, &request)?;
         let shares = averaged.shares_at(Quantity::Force, self.own(at)?).map_err(self.at(at))?;
         let law = average.cut(model.force(&asperity, Tolerance::default())?);

@@ -22,9 +22,9 @@ const against = () => page.run("return Object.fromEntries([...document.querySele
 const COLUMNS = {
   separation: ["separation_m", "separation_lower_m", "separation_upper_m"],
   "area-fraction": ["area_fraction", "area_fraction_lower", "area_fraction_upper"],
-  tangent: ["tangent_N_per_m", "tangent_lower", "tangent_upper"],
-  "unloading-stiffness": ["unloading_stiffness_N_per_m", "unloading_stiffness_lower", "unloading_stiffness_upper"],
-  "mean-pressure": ["mean_pressure_Pa", "mean_pressure_lower", "mean_pressure_upper"],
+  tangent: ["tangent_N_per_m", "tangent_lower_N_per_m", "tangent_upper_N_per_m"],
+  "unloading-stiffness": ["unloading_stiffness_N_per_m", "unloading_stiffness_lower_N_per_m", "unloading_stiffness_upper_N_per_m"],
+  "mean-pressure": ["mean_pressure_Pa", "mean_pressure_lower_Pa", "mean_pressure_upper_Pa"],
 };
 const QUANTITIES = ["area-fraction", "tangent", "unloading-stiffness", "mean-pressure"];
 function corrected(text, load, model) {

@@ -13,7 +13,10 @@ fn refused<T: std::fmt::Debug>(found: Result<T, BemError>, message: &str) {
 #[test]
 fn maps() {
     let map = |heights: Vec<f64>, shape, pixel| HeightMap::new(heights, shape, pixel);
-    refused(map(vec![0.0; 4], [1, 4], [1.0; 2]), "rows is 1: at least 2 was required");
+    refused(
+        map(vec![0.0; 4], [1, 4], [1.0; 2]),
+        "rows is 1: a surface of at least 2 x 2 pixels (a profile is one row) was required",
+    );
     refused(map(vec![0.0; 4], [4, 1], [1.0; 2]), "columns is 1");
     refused(map(vec![0.0; 5], [2, 3], [1.0; 2]), "5 numbers were found, 2 x 3 were required");
     refused(map(vec![0.0; 5], [usize::MAX, 3], [1.0; 2]), "5 numbers were found");

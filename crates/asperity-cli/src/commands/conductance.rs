@@ -51,7 +51,7 @@ pub struct Conductance {
     #[arg(long, value_name = "S", value_parser = length, requires = "mean_slope")]
     sigma: Option<f64>,
     /// For the correlations: the mean absolute slope of both surfaces together
-    #[arg(long, value_name = "M", value_parser = slope, requires = "sigma")]
+    #[arg(long, value_name = "M", value_parser = gentle_slope, requires = "sigma")]
     mean_slope: Option<f64>,
     #[command(flatten)]
     output: DrawnArgs,
@@ -59,9 +59,6 @@ pub struct Conductance {
 
 impl Conductance {
     pub fn run(self) -> Result<()> {
-        if let Some(found) = self.mean_slope.and_then(|slope| likely_angle("--mean-slope", slope)) {
-            bail!("{found}")
-        }
         if self.gas.is_some() && self.gas_parameter.is_none() {
             let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
             output::note("gas-parameter", text);
@@ -130,6 +127,12 @@ fn interface_conductivity(text: &str) -> Result<f64, String> {
         [first, second] => Ok(Interface::mean_conductivity(first, second)),
         ref all => Err(format!("{} values; write K of the interface, or K1,K2", all.len())),
     }
+}
+
+/// A slope below 45 degrees.
+fn gentle_slope(text: &str) -> Result<f64, String> {
+    let given = slope(text)?;
+    likely_angle("mean_slope", given).map_or(Ok(given), |found| Err(found.to_string()))
 }
 
 /// The id of a model or of a correlation.

@@ -36,7 +36,7 @@ pub struct Curve {
     #[arg(long)]
     errors: bool,
     /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
-    /// with columns <quantity>_lower and _upper, also for the separation; at loads only
+    /// with columns such as area_lower_m2 and area_upper_m2, also for the separation; at loads only
     #[arg(long, requires = "given", conflicts_with_all = ["errors", "all"])]
     corrected: bool,
     /// Add a column <quantity>_deviation relative to this model
@@ -77,10 +77,14 @@ impl Curve {
         let ids = if compares { &[][..] } else { &self.asked.models };
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
-        let flow = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
-        let usual = if ids == [FLOW] { flow.collect() } else { USUAL.to_vec() };
+        // Models of contact and of flow have other quantities.
+        let flows = ids.iter().filter(|id| *id == FLOW).count();
+        let flow = Quantity::ALL.into_iter().filter(|q| flows > 0 && q.is_flow_factor());
+        let contact = USUAL.into_iter().filter(|_| flows == 0 || flows < ids.len());
+        let usual: Vec<Quantity> = contact.chain(flow).collect();
         let request = self.asked.request(&scene.file, &separations, &usual);
-        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
+        let both = flows > 0 && flows < ids.len() && request.quantities == usual;
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         let drawn = || drawn_with_ranges(&scene.file, &sheet);
         self.output.write(&sheet, || plot::svg(&drawn(), &request, scene.file.separation_from))
@@ -90,7 +94,7 @@ impl Curve {
         &self,
         file: &SceneFile,
         request: &Request,
-        compares: bool,
+        (compares, each_its_own): (bool, bool),
         sheet: &mut Sheet,
     ) -> Result<()> {
         let reference = match (self.reference.as_deref(), compares) {
@@ -107,8 +111,14 @@ impl Curve {
         };
         let (all, at_defaults, request) = (self.all, self.asked.is_nowhere(), request.clone());
         let films = self.asked.is_of_film();
-        let inquiry =
-            Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
+        let inquiry = Inquiry {
+            beside,
+            all,
+            at_defaults,
+            films,
+            each_its_own,
+            ..Inquiry::new(file, models, request)
+        };
         Ok(inquiry.answer(sheet, &Terminal::default())?)
     }
 

@@ -12,7 +12,8 @@ use clap::error::ErrorKind;
 use crate::input::args::{model_id, separation_unit};
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range};
-use crate::input::numbers::{friction, load, number, pressure, share};
+use crate::input::numbers::{friction, load, number, pressure, share_above_0};
+use crate::input::{usage_error, valid};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -41,7 +42,7 @@ pub struct ExportCommand {
     unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
-    #[arg(long, value_name = "X", value_parser = share)]
+    #[arg(long, value_name = "X", value_parser = share_above_0)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance
@@ -115,9 +116,9 @@ impl ExportCommand {
         let by_error = self.max_error.is_some() && self.format != TableFormat::Film;
         if span.count.is_none() && !by_error {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
-            crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);
+            usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
-        self.format.check(self.conductance, self.friction).map_err(Error::msg)?;
+        valid("export", self.format.check(self.conductance, self.friction));
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
         let named = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {

@@ -12,6 +12,7 @@ use clap::{ArgGroup, Args};
 use crate::input::args::{DrawnArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
+use crate::input::valid;
 use crate::interrupt;
 use crate::output::fit_report::{report, table};
 use crate::output::table::Format;
@@ -62,9 +63,8 @@ impl FitCommand {
         let scene = LoadedScene::load(&self.scene, &[])?;
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
-            bail!(
-                "bem: boundary elements are not fitted; `asperity list models` lists other models"
-            );
+            let text = "--model bem: boundary elements are not fitted; `asperity list models` lists other models";
+            valid("fit", Err(text))
         }
         let models: Vec<NamedModel> = match &self.models[..] {
             [] => vec![scene.one_or_usual(None)?],
@@ -124,7 +124,9 @@ impl FitCommand {
                 }
                 Err(error) => {
                     let place = match &error {
-                        SceneError::Fit(FitError::Parameter { .. }) => "--free".into(),
+                        SceneError::Input { .. } | SceneError::Fit(FitError::Parameter { .. }) => {
+                            valid("fit", Err(format!("--free: {error}")))
+                        }
                         SceneError::Fit(_) => self.data_name(scene),
                         _ => scene.name.clone(),
                     };
@@ -174,6 +176,7 @@ impl FitCommand {
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
         let columns = places.chain(self.target.iter().cloned());
         let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
-        scene.file.data(&MeasuredTable { columns, lines: vec![] }).context("--target")
+        let data = scene.file.data(&MeasuredTable { columns, lines: vec![] });
+        Ok(valid("fit", data.map_err(|error| format!("--target: {error}"))))
     }
 }

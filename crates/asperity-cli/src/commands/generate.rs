@@ -11,6 +11,7 @@ use clap::Args;
 use crate::input::args::file_ending;
 use crate::input::lists::all;
 use crate::input::numbers::{length, number, positive_number, whole};
+use crate::input::valid;
 use crate::output::{self, contact_map};
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
@@ -66,7 +67,7 @@ const WIDEST: f64 = 1e-3;
 
 impl Generate {
     pub fn run(self) -> Result<()> {
-        let surface = self.surface()?;
+        let surface = valid("generate", self.surface());
         let [columns, rows] = self.size;
         let [dx, dy] = self.pixel;
         let side = (columns as f64 * dx).max(rows as f64 * dy);
@@ -100,7 +101,7 @@ impl Generate {
         for (code, _, text) in odd.into_iter().filter(|(_, is_so, _)| *is_so) {
             output::warn(code, text);
         }
-        let map = surface.map([rows, columns])?;
+        let map = valid("generate", surface.map([rows, columns]));
         let shape = map.shape();
         if self.output.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p")) {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;

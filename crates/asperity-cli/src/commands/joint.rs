@@ -43,7 +43,7 @@ pub struct Joint {
     laws: Vec<UnloadingLaw>,
     /// Retreats from the closest approach, in units of asperity_height_std (sigma), or with a unit,
     /// for example 0:100nm:11
-    #[arg(long, value_name = "A:B:N[:log]|v,v")]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
     /// Unit of retreats and turning points given without one: sigma (asperity_height_std) or m
     #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
@@ -103,6 +103,13 @@ struct Cycle {
     /// 10N:500N:20:log
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     tangential_force: Option<Numbers>,
+}
+
+/// Distances back from the closest approach.
+fn retreats(text: &str) -> Result<Distances, String> {
+    let found: Distances = text.parse()?;
+    let closer = found.value.iter().find(|retreat| **retreat < 0.0);
+    closer.map_or(Ok(found.clone()), |closer| Err(format!("{closer} is below 0")))
 }
 
 impl Closed {
@@ -185,6 +192,9 @@ impl Joint {
     }
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
+        let height_std = scene.file.scene.surface.asperity_height_std;
+        let (shift, metres) = (self.cycle.amplitude.as_slice(), SeparationUnit::Metres);
+        warn_unit("amplitude", shift, metres, height_std);
         let amplitudes = self.amplitudes();
         let is_scan = slip.subject.id == Bem::ID;
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);

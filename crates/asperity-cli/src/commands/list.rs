@@ -2,7 +2,7 @@
 //! `models` and `materials`.
 
 use anyhow::{Result, ensure};
-use asperity::{Body, Code, Described, Model, nearest_hint, nearest_name};
+use asperity::{Asperities, Body, Code, Described, Model, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::{BODY, Field, Material, unit_of};
 use clap::{Args, ValueEnum};
@@ -17,10 +17,9 @@ use crate::output::{self, table::Format};
 )]
 pub struct List {
     what: What,
-    /// Of models, an id or a word of the name, the authors or the year; of materials, a word of the
-    /// name; of findings, a part of the code
-    #[arg(default_value = "", hide_default_value = true)]
-    word: String,
+    /// Of models, an id or words of the name, the authors, the year or the variant; of materials, a
+    /// word of the name; of findings, a part of the code
+    word: Vec<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -35,11 +34,11 @@ enum What {
 impl List {
     /// Writes a list, narrow in a terminal, and its notes.
     pub fn run(self) -> Result<()> {
-        let narrow = self.output.format() == Format::Table;
+        let (narrow, word) = (self.output.format() == Format::Table, self.word.join(" "));
         let sheet = match self.what {
-            What::Models => models(&self.word, narrow)?,
-            What::Materials => materials(&self.word, narrow)?,
-            What::Findings => findings(&self.word, narrow)?,
+            What::Models => models(&word, narrow)?,
+            What::Materials => materials(&word, narrow)?,
+            What::Findings => findings(&word, narrow)?,
         };
         self.output.write(&sheet)?;
         output::show(&sheet.findings);
@@ -63,12 +62,14 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
         let (source, notes) = (model.citation(), model.notes());
         let notes = notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
         let variant = model.variant().join("; ");
-        if narrow && !variant.is_empty() {
-            sheet.note("variant", format!("{}: {variant}", source.id));
+        if let Some(text) = model.variant().last().filter(|_| narrow) {
+            // Of models on other asperities, their ending: it differs in the same way for all.
+            let ending = model.id().strip_prefix(source.id).filter(|ending| !ending.is_empty());
+            sheet.note("variant", format!("{}: {text}", ending.unwrap_or(model.id())));
         }
         let cells: [(&str, &str); 9] = [
-            ("model", source.id),
-            ("name", source.name),
+            ("model", model.id()),
+            ("name", model.name()),
             ("year", &source.year.to_string()),
             ("authors", source.authors),
             ("valid_for", model.validity().valid_for),
@@ -90,35 +91,34 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
     Ok(sheet)
 }
 
-/// The models of this id and its variants; without any, those with the word in their name, authors
-/// or year.
+/// The models of this id and its variants; without any, those with all words in their name, authors
+/// or year, and then those on other asperities, whose variant is described as well.
 fn like(word: &str) -> Result<Vec<Model>> {
     let wanted = word.trim().to_lowercase();
     // Other asperities have the row of equal ones.
     let known: Option<Model> = wanted.parse().ok();
     let wanted = known.as_ref().map_or(&*wanted, |model| model.equal().id());
-    let mut all = [
-        Model::all(),
-        Model::whole_surface(),
-        Model::adhesive(),
-        Model::hardening(),
-        Model::flow(),
-    ]
-    .concat();
+    let is_equal = |model: &Model| model.asperities() == Asperities::Equal;
+    let (mut all, others): (Vec<Model>, Vec<Model>) =
+        Model::named().into_iter().partition(is_equal);
     let of_id = |model: &Model| {
         let rest = model.id().strip_prefix(wanted);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     };
     let has_word = |model: &Model| {
-        let source = model.citation();
-        let words = format!("{} {} {}", source.name, source.authors, source.year);
-        words.to_lowercase().contains(wanted)
+        let (source, variant) = (model.citation(), model.variant().join(" "));
+        let text = format!("{} {} {} {variant}", model.name(), source.authors, source.year);
+        let text = text.to_lowercase();
+        wanted.split_whitespace().all(|word| text.contains(word))
     };
     let any = all.iter().any(of_id);
     all.retain(|model| if any { of_id(model) } else { has_word(model) });
+    if all.is_empty() {
+        all = others.into_iter().filter(has_word).collect();
+    }
     ensure!(
         !all.is_empty(),
-        "no model has the id {word:?}, or this word in its name, authors or year; `asperity list models` lists all but bem and those with -random or -pairs"
+        "no model has the id {word:?}, or these words in its name, authors, year or variant; `asperity list models` lists all but bem and those with -random or -pairs"
     );
     Ok(all)
 }

@@ -5,6 +5,7 @@ use asperity_answer::ALL_MODELS;
 
 use crate::input::args::{ModelArgs, OutputArgs};
 use crate::input::numbers::{of_unit, positive};
+use crate::input::valid;
 use crate::output::once;
 use crate::scene::LoadedScene;
 
@@ -29,7 +30,8 @@ pub fn pull_off(asked: ModelArgs, work: Option<f64>, output: &OutputArgs) -> Res
     for id in once(&ids) {
         let named = scene.model(Some(&id))?;
         if !named.1.validity().adhesive {
-            bail!("{id} has no adhesion; use dmt, jkr or jkr-separation");
+            let text = format!("{id} has no adhesion; use dmt, jkr or jkr-separation");
+            valid("curve", Err(text))
         }
         models.push(named);
     }

@@ -7,13 +7,14 @@ use asperity_answer::with_ranges;
 use clap::Args;
 
 use crate::input::args::{ModelArgs, OutputArgs, model_id};
-use crate::input::numbers::share;
+use crate::input::numbers::share_above_0;
+use crate::input::valid;
 use crate::output::progress;
 use crate::scene::LoadedScene;
 
 /// Recommend a model: the nearest to boundary elements, or the simplest near a reference
 #[derive(Debug, Args)]
-#[command(after_help = HELP)]
+#[command(mut_arg("tolerance", |arg| arg.default_value("1e-4")), after_help = HELP)]
 pub struct Recommend {
     #[command(flatten)]
     asked: ModelArgs,
@@ -21,7 +22,7 @@ pub struct Recommend {
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
     /// Largest deviation from the reference, for example 5% or 0.05
-    #[arg(long, value_name = "X", value_parser = share, default_value = "5%")]
+    #[arg(long, value_name = "X", value_parser = share_above_0, default_value = "5%")]
     within: f64,
     #[command(flatten)]
     output: OutputArgs,
@@ -42,6 +43,7 @@ impl Recommend {
             request: self.asked.request(&scene.file, &separations, &usual),
             at_defaults: self.asked.is_nowhere(),
         };
+        valid("recommend", asked.check());
         let working = progress("comparing models");
         let fill = |file: &_, sheet: &mut _| asked.answer(file, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;

@@ -22,6 +22,13 @@ pub fn set_program(program: fn() -> Command) {
     let _ = PROGRAM.set(program);
 }
 
+/// What the arguments say, or the end of the program as for arguments that clap refuses.
+pub fn valid<T>(subcommand: &str, found: Result<T, impl ToString>) -> T {
+    found.unwrap_or_else(|error| {
+        usage_error(subcommand, ErrorKind::ValueValidation, &error.to_string())
+    })
+}
+
 /// Ends the program as clap does for arguments that it refuses.
 pub fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
     let mut program = PROGRAM.get().map_or_else(Command::default, |make| make());

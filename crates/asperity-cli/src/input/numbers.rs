@@ -115,6 +115,11 @@ pub fn relative_error(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A share above 0, likewise.
+pub fn share_above_0(text: &str) -> Result<f64, String> {
+    share(text).and_then(positive)
+}
+
 /// A slope above 0: a number, or in per cent or degrees.
 pub fn slope(text: &str) -> Result<f64, String> {
     match asperity_inputs::gradient(text).filter(|_| !text.contains(',')) {

@@ -156,8 +156,8 @@ fn unlikely_numbers_are_named_with_their_unit() {
     let asked =
         "conductance scene.toml --conductivity 50 --pressure 1MPa --model cmy,ke --format csv";
     let run = bench.run(&format!("{asked} --sigma 1um --mean-slope 14"));
-    let steep = "--mean-slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent";
-    assert!(run.code == Some(1) && run.messages.contains(steep), "{}", run.messages);
+    let steep = "mean_slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent";
+    assert!(run.code == Some(2) && run.messages.contains(steep), "{}", run.messages);
     let run = bench.run(&format!("{asked} --conductivity 50000"));
     assert_eq!(run.code, Some(2), "given twice: {}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50000 --pressure 1MPa");

@@ -13,7 +13,7 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
     let models: Vec<_> = cells(&run.out, "model").into_iter().step_by(3).collect();
     assert_eq!(models, ["ke", "ke-corrected", "jg", "jg-corrected"]);
     for names in [
-        ["area_m2", "area_lower", "area_upper"],
+        ["area_m2", "area_lower_m2", "area_upper_m2"],
         ["separation_m", "separation_lower_m", "separation_upper_m"],
     ] {
         let [value, lower, upper] = names.map(|name| cells(&run.out, name));
@@ -129,7 +129,9 @@ fn scans_unlike_the_solved_surfaces_have_blank_rows() {
     let run = bench.run(&format!("{asked} --format csv"));
     assert_eq!(cells(&run.out, "model"), ["ke", "ke", "ke-corrected", "ke-corrected"]);
     assert_eq!(cells(&run.out, "pressure_Pa")[2..], ["10000000", "100000000"], "{}", run.out);
-    for name in ["area_m2", "area_lower", "tangent_N_per_m", "separation_m", "separation_upper_m"] {
+    for name in
+        ["area_m2", "area_lower_m2", "tangent_N_per_m", "separation_m", "separation_upper_m"]
+    {
         assert_eq!(cells(&run.out, name)[2..], ["", ""], "{name}: {}", run.out);
     }
     let reason = "warning[no-value]: ke-corrected: no value in 2 of 2 rows, first: no boundary-element solution is close: measured_kurtosis is ";
@@ -141,6 +143,10 @@ fn a_separation_that_the_model_itself_lacks_is_no_failure_of_its_corrected_value
     let bench = Bench::new();
     let line = "curve scene.toml --model persson --pressure 1e6,1e7 --corrected --format csv";
     let run = bench.run(&format!("{line} --quantity area"));
-    assert!(cells(&run.out, "area_lower")[2..].iter().all(|cell| !cell.is_empty()), "{}", run.out);
+    assert!(
+        cells(&run.out, "area_lower_m2")[2..].iter().all(|cell| !cell.is_empty()),
+        "{}",
+        run.out
+    );
     assert!(!run.messages.contains("separation"), "{}", run.messages);
 }

@@ -264,6 +264,8 @@ fn closures_are_fitted_without_an_offset_of_ones_own() {
     let fit = |arguments: &str| bench.data(&format!("fit scene.toml {arguments} --model gw"));
     let closure = fit("closure.csv --free asperity_height_std");
     assert_eq!(closure, fit("separation.csv --free asperity_height_std,separation_offset"));
+    let help = bench.data("fit --help");
+    assert!(help.contains("closure_m (approach of the surfaces, above 0 where they are closer"));
     bench.write("both.csv", "load_N,separation_m,closure_m\n10,1e-6,1e-9\n");
     let both = bench.run("fit scene.toml both.csv --model gw --free asperity_height_std");
     assert!(both.messages.contains("leave one of the two out"), "{}", both.messages);

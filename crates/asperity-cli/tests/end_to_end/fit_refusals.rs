@@ -16,9 +16,10 @@ pub fn refused(bench: &Bench, arguments: &str, wanted: &str) {
 /// The error of a `fit` that ends with one and prints no result, under the words of its mistake.
 pub fn refusal(bench: &Bench, mistake: &str, arguments: &str) -> String {
     let run = bench.run(&format!("fit scene.toml {arguments}"));
-    assert_eq!(run.code, Some(1), "{arguments}: {}", run.messages);
     assert!(run.out.is_empty(), "{}", run.out);
     let error = run.messages.lines().find(|line| line.starts_with("error")).unwrap();
+    let code = if error.starts_with("error: --") { 2 } else { 1 };
+    assert_eq!(run.code, Some(code), "{arguments}: {}", run.messages);
     format!("{mistake:?}\n    {error}\n")
 }
 

@@ -80,6 +80,9 @@ fn models_without_a_gap_map_refuse_with_the_reason() {
     assert!(run.messages.contains(why), "{}", run.messages);
     let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
     assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");
+    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 46 --pressure-drop 1e5");
+    let odd = "warning[likely-unit]: viscosity is 46 Pa s (usual: 5e-6 to 10): oil of 46 mm2/s";
+    assert!(run.code == Some(0) && run.messages.contains(odd), "{}", run.messages);
     for (arguments, why) in [
         ("--viscosity 1e-3", "--pressure-drop <VALUE>"),
         ("--viscosity 0 --pressure-drop 1e5", "0 is not above 0"),

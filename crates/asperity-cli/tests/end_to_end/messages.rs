@@ -31,6 +31,9 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
         let metres = bench.run(&arguments.replace("1e-6", "1um")).messages;
         assert!(!metres.contains("likely-unit"), "{arguments}: {metres}");
     }
+    let far = bench.run("joint scene.toml --load 100 --friction 0.3 --amplitude 20 --points 3");
+    let warning = "warning[likely-unit]: amplitude is 20 m (usual: at most 0.1): write lengths";
+    assert!(far.messages.contains(warning), "{}", far.messages);
     let same = |arguments: &str| column(&bench.data(arguments), "force_N");
     let [length, unit] = ["1um", "1e-6 --separation-unit m"]
         .map(|place| same(&format!("curve scene.toml --model ke --separation {place}")));
@@ -209,6 +212,8 @@ fn evidence_is_about_what_is_requested() {
     let heavy = bench.run(&format!("recommend scene.toml --pressure 8e8 {ask}"));
     let none = "boundary elements have no expected value of the unloading stiffness";
     assert!(heavy.messages.contains(none), "{}", heavy.messages);
+    // More digits than a choice of models needs take twice the time.
+    assert!(bench.data("recommend --help").contains("[default: 1e-4]"));
     let area = bench.data("recommend scene.toml --pressure 1e6 --quantity area --format csv");
     assert!(!area.contains("unloading"), "{area}");
 }
@@ -225,9 +230,17 @@ fn models_are_listed_by_id_name_authors_or_year() {
     assert_eq!(ids("jkr"), "jkr jkr-separation");
     assert_eq!(ids("gw-random"), "gw");
     assert_eq!(ids("2005"), "etsion jg jg-cosine af");
+    let pairs = "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs jg-cosine-pairs \
+                 af-pairs ghaednia-pairs";
+    assert_eq!([ids("pairs"), ids("tripp"), ids("greenwood tripp")], [pairs; 3]);
+    assert_eq!(ids("greenwood"), "gw");
+    let narrow = bench.run("models pairs").messages;
+    let note = "note[variant]: -pairs: between two rough surfaces, whose asperities meet beside";
+    assert_eq!(narrow.matches(note).count(), 1, "{narrow}");
     let run = bench.run("models westergaard");
     assert_eq!(run.code, Some(1), "{}", run.messages);
-    let wanted = "no model has the id \"westergaard\", or this word in its name, authors or year";
+    let wanted =
+        "no model has the id \"westergaard\", or these words in its name, authors, year or variant";
     assert!(run.messages.contains(wanted), "{}", run.messages);
 }
 

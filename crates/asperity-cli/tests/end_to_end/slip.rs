@@ -209,6 +209,7 @@ fn a_scan_slips_at_constant_load() {
     // The head of a NumPy file, and a number for each pixel.
     assert_eq!(std::fs::read(bench.path("map.npy")).unwrap().len(), 128 + 8 * 128 * 128);
     assert!(run.messages.contains("note[stick]: bem: at this amplitude "), "{}", run.messages);
+    assert!(run.messages.contains("warning[few-patches]: "), "{}", run.messages);
     // The amplitude of a force is the shift of that force.
     let table = bench.data(&format!("{slip} --tangential-force {},0.03", force[2]));
     assert!((column(&table, "amplitude_m")[0] / 1e-8 - 1.0).abs() < 1e-5, "{table}");

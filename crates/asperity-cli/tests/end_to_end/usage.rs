@@ -67,6 +67,18 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "export scene.toml --model ke --as csv --load 1:4:3 --pressure 1:4:3",
         "export scene.toml --model ke --as nastran --separation 0:4:5",
         "export scene.toml --model ke --as csv --separation 4:0:5",
+        "export scene.toml --model ke --as csv --load 1:4:3 --max-error 0",
+        "export scene.toml --model ke --as csv --load 1:4:3 --friction 0.2",
+        "recommend scene.toml --within 0",
+        "recommend scene.toml --reference bem",
+        "recommend scene.toml --load 5 --quantity force",
+        "conductance scene.toml --load 5 --sigma 1um --mean-slope 7 --conductivity 50",
+        "fit scene.toml --free hardness --load 1 --target area_fraction=1% --model bem",
+        "fit scene.toml --free hardness=5:1 --load 1 --target area_fraction=1%",
+        "fit scene.toml --free hardness --load 1 --target area_fraction=2",
+        "joint scene.toml --closest 1 --retreat -1:2:4",
+        "curve scene.toml --pull-off --model ke --work-of-adhesion 1",
+        "generate --size 64x64 --pixel 1um --long 9um --short 8um --sq 1um --hurst 2 --output g.npy",
     ] {
         let run = bench.run(arguments);
         let code = (run.code, run.out.as_str());

@@ -22,7 +22,7 @@ pub(crate) fn columns<T: Sync, R: Send>(
 
 /// The results of `f` for runs of `length` items, joined in order.
 #[cfg(feature = "rayon")]
-pub(crate) fn map_runs<T: Sync, R: Send>(
+pub fn map_runs<T: Sync, R: Send>(
     items: &[T],
     length: usize,
     f: impl Fn(&[T]) -> Vec<R> + Sync + Send,
@@ -40,8 +40,9 @@ pub(crate) fn both<A: Send, B: Send>(
     rayon::join(a, b)
 }
 
+/// The results of `f` for runs of `length` items, joined in order.
 #[cfg(not(feature = "rayon"))]
-pub(crate) fn map_runs<T: Sync, R: Send>(
+pub fn map_runs<T: Sync, R: Send>(
     items: &[T],
     length: usize,
     f: impl Fn(&[T]) -> Vec<R> + Sync + Send,

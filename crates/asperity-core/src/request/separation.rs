@@ -267,20 +267,25 @@ impl At {
     /// The place to four digits, for messages.
     #[must_use]
     pub fn rounded(self) -> Self {
-        let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
+        self.to_digits(4)
+    }
+
+    fn to_digits(self, digits: usize) -> Self {
+        let few = |x: f64| format!("{x:.*e}", digits - 1).parse().unwrap_or(x);
         match self {
             Self::Separation(place) => {
-                Self::Separation(Separation { value: four(place.value), ..place })
+                Self::Separation(Separation { value: few(place.value), ..place })
             }
-            Self::Load(load) => Self::Load(four(load)),
-            Self::Pressure(pressure) => Self::Pressure(four(pressure)),
+            Self::Load(load) => Self::Load(few(load)),
+            Self::Pressure(pressure) => Self::Pressure(few(pressure)),
         }
     }
 }
 
 impl fmt::Display for At {
+    /// To six digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
+        match self.to_digits(6) {
             Self::Separation(separation) if f.alternate() => {
                 write!(f, "a separation of {separation:#}")
             }
@@ -290,7 +295,7 @@ impl fmt::Display for At {
                 write!(f, "a load of {load:e} N")
             }
             Self::Load(load) => write!(f, "a load of {load} N"),
-            Self::Pressure(pressure) => write!(f, "a pressure of {} Pa", short(*pressure)),
+            Self::Pressure(pressure) => write!(f, "a pressure of {} Pa", short(pressure)),
         }
     }
 }
@@ -306,8 +311,10 @@ mod tests {
 
     #[test]
     fn loads_are_printed_in_few_digits() {
-        let printed = [1200.0, 0.01, 1e-300, -1e20].map(|load| At::Load(load).to_string());
-        let wanted = ["1200", "0.01", "1e-300", "-1e20"].map(|load| format!("a load of {load} N"));
+        let loads = [1200.0, 0.01, 1e-300, -1e20, 0.1 + 0.2, 20480.5];
+        let printed = loads.map(|load| At::Load(load).to_string());
+        let wanted = ["1200", "0.01", "1e-300", "-1e20", "0.3", "20480.5"]
+            .map(|load| format!("a load of {load} N"));
         assert_eq!(printed, wanted);
     }
 

@@ -137,6 +137,15 @@ fn single_numbers_are_refused_and_the_keys_are_written_again() {
     let file = scene("ra = \"0.8 um\"\nfinish = \"ground\"");
     let refused = file.model("ke").unwrap_err().to_string();
     assert!(refused.contains("known within ranges only (rq, mean_slope, bandwidth)"), "{refused}");
+    // The lay of the finish opens a known slope.
+    let known = "rq = \"1 um\"\nrdq = 0.1\nbandwidth = 10";
+    let refused = scene(&format!("{known}\nfinish = \"ground\"")).model("ke").unwrap_err();
+    let text = refused.to_string();
+    assert!(
+        text.contains("(mean_slope)") && text.contains("without a finish, whose lay"),
+        "{text}"
+    );
+    assert!(scene(known).model("ke").is_ok());
     assert!(file.models().0.is_empty());
     assert!(file.inputs(["asperity_radius"]).is_err());
     let area = file.inputs(["nominal_area"]).unwrap()[0];
@@ -175,8 +184,12 @@ fn what_is_missing_or_does_not_go_together_is_refused() {
         ("ra = 8e-7\nfinish = \"ground\"\nm0 = 1e-12", "exclude each other"),
         ("ra = 8e-7\nfinish = \"ground\"\nfile = \"a.x3p\"", "exclude each other"),
         (
+            "file = \"a.x3p\"\ncounterface = { ra = 8e-7, finish = \"ground\" }",
+            "surface.counterface: the ranges of a finish do not add",
+        ),
+        (
             "ra = 8e-7\nfinish = \"ground\"\ncounterface = { file = \"a.x3p\" }",
-            "a scan and ranges do not add",
+            "surface: the ranges of a finish do not add to the moments of a scan: describe this surface by",
         ),
         (
             "ra = 8e-7\nfinish = \"ground\"\nrsm = 1e-4",
@@ -222,6 +235,10 @@ fn odd_numbers_have_a_warning() {
         "ra = \"1 um\"\nrq = \"1.11 um\"\nfinish = \"ground\"",
         "rq is 1.11 times ra, and such surfaces have 1.2 to 1.35 (a sine has 1.11)",
     );
+    // Rz is compared with Rq, also where its range follows from Ra.
+    let rz = |rz: &str| format!("ra = \"1 um\"\nrz = \"{rz} um\"\nfinish = \"ground\"");
+    has(&rz("1"), "rz is 0.7857 times the Rq of the surface, and such surfaces have 3.3 to 5.8");
+    assert_eq!(warnings(&rz("6")), [smooth]);
     has("ra = 0.8\nfinish = \"ground\"", "ra = 0.8 looks like um");
     // The cusps of this tool have Ra = 0.2²/(31.18 0.8) mm = 1.604 um and a slope of 0.0625.
     let turned = "finish = \"turned\"\nfeed = \"0.2 mm\"\nnose_radius = \"0.8 mm\"";

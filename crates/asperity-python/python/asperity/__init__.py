@@ -65,6 +65,8 @@ from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface
 from asperity._records import Surface as Surface
+from asperity._slip_scan import BemSlip as BemSlip
+from asperity._slip_scan import bem_slip as bem_slip
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._surfaces import topography as topography

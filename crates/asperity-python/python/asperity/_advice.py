@@ -160,7 +160,7 @@ def recommend(
     quantities: str | Sequence[str] | None = None,
     reference: str | Model | None = None,
     within: float = 0.05,
-    rtol: float = 1e-10,
+    rtol: float = 1e-4,
     separation_unit: str = "asperity_height_std",
     *,
     load: npt.ArrayLike | None = None,

@@ -52,6 +52,7 @@ __all__ = [
     "shares",
     "template",
     "truth",
+    "bem_slip",
     "bem_unloading",
     "corrected",
     "checked",
@@ -400,6 +401,9 @@ def bem_unloading(
     retreats: Sequence[_Float] | None,
     points: int,
 ) -> _Fields: ...
+def bem_slip(
+    scene: Scene, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
+) -> tuple[_Fields, list[int]]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],

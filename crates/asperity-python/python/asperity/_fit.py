@@ -135,7 +135,8 @@ def fit(
         A csv, or columns as of a DataFrame: ``load_N``, ``pressure_Pa`` or ``separation_m``, and any
         quantities by their columns (``area_m2``, ``unloading_stiffness_N_per_m``), each with
         ``<column>_std`` if known. Missing values are NaN. Without standard deviations the residuals
-        are ln(fitted/measured).
+        are ln(fitted/measured). ``closure_m`` is the approach, above 0 where the surfaces are closer
+        than at its zero, as that of the first reading; ``separation_offset`` is then free, too.
     free : str, sequence of str, or mapping of bounds
         The free parameters: names of ``Scene.replace``, ``separation_offset`` and
         ``series_compliance``; bounds are numbers or texts with a unit, by default a factor 30 either

@@ -2,3 +2,4 @@
 
 pub(crate) mod contacts;
 mod scan;
+pub(crate) mod slip;

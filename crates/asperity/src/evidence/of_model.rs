@@ -121,15 +121,19 @@ pub fn compile_compared(
     [3, 2, 1].iter().find_map(|k| with(*k).ok()).map_or_else(|| with(0), Ok)
 }
 
-/// [`compile_compared`] of a model on a scene, at the places of a request.
+/// [`compile_compared`] of a model on a scene, at the places of a request; also for what is judged,
+/// but of inclined contacts, which take longer than to judge without tables.
 pub(crate) fn compile(
     model: &Model,
     scene: &Scene,
     request: &Request,
     quantities: &[Quantity],
 ) -> Result<Box<dyn Contact>, ContactError> {
+    let validity = model.validity();
+    let judged = Quantity::JUDGED.into_iter().filter(|_| validity.asperities && !validity.angles);
     compile_compared(quantities, |all| {
-        let all = Request::new(all.iter().copied()).within(request.tolerance);
+        let all = all.iter().copied().chain(judged.clone());
+        let all = Request::new(all).within(request.tolerance);
         model.compile(scene, &all.at(request.at.iter().copied()))
     })
 }

@@ -30,13 +30,18 @@ pub(super) fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Col
 pub(super) struct Judge<'s> {
     pub(super) scene: &'s Scene,
     pub(super) places: &'s [At],
+    /// The models that were compiled, by their ids.
+    pub(super) contacts: RefCell<BTreeMap<String, Box<dyn Contact>>>,
     pub(super) known: RefCell<BTreeMap<String, Findings>>,
 }
 
 impl Judge<'_> {
     fn find(&self, model: &Model, is_wanted: impl FnMut(&&Finding) -> bool) -> Option<Finding> {
-        let mut known = self.known.borrow_mut();
-        let judged = || Check::answers(model, self.scene, self.places);
+        let (mut known, contacts) = (self.known.borrow_mut(), self.contacts.borrow());
+        let judged = || match contacts.get(model.id()) {
+            Some(contact) => Check::answers_of(model, &**contact, self.places),
+            None => Check::answers(model, self.scene, self.places),
+        };
         known.entry(model.id().into()).or_insert_with(judged).iter().find(is_wanted).cloned()
     }
 

@@ -168,7 +168,8 @@ pub fn recommend_among(
     beside.extend(
         asked.contains(&Compared::UnloadingStiffness).then_some(Compared::UnloadingStiffness),
     );
-    let judge = Judge { scene, places: &request.at, known: Default::default() };
+    let (contacts, known) = Default::default();
+    let judge = Judge { scene, places: &request.at, contacts, known };
     let compared = |model: Model| {
         let regimes = regimes(&model, scene, request);
         let (contact, mut lacking, mut deviations) =
@@ -198,28 +199,31 @@ pub fn recommend_among(
             deviations = Err(error.clone());
         }
         let off = Deviation::worst(&evidence, model.id());
+        let id = model.id().to_string();
+        judge.contacts.borrow_mut().extend(contact.map(|contact| (id, contact)));
         let mut found = Comparison { model, deviations, lacking, regimes, outside: None, off };
         if found.largest() <= within {
             found.outside = judge.outside(&found.model);
         }
-        (found, contact)
+        found
     };
     let mut comparisons: Vec<_> = models.into_iter().map(compared).collect();
     let kind = |model: &Model| {
         let validity = model.validity();
         (validity.angles, !validity.asperities, model.equal().id() != model.id())
     };
-    comparisons.sort_by_key(|(found, _)| (kind(&found.model), found.regimes));
-    let is_near = |found: &Comparison| found.largest() <= within && found.outside.is_none();
-    let near = comparisons.iter().find(|(found, _)| is_near(found));
-    if let Some((found, Some(contact))) = near {
+    comparisons.sort_by_key(|found| (kind(&found.model), found.regimes));
+    let is_near = |found: &&Comparison| found.largest() <= within && found.outside.is_none();
+    let near = comparisons.iter().find(is_near);
+    if let Some(found) = near
+        && let Some(contact) = judge.contacts.borrow().get(found.model.id())
+    {
         for place in &mut evidence {
             place.add(&found.model, &**contact, &Compared::ALL);
         }
     }
     let itself = || judge.outside(reference).is_none().then(|| reference.clone());
-    let simplest = near.map(|(found, _)| found.model.clone()).or_else(itself);
-    let comparisons: Vec<_> = comparisons.into_iter().map(|(found, _)| found).collect();
+    let simplest = near.map(|found| found.model.clone()).or_else(itself);
     let nearest = nearest(&comparisons, &asked, |model| judge.outside(model));
     let is_nearest =
         |found: &&Comparison| nearest.last().is_some_and(|(id, _)| id == found.model.id());
