@@ -131,7 +131,7 @@ mod tests {
     fn surfaces_and_materials_have_the_moments_of_the_evidence() -> Result<()> {
         // Sums of C q² and C q⁴ over the waves of each spectrum, computed by another program: the
         // evidence was made by the functions under test.
-        for (family, alpha) in FAMILIES.iter().zip([7.5, 3.0, 29.0, 77.0]) {
+        for (family, alpha) in FAMILIES.iter().zip([7.5, 3.0, 29.0, 77.0, 135.0]) {
             for pixels in [family.pixels, 1024] {
                 let found = family.surface(pixels)?.moments().bandwidth();
                 assert!((found / alpha - 1.0).abs() < 0.1, "{} {found}", family.name);

@@ -38,7 +38,7 @@ fn the_committed_table_is_complete() {
 #[test]
 fn the_solved_cases_are_listed() {
     let solved = Evidence::committed().unwrap().solved();
-    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, elastic and psi "), "{solved}");
+    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, elastic and psi "), "{solved}");
     assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
 }
 
@@ -90,8 +90,8 @@ fn outside_there_is_no_evidence() {
         found.unwrap_err().to_string()
     };
     for (found, field) in [
-        (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6; solved range 3.1 to 76.9"),
-        (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 76.9"),
+        (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6; solved range 3.1 to 135.1"),
+        (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 135.1"),
         (refused(8.0, 15.9, 0.01), "plasticity_index = 15.9; solved up to 15.0"),
         (refused(8.0, 17.0, 0.01), "plasticity_index = 17.0; solved up to 15.0"),
         (refused(8.0, 2.0, 0.7), "p/(E g) = 0.70; solved up to 0.30"),
