@@ -13,7 +13,8 @@ const STIFFNESSES: [Quantity; 3] =
 /// Fills a sheet for a scene. Where numbers of its surface are known within ranges, it is filled in
 /// the middle of the ranges and at every combination of their ends; each answer, and each place
 /// that differs there, gets the smallest and the largest of these as columns with `_lower` and
-/// `_upper`, and is blank if it is missing at an end. Findings say which unknown makes the ranges wide.
+/// `_upper`, and is blank if it is missing at an end. Findings say which unknown makes the ranges
+/// wide.
 ///
 /// # Errors
 /// Those of `fill`, in the middle or at an end.

@@ -132,8 +132,8 @@ impl Network {
         front.part()
     }
 
-    /// A front from which `inner` will be eliminated, assembled from the parts beside it; `names` are
-    /// the places of nodes in the order.
+    /// A front from which `inner` will be eliminated, assembled from the parts beside it; `names`
+    /// are the places of nodes in the order.
     fn front<const N: usize>(
         &self,
         inner: Vec<usize>,

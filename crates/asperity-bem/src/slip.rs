@@ -158,8 +158,8 @@ impl ContactSlip {
         if retreat <= 0.0 || wanted >= highest {
             return Ok(());
         }
-        // Mean gap and separation are equal where the highest point parts; with a free boundary they
-        // differ by the mean deflection before.
+        // Mean gap and separation are equal where the highest point parts; with a free boundary
+        // they differ by the mean deflection before.
         let (from, separation) = (self.closest.mean_gap, self.closest.separation);
         let (mut slope, mut last) = ((highest - from) / (highest - separation), [from, separation]);
         let mut gap = from + slope * retreat;

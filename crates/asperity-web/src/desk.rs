@@ -54,8 +54,8 @@ impl Desk {
         reply(message.and_then(|message| self.answer(message)))
     }
 
-    /// Solves the scan of the scene at mean pressures \[Pa\], with `leaks` also the flow through its
-    /// gap; every event is passed on as json.
+    /// Solves the scan of the scene at mean pressures \[Pa\], with `leaks` also the flow through
+    /// its gap; every event is passed on as json.
     pub fn press(&self, pressures: &[f64], leaks: bool, mut happened: impl FnMut(&str)) -> String {
         let tell = |event: Value| happened(&event.to_string());
         let pressed = self.scene().and_then(|file| press::press(file, pressures, leaks, tell));

@@ -191,8 +191,8 @@ fn flow(bem: &Bem, elements: &BoundaryElements, solution: &Solution) -> Result<V
     picture::map(map, heights, caption, &flux, (said, "no flow"))
 }
 
-/// The flows \[m³/s\] through hydraulic gaps \[m\] along x and y of a fluid, with viscosity and fall
-/// of the pressure as typed.
+/// The flows \[m³/s\] through hydraulic gaps \[m\] along x and y of a fluid, with viscosity and
+/// fall of the pressure as typed.
 pub(crate) fn flows(
     file: &SceneFile,
     [viscosity, pressure_drop]: [&str; 2],

@@ -19,7 +19,7 @@ const SHOWN: [&str; 6] = ["ceb", "zmc", "ke", "jg", "ke-random", "persson-plasti
 /// Shares of the force at which some contacts yield and not all.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 /// Logarithmic step of the hardness; areas and shares are interpolated between steps, 0.6 % off.
-/// Compiled contacts are shared by the cases of a family, as random asperities take long to average.
+/// Compiled contacts are shared by the cases of a family: random asperities take long to average.
 const STEP: f64 = 0.1;
 /// Steps to either side of the hardness of a case: a factor of 20.
 const MOST_STEPS: i32 = 30;

@@ -23,9 +23,9 @@ const COLUMNS: [(Compared, [&str; 2]); 4] = [
     ),
 ];
 
-/// What is compared: area and mean gap, which are part of every solution, and the stiffnesses behind
-/// the quantities named, by default that of first loading. A conductance deviates as the unloading
-/// stiffness does.
+/// What is compared: area and mean gap, which are part of every solution, and the stiffnesses
+/// behind the quantities named, by default that of first loading. A conductance deviates as the
+/// unloading stiffness does.
 ///
 /// # Errors
 /// A quantity that is not compared.

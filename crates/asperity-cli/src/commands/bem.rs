@@ -30,8 +30,8 @@ pub struct BemCommand {
     scene: PathBuf,
     #[command(flatten)]
     places: Places,
-    /// Compare models with boundary elements: area, mean gap and, unless --quantity names others, the
-    /// stiffness of first loading, with deviations
+    /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
+    /// the stiffness of first loading, with deviations
     #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "viscosity", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
