@@ -202,7 +202,7 @@ def test_a_model_of_ones_own_is_compared_under_its_name(scene: asperity.Scene) -
     for name in numbers:
         assert mine[name] == pytest.approx(gw[name], rel=1e-9), name  # type: ignore[literal-required]
     advice = asperity.recommend(scene, pressure=2e7, reference="gw", models=[own, "gw"])
-    assert str(advice).startswith("Own (area ") and advice.simplest == "Own"
+    assert " Own (area " in f" {advice}" and advice.simplest == "Own"
     assert advice.off["Own"]["area"] == pytest.approx(advice.off["gw"]["area"])
     assert asperity.recommend(scene, pressure=2e7, models=own).deviations.keys() == {"Own"}
     # As in a fit, the exception of the user's own code.
