@@ -14,7 +14,7 @@ pub use factors::{
     shear_flow_factor,
 };
 
-/// Bound on the relative error of a factor, which is rounding.
+/// Bound on the error of a factor relative to its terms, which is rounding.
 const ERROR: f64 = 1e-12;
 
 /// The flow factors of Patir and Cheng.
@@ -62,8 +62,9 @@ impl Described for PatirCheng {
 
 impl PatirCheng {
     /// A factor at H: a mean of both surfaces weighted by their shares in the mean square of all
-    /// heights, which is exact for thick films; of the factors of shear the weighted difference.
-    fn factor(&self, quantity: Quantity, film: f64) -> Result<f64, ContactError> {
+    /// heights, which is exact for thick films; of the factors of shear the weighted difference,
+    /// whose error is that of its terms.
+    fn factor(&self, quantity: Quantity, film: f64) -> Result<Evaluation, ContactError> {
         let across = |film, gamma: f64| pressure_flow_factor(film, 1.0 / gamma);
         let (of, sign): (&dyn Fn(f64, f64) -> Result<f64, ContactError>, f64) = match quantity {
             Quantity::PressureFlowFactorX => (&pressure_flow_factor, 1.0),
@@ -71,12 +72,19 @@ impl PatirCheng {
             Quantity::ShearFlowFactor => (&shear_flow_factor, -1.0),
             Quantity::FrictionShearFactor => (&friction_shear_factor, -1.0),
             Quantity::FrictionPressureFactor => (&friction_pressure_factor, 1.0),
-            _ => return friction_factor(film, self.friction_cut_off),
+            _ => {
+                let factor = friction_factor(film, self.friction_cut_off)?;
+                return Ok(Evaluation::new(factor, ERROR));
+            }
         };
         let resting = self.share_at_rest;
         let shares = [(1.0 - resting, 1.0), (resting, sign)].into_iter().zip(self.peklenik_numbers);
         let rough = shares.filter(|((share, _), _)| *share > 0.0);
-        rough.map(|((share, sign), gamma)| Ok(sign * share * of(film, gamma)?)).sum()
+        let terms = rough.map(|((share, sign), gamma)| Ok(sign * share * of(film, gamma)?));
+        let terms = terms.collect::<Result<Vec<f64>, ContactError>>()?;
+        let mut found = Evaluation::new(terms.iter().sum(), ERROR);
+        found.size = terms.iter().map(|term| term.abs()).sum();
+        Ok(found)
     }
 }
 
@@ -121,7 +129,7 @@ impl Contact for Film {
         };
         let (unit, from) = (SeparationUnit::SurfaceStd, Datum::SurfaceMean);
         let film = separation.measured_in(unit, from, &self.scene)?.value;
-        Ok(Evaluation::new(self.model.factor(quantity, film)?, ERROR))
+        self.model.factor(quantity, film)
     }
 }
 
@@ -161,6 +169,8 @@ mod tests {
         let alike = of([3.0, 3.0], 0.5);
         close(alike[0], moving[0]);
         assert!(alike[2].abs() < 1e-15 && alike[3].abs() < 1e-15, "{alike:?}");
+        let halves = PatirCheng { share_at_rest: 0.5, ..PatirCheng::default() };
+        close(halves.factor(ShearFlowFactor, 2.0).unwrap().size, of([1.0; 2], 0.0)[2]);
         close(of([3.0, 3.0], 1.0)[2], -moving[2]);
     }
 
