@@ -38,7 +38,7 @@ PATH="$tools:$PATH" maturin build --zig --compatibility manylinux2014 --profile 
 wheel=$(echo "$dist"/*-abi3-manylinux*2014_x86_64*.whl)
 python3 -m venv "$trial/venv"
 "$trial/venv/bin/python" "${pip[@]}" "$wheel"
-# What a user without Rust does: imports, one answer, one plot.
+# What a user without Rust does: imports and one answer.
 (cd "$trial" && PATH=$trial/venv/bin python - <<'PYTHON'
 import pathlib, shutil
 import asperity
@@ -52,7 +52,6 @@ scene = asperity.Scene(
 )
 curve = asperity.model("ke").solve(scene, separation=[1.0, 2.0, 3.0], quantities=["force", "area"])
 assert f"{curve.force[1]:.2f} {curve.area[1]:.3e}" == "216.94 1.427e-07", (curve.force, curve.area)
-assert curve._repr_svg_().startswith("<svg"), "no plot"
 PYTHON
 )
 
