@@ -44,7 +44,7 @@ def ranges(scene: Scene, of: Callable[[Scene], Any]) -> Ranges:
     >>> area = lambda one: model.solve(one, pressure=1e6, quantities="area").area
     >>> found = asperity.ranges(scene, area)
     >>> round(float(found.upper / found.lower), 1), round(float(found.shares["mean_slope"]), 2)
-    (4.4, 0.97)
+    (4.7, 0.96)
     """
     middle, corners, names = one_scene(scene, "ranges")._corners()
     found = np.stack([np.asarray(of(one), dtype=np.float64) for one in (middle, *corners)])
