@@ -174,7 +174,10 @@ impl Ends<'_> {
         let widest = (0..spreads.len()).max_by(|a, b| sum(*a).total_cmp(&sum(*b)));
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
         let (name, spread) = spreads[k];
-        let ratio = |log: f64| format!("{:.1}", log.exp());
+        let ratio = |log: f64| match log.exp() {
+            narrow @ ..2.0 => format!("{narrow:.2}"),
+            wide => format!("{wide:.1}"),
+        };
         let within = |(quantity, width): &(Quantity, Width)| {
             format!("`{quantity}` within {}", ratio(width.of_unknowns[k]))
         };
