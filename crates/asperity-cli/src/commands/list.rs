@@ -95,14 +95,14 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
 /// or year, and then those on other asperities, whose variant is described as well.
 fn like(word: &str) -> Result<Vec<Model>> {
     let wanted = word.trim().to_lowercase();
-    // Other asperities have the row of equal ones.
-    let known: Option<Model> = wanted.parse().ok();
-    let wanted = known.as_ref().map_or(&*wanted, |model| model.equal().id());
     let is_equal = |model: &Model| model.asperities() == Asperities::Equal;
+    if let Some(model) = wanted.parse().ok().filter(|model| !is_equal(model)) {
+        return Ok(vec![model]);
+    }
     let (mut all, others): (Vec<Model>, Vec<Model>) =
         Model::named().into_iter().partition(is_equal);
     let of_id = |model: &Model| {
-        let rest = model.id().strip_prefix(wanted);
+        let rest = model.id().strip_prefix(&*wanted);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     };
     let has_word = |model: &Model| {

@@ -228,7 +228,7 @@ fn models_are_listed_by_id_name_authors_or_year() {
     assert_eq!(ids("ke"), "ke");
     assert_eq!(ids("Kogut"), "ke");
     assert_eq!(ids("jkr"), "jkr jkr-separation");
-    assert_eq!(ids("gw-random"), "gw");
+    assert_eq!(ids("gw-random"), "gw-random");
     assert_eq!(ids("2005"), "etsion jg jg-cosine af");
     let pairs = "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs jg-cosine-pairs \
                  af-pairs ghaednia-pairs";
