@@ -92,25 +92,3 @@ fn a_stream_stops_when_its_consumer_stops() {
     let end = sweep.stream(endless, |k, _| if k == 20_000 { Err("enough") } else { Ok(()) });
     assert_eq!(end, Err("enough"));
 }
-
-#[test]
-fn second_derivatives_are_those_of_the_tangent() {
-    for id in ["gw", "ke", "etsion", "at"] {
-        let scene = named("mild");
-        let compiled = compiled(&model(id), &scene, &[Quantity::Force, Quantity::Tangent], 1e-12);
-        let tangent = |s: f64| compiled.evaluate(Quantity::Tangent, s).unwrap().value();
-        for s in [-2.0, 0.3, 1.7, 6.0] {
-            // Richardson's extrapolation of central differences: error h⁴, some 1e-9 here.
-            let h = 2e-3;
-            let difference = |h: f64| (tangent(s + h) - tangent(s - h)) / (2.0 * h);
-            let slope = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
-            let second = compiled.second_derivative(Quantity::Force, s).unwrap().value();
-            let scale = scene.surface.asperity_height_std;
-            let error =
-                (-slope / scale - second).abs() / second.abs().max(tangent(s).abs() / scale);
-            assert!(error < 1e-8, "{id} at {s}: {error:e}");
-        }
-        let refused = compiled.second_derivative(Quantity::Tangent, 1.0).unwrap_err().to_string();
-        assert!(refused.contains("a second derivative of the tangent"), "{refused}");
-    }
-}

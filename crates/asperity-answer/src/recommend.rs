@@ -1,9 +1,7 @@
 //! The model nearest to boundary elements, or the simplest valid one near a reference, and how far
 //! each is.
 
-use asperity::{
-    Asperities, At, Compared, Comparison, Deviation, Model, Quantity, Recommendation, Request,
-};
+use asperity::{Asperities, At, Compared, Comparison, Model, Quantity, Recommendation, Request};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
@@ -160,9 +158,8 @@ fn row(
         Ok(_) if found.largest() <= advice.within => "no: a simpler one is as near".into(),
         Ok(_) => (&*format!("no: too far from {}", advice.reference.id())).into(),
     });
-    let deviation: Deviation = found.off.unwrap_or_default();
     for (quantity, _) in off {
-        match deviation.in_quantity(*quantity) {
+        match found.off(*quantity) {
             Some(off) => row.extend(off.map(Cell::Number)),
             None => row.extend([Cell::BLANK; 2]),
         }

@@ -44,7 +44,7 @@ pub use density::{Density, Piece, PointMasses, Sampler, WeightFunction};
 pub use error::{QuadratureError, WeightFault};
 pub use function_table::FunctionTable;
 pub use gaussian::{
-    AnyScale, ArrayAccuracy, Curvature, Moments, Nearby, ScaledIntegral, ShiftedGaussian, reach,
+    AnyScale, ArrayAccuracy, Moments, Nearby, ScaledIntegral, ShiftedGaussian, reach,
 };
 pub use roots::{bracketed_root, fallible, highest, last_place};
 pub use rules::{Estimate, Legendre, Point, TanhSinh, gauss_kronrod, legendre};

@@ -180,8 +180,4 @@ impl Contact for OnScene {
         };
         Ok(Some(cuts.iter().map(beyond).collect()))
     }
-
-    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.averaged.second_derivative_at(quantity, self.own(at)?).map_err(self.at(at))
-    }
 }

@@ -299,7 +299,7 @@ mod tests {
         assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
         let basis = found["answer"]["basis"].as_str().unwrap();
         let words =
-            "Ranges by ke, of a surface with rq within 1.1, mean slope within 4.2, bandwidth";
+            "Ranges by ke, of a surface with rq within 1.2, mean slope within 4.4, bandwidth";
         assert!(basis.starts_with(words), "{basis}");
         assert_eq!(found["rows"][1]["model"], "ke");
     }

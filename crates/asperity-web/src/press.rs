@@ -67,7 +67,7 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
 /// Solves the contact of a scene's scan at mean pressures, with `leaks` also the flow through its
 /// gap: the first before all others, and of these the heaviest first. Events are the progress, a
 /// load that is solved, one that failed, and at last the map of the flow at the first load, which
-/// takes several times as long as all else.
+/// takes about twice as long as a solution.
 pub(crate) fn press(
     file: &SceneFile,
     pressures: &[f64],

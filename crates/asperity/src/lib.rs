@@ -49,7 +49,7 @@ pub use evidence::{
 pub use ranking::nearest_in_each;
 #[cfg(feature = "evidence")]
 pub use recommend::{
-    Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
+    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
     usual_reference,
 };
 pub use registry::{Asperities, Model};

@@ -271,6 +271,7 @@ pub fn table(evidence: &Evidence, scans: &[Scan]) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::folder::figures_folder;
 
     #[test]
     fn intervals_hold_nine_of_ten_in_every_bin() -> Result<()> {
@@ -289,6 +290,13 @@ mod tests {
             }
         }
         assert!(short.is_empty(), "{short:?}");
+        Ok(())
+    }
+
+    #[test]
+    fn the_table_is_that_of_the_committed_evidence() -> Result<()> {
+        let committed = std::fs::read_to_string(figures_folder().join("truth-scans.md"))?;
+        assert_eq!(table(Evidence::committed()?, &read()?)?, committed);
         Ok(())
     }
 

@@ -114,10 +114,6 @@ impl Contact for Alone {
         self.facts.on(scene)
     }
 
-    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.on(&self.scene)?.second_derivative_at(quantity, at)
-    }
-
     fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
         self.on(&self.scene)?.plan(request)
     }

@@ -1,17 +1,14 @@
 //! A model of one asperity averaged over the heights of a scene, for callers: prepared for many
 //! places.
 
-use asperity_quadrature::Curvature;
-
 use crate::engine::arrays::{self, FillReport};
 use crate::engine::averages::{
-    all_separations_of_load, separation_at, separation_of_load, separation_of_pull_off,
+    all_separations_of_load, separation_of_load, separation_of_pull_off,
 };
 use crate::engine::list::{answer_prepared, shares_at};
 use crate::engine::plan::plan;
 use crate::engine::prepared::Prepared;
 use crate::engine::row_integrals::RowIntegrals;
-use crate::error::integral_failed;
 use crate::response::Response;
 use crate::{
     At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
@@ -74,22 +71,6 @@ impl Contact for Prepared {
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
         shares_at(&self.facts, &mut &*self, quantity, &at)
-    }
-
-    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.facts.check_requested(quantity)?;
-        let s = separation_at(&mut &*self, &at)?.s;
-        let none = || self.unsupported(&format!("a second derivative of the {quantity}"));
-        // Slopes, ratios and multiples have no channel of their own.
-        let channel = self.channel(quantity).map_err(|_| none())?;
-        let found = channel.total.curvature(s).ok_or_else(none)?;
-        let Curvature { value, size: integral, ln_scale, error } =
-            found.map_err(integral_failed(quantity, &at))?;
-        let height_std = self.scene.surface.asperity_height_std;
-        // Divided twice, so that no square of a small number underflows.
-        let [scaled, size] =
-            [value, integral].map(|x| x * channel.units.factor / height_std / height_std);
-        Evaluation { scaled, ln_scale, size, error }.held(integral, quantity)
     }
 
     fn plan(&self, request: &Request) -> Result<Plan, ContactError> {

@@ -6,7 +6,7 @@
 //! ∫ q(w) g(d + w) dw = ∫₀^∞ q(w₀ + t) g(d + w₀ + t) dt
 //! ```
 
-use asperity_quadrature::{Curvature, Moments};
+use asperity_quadrature::Moments;
 
 /// w₀/σ_z.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,13 +39,5 @@ impl Onset {
             moments.error += self.rounding(s) * (moments.sizes[1] / moments.sizes[0] + 1.0);
         }
         moments
-    }
-
-    /// The same for a second derivative, whose slope has three powers of s where it has two.
-    pub(crate) fn widened_curvature(self, s: f64, mut curvature: Curvature) -> Curvature {
-        if self.is_nonzero() {
-            curvature.error += self.rounding(s) * (self.shifted(s).max(0.0) + 3.0);
-        }
-        curvature
     }
 }

@@ -121,17 +121,6 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Ok(None)
     }
 
-    /// d²Q/dd² \[unit of Q over m²\] of a quantity that has a law of its own, jumps and kinks
-    /// included: the derivative of the tangent is -d²F/dd².
-    ///
-    /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`] for
-    /// quantities without a law, and for heights that are not Gaussian.
-    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        let _ = at;
-        Err(self.unsupported(&format!("a second derivative of the {quantity}")))
-    }
-
     /// The plan for a request: integrals, terms and samples.
     ///
     /// # Errors
@@ -238,17 +227,5 @@ impl dyn Contact + '_ {
         at: impl Into<At>,
     ) -> Result<Vec<Share>, ContactError> {
         self.shares_at(quantity, at.into())
-    }
-
-    /// [`second_derivative_at`](Contact::second_derivative_at).
-    ///
-    /// # Errors
-    /// Those of [`second_derivative_at`](Contact::second_derivative_at).
-    pub fn second_derivative(
-        &self,
-        quantity: Quantity,
-        at: impl Into<At>,
-    ) -> Result<Evaluation, ContactError> {
-        self.second_derivative_at(quantity, at.into())
     }
 }

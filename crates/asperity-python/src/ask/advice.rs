@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Check, Comparison, ContactError, ContactModel, EvidenceAt, Finding, Findings, Model,
-    Quantity, Request, Scene, Severity,
+    At, Check, Compared, Comparison, ContactError, ContactModel, EvidenceAt, Finding, Findings,
+    Model, Quantity, Ratio, Request, Scene, Severity,
 };
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -154,9 +154,19 @@ pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(Str
 
 /// What is known of a model: its id, the deviation of each quantity, why some or all have no value,
 /// and the deviation from boundary elements.
-type Compared<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<'py>>);
+type Known<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<'py>>);
 /// The simplest model, all models, the evidence in sentences and place by place, and the text.
-type Advice<'py> = (Option<String>, Vec<Compared<'py>>, String, Vec<Object<'py>>, String);
+type Advice<'py> = (Option<String>, Vec<Known<'py>>, String, Vec<Object<'py>>, String);
+
+/// Deviations from boundary elements by the name of the quantity, and half the widths of their
+/// intervals.
+fn by_name(off: &[(Compared, Ratio)]) -> BTreeMap<String, f64> {
+    let each = |(quantity, ratio): &(Compared, Ratio)| {
+        let name = quantity.name();
+        [(name.into(), ratio.deviation(*quantity)), (format!("{name}_spread"), ratio.half_width())]
+    };
+    off.iter().flat_map(each).collect()
+}
 
 /// Deviations from the reference of the models of a scene, or of these.
 #[pyfunction]
@@ -176,11 +186,11 @@ pub(crate) fn recommend<'py>(
         found.deviations.as_ref().err().into_iter().chain(lacking)
     });
     raise_own(py, &engines, refusals)?;
-    let compared = |found: &Comparison| -> PyResult<Compared<'py>> {
+    let compared = |found: &Comparison| -> PyResult<Known<'py>> {
         let (all, lacking) = (&found.deviations, found.lacking.first().map(|(_, reason)| reason));
         let known = all.iter().flatten().map(|(quantity, off)| (quantity.to_string(), *off));
         let reason = all.as_ref().err().or(lacking).map(ToString::to_string);
-        let off = found.off.as_ref().map(|off| object(py, off)).transpose()?;
+        let off = (!found.off.is_empty()).then(|| object(py, &by_name(&found.off))).transpose()?;
         Ok((found.model.id().into(), known.collect(), reason, off))
     };
     let left_out = left_out.into_iter();
@@ -190,7 +200,8 @@ pub(crate) fn recommend<'py>(
         Err(reason) => reason.to_string().into_bound_py_any(py),
         Ok(_) => {
             let ids = advice.comparisons.iter().map(|found| found.model.id());
-            let off = ids.filter_map(|id| Some((id.to_string(), place.deviation(id)?)));
+            let known = ids.map(|id| (id, by_name(&place.relative(id))));
+            let off = known.filter(|(_, off)| !off.is_empty());
             object(py, &off.collect::<BTreeMap<_, _>>())
         }
     };

@@ -39,9 +39,7 @@ impl AnyScale {
     #[inline]
     pub fn at(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         match self.ready(s, scale) {
-            Some((segment, place)) => {
-                Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0]))
-            }
+            Some((segment, place)) => Ok(Moments::new(segment.with_slope(place), s, segment.error)),
             None => self.anew(s, scale),
         }
     }
@@ -53,9 +51,7 @@ impl AnyScale {
     #[inline]
     pub fn value(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         match self.ready(s, scale) {
-            Some((segment, place)) => {
-                Ok(Moments::of_value(segment.value(place), s, segment.error[0]))
-            }
+            Some((segment, place)) => Ok(Moments::of_value(segment.value(place), s, segment.error)),
             None => self.anew(s, scale),
         }
     }
@@ -80,7 +76,7 @@ impl AnyScale {
         let rules = self.rows.get(row(scale))?.get()?;
         let place = rules.place(s, scale);
         let segment = rules.ready(place)?;
-        (segment.error[0] <= self.coarsest()).then_some((segment, place))
+        (segment.error <= self.coarsest()).then_some((segment, place))
     }
 
     /// Rules that are coarser are not used.
@@ -105,11 +101,10 @@ impl AnyScale {
     /// I and -dI/ds from a rule that is to be built first or from none.
     #[cold]
     fn anew(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
-        let (pair, error) = match self.build(s, scale)? {
-            Some((segment, place)) => (segment.with_power(place, 1), segment.error[0]),
-            None => self.task.directly(s, scale, 1)?,
-        };
-        Ok(Moments::new(pair, s, error))
+        match self.build(s, scale)? {
+            Some((segment, place)) => Ok(Moments::new(segment.with_slope(place), s, segment.error)),
+            None => self.task.directly(s, scale),
+        }
     }
 }
 

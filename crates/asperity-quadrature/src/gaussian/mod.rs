@@ -15,7 +15,7 @@ mod weight;
 
 pub use any_scale::AnyScale;
 pub use column::{ArrayAccuracy, ScaledIntegral};
-pub use moments::{Curvature, Moments};
+pub use moments::Moments;
 pub use nearby::Nearby;
 pub use shifted::ShiftedGaussian;
 pub use weight::reach;

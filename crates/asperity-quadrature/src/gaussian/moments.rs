@@ -24,19 +24,6 @@ pub struct Moments {
     pub error: f64,
 }
 
-/// The second derivative d²I/ds² = value · exp(`ln_scale`).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Curvature {
-    /// ∫ q(t/c) ((s+t)² - 1) φ(s+t) dt over its scale.
-    pub value: f64,
-    /// The same with |q| ((s+t)² + 1).
-    pub size: f64,
-    /// -max(s, 0)²/2.
-    pub ln_scale: f64,
-    /// Bound on the error of the value relative to `size`.
-    pub error: f64,
-}
-
 impl Moments {
     /// No integral at all.
     pub const NONE: Self =

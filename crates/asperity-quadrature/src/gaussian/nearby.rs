@@ -89,25 +89,16 @@ impl Nearby {
     /// I and -dI/ds: to the bound where it was made, less well further away.
     #[must_use]
     pub fn at(&self, s: f64) -> Moments {
-        Moments::new(self.with_power(s, 1), s, self.error)
-    }
-
-    /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
-    pub(crate) fn with_power(&self, s: f64, k: i32) -> [(f64, f64); 2] {
         // The difference of both exponents as a product: nothing large is subtracted.
         let (moved, middle) = (s - self.from, if s < 0.0 { 0.5 * (s + self.from) } else { 0.0 });
         let mut sums = [(0.0, 0.0); 2];
         for (t, mass) in self.points.iter().zip(&self.masses) {
             let mass = mass * (-moved * (t + middle)).exp();
-            for (sum, term) in sums.iter_mut().zip([mass, mass * (s + t).powi(k)]) {
+            for (sum, term) in sums.iter_mut().zip([mass, mass * (s + t)]) {
                 *sum = (sum.0 + term, sum.1 + term.abs());
             }
         }
-        sums
-    }
-
-    pub(crate) fn error(&self) -> f64 {
-        self.error
+        Moments::new(sums, s, self.error)
     }
 
     /// How often the density was sampled.

@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use super::moments::Moments;
 use super::nearby::Nearby;
 use super::patch::{Argument, Patch};
 use super::segment::Segment;
@@ -31,17 +32,11 @@ impl Task {
         Self { density, tolerance, evaluations: AtomicUsize::new(0) }
     }
 
-    /// The value and the integral of zᵏ, k = 1 or 2, at one s and one scale without a rule, each
-    /// with its size, and the error relative to the sizes.
-    pub(crate) fn directly(
-        &self,
-        s: f64,
-        scale: f64,
-        k: i32,
-    ) -> Result<([(f64, f64); 2], f64), QuadratureError> {
+    /// The integral at one s and one scale without a rule.
+    pub(crate) fn directly(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         let made = Nearby::of(&self.density, scale, s, self.tolerance)?;
         self.evaluations.fetch_add(made.evaluations(), Ordering::Relaxed);
-        Ok((made.with_power(s, k), made.error()))
+        Ok(made.at(s))
     }
 }
 

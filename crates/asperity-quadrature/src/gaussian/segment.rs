@@ -9,18 +9,18 @@ use crate::{Density, QuadratureError};
 #[derive(Debug)]
 pub(crate) struct Segment {
     pub(crate) patch: Patch,
-    /// ∫ zᵏ, k = 0, 1, 2, without the factor that was taken out.
-    pub(crate) power: [Series; 3],
-    /// ∫ zᵏ, k = 0, 1, 2, of the absolute value, where it is another.
-    pub(crate) size: Option<[Series; 3]>,
-    /// Bounds on the sizes for k = 1 and 2 over that for 0, below 0: z has both signs.
-    pub(crate) growth: Option<[f64; 2]>,
+    /// ∫ zᵏ, k = 0 and 1, without the factor that was taken out.
+    pub(crate) power: [Series; 2],
+    /// ∫ zᵏ, k = 0 and 1, of the absolute value, where it is another.
+    pub(crate) size: Option<[Series; 2]>,
+    /// A bound on the size for k = 1 over that for 0, below 0: z has both signs.
+    pub(crate) growth: Option<f64>,
     /// The largest ratio of the sizes for k = 1 and 0.
     pub(crate) steepness: f64,
     /// What has been taken out.
     pub(crate) tilt: Option<Tilt>,
-    /// Errors for k = 0 and 1, and for 2, relative to the sizes.
-    pub(crate) error: [f64; 2],
+    /// The error relative to the sizes.
+    pub(crate) error: f64,
     pub(crate) evaluations: usize,
 }
 
@@ -46,8 +46,7 @@ impl Segment {
             u += usize::from(!resolved[0]);
             v += usize::from(!resolved[1]);
             if u.max(v) == ladder.len() {
-                let [reached, _] = segment.error;
-                return Err(QuadratureError::missed(reached, tolerance, masses.evaluations));
+                return Err(QuadratureError::missed(segment.error, tolerance, masses.evaluations));
             }
         }
     }
@@ -67,7 +66,7 @@ impl Segment {
             growth: None,
             steepness: 0.0,
             tilt: None,
-            error: [0.0; 2],
+            error: 0.0,
             evaluations,
         };
         if masses.y.is_empty() {
@@ -82,17 +81,15 @@ impl Segment {
         segment.growth = patch.negative().then(|| {
             // |z| is no more than the root of the mean square.
             let squares = sizes[0].iter().zip(&sizes[2]).map(|(size, square)| square / size);
-            let square = squares.fold(0.0, f64::max);
-            [square.sqrt(), square]
+            squares.fold(0.0, f64::max).sqrt()
         });
-        segment.steepness = segment.growth.map_or_else(
-            || sizes[1].iter().zip(&sizes[0]).map(|(slope, size)| slope / size).fold(0.0, f64::max),
-            |growth| growth[0],
-        );
-        let extents = [0, 1, 2].map(|k| match segment.growth {
+        segment.steepness = segment.growth.unwrap_or_else(|| {
+            sizes[1].iter().zip(&sizes[0]).map(|(slope, size)| slope / size).fold(0.0, f64::max)
+        });
+        let extents = [0, 1].map(|k| match segment.growth {
             Some(growth) if k > 0 => {
                 let (least, most) = extent(sizes[0].iter().copied());
-                (growth[k - 1] * least, growth[k - 1] * most)
+                (growth * least, growth * most)
             }
             _ => extent(sizes[k].iter().copied()),
         });
@@ -105,20 +102,18 @@ impl Segment {
         let share = if signed || !patch.negative() { 1.0 } else { shares.fold(1.0, f64::min) };
         // For one scale three digits more cost next to nothing.
         let aim = if patch.unstretched() { 1e-3 } else { 0.25 } * tolerance * share;
-        let (mut resolved, mut left) = ([true; 2], [0.0f64; 3]);
-        // Curvatures are for one scale only.
-        let wanted = if patch.unstretched() { 3 } else { 2 };
-        for (k, samples) in power[..wanted].iter().enumerate() {
+        let (mut resolved, mut left) = ([true; 2], 0.0f64);
+        for (k, samples) in power[..2].iter().enumerate() {
             let fit = Series::fit(points, samples, aim * base[k], extents[k].1);
             (0..2).for_each(|axis| resolved[axis] &= fit.resolved[axis]);
-            left[k] = (fit.left + patch.rounding(samples, tilt)) / base[k];
+            left = left.max((fit.left + patch.rounding(samples, tilt)) / base[k]);
             segment.power[k] = fit.series;
         }
         segment.size = size.map(|size| {
             // As good as the values, which none exceeds.
             std::array::from_fn(|k| Series::fit(points, &size[k], aim * base[k], 0.0).series)
         });
-        segment.error = [left[0].max(left[1]), left[0].max(left[2])].map(|e| e + masses.error);
+        segment.error = left + masses.error;
         (segment, resolved)
     }
 
@@ -136,18 +131,18 @@ impl Segment {
         (value, size.max(value.abs()))
     }
 
-    /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
+    /// The value and the slope, each with its size.
     #[inline(always)]
-    pub(crate) fn with_power(&self, place: Argument, k: usize) -> [(f64, f64); 2] {
+    pub(crate) fn with_slope(&self, place: Argument) -> [(f64, f64); 2] {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let of = |series: &Series| factor * series.at(at);
-        let (value, power) = (of(&self.power[0]), of(&self.power[k]));
-        let (size, of_power) = match &self.size {
-            Some(size) => (of(&size[0]), of(&size[k])),
-            None => (value, power),
+        let (value, slope) = (of(&self.power[0]), of(&self.power[1]));
+        let (size, of_slope) = match &self.size {
+            Some(size) => (of(&size[0]), of(&size[1])),
+            None => (value, slope),
         };
-        let of_power = self.growth.map_or(of_power, |growth| growth[k - 1] * size);
-        [(value, size.max(value.abs())), (power, of_power)]
+        let of_slope = self.growth.map_or(of_slope, |growth| growth * size);
+        [(value, size.max(value.abs())), (slope, of_slope)]
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-use super::moments::{Curvature, Moments, ln_scale};
+use super::moments::Moments;
 use super::patch::Argument;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
@@ -38,8 +38,8 @@ impl ShiftedGaussian {
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Argument::at(s);
         match self.rules.ready(place) {
-            Some(segment) => Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0])),
-            None => self.anew(s, 1).map(|(pair, error)| Moments::new(pair, s, error)),
+            Some(segment) => Ok(Moments::new(segment.with_slope(place), s, segment.error)),
+            None => self.anew(s),
         }
     }
 
@@ -51,29 +51,21 @@ impl ShiftedGaussian {
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Argument::at(s);
         match self.rules.ready(place) {
-            Some(segment) => Ok(Moments::of_value(segment.value(place), s, segment.error[0])),
-            None => self.anew(s, 1).map(|([value, _], error)| Moments::of_value(value, s, error)),
+            Some(segment) => Ok(Moments::of_value(segment.value(place), s, segment.error)),
+            None => {
+                let Moments { value, sizes, error, .. } = self.anew(s)?;
+                Ok(Moments::of_value((value, sizes[0]), s, error))
+            }
         }
     }
 
-    /// d²I/ds².
-    ///
-    /// # Errors
-    /// Those of [`at`](Self::at).
-    pub fn curvature(&self, s: f64) -> Result<Curvature, QuadratureError> {
-        let ([value, square], error) = self.anew(s, 2)?;
-        let (value, size) = (square.0 - value.0, square.1 + value.1);
-        Ok(Curvature { value, size, ln_scale: ln_scale(s), error })
-    }
-
-    /// The value and the integral of zᵏ, with their sizes and error, from a rule that is to be
-    /// built first or from none.
+    /// The same from a rule that is to be built first or from none.
     #[cold]
-    fn anew(&self, s: f64, k: usize) -> Result<([(f64, f64); 2], f64), QuadratureError> {
+    fn anew(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Argument::at(s);
         match self.rules.at(place, &self.task)? {
-            Some(segment) => Ok((segment.with_power(place, k), segment.error[k - 1])),
-            None => self.task.directly(s, self.scale, k as i32),
+            Some(segment) => Ok(Moments::new(segment.with_slope(place), s, segment.error)),
+            None => self.task.directly(s, self.scale),
         }
     }
 
@@ -126,18 +118,11 @@ pub(crate) mod tests {
 
     #[test]
     fn linear_density_has_the_recurrence_of_parabolic_cylinders() {
-        // F₁ = ∫ t φ = φ(s) - s Q(s), F₁' = -Q, F₁" = φ: 0.3989, 1/2 and 0.3989 at s = 0.
+        // F₁ = ∫ t φ = φ(s) - s Q(s), F₁' = -Q: 0.3989 and 1/2 at s = 0.
         let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-14);
         let at = integral.at(0.0).unwrap();
         assert!((at.value / INV_SQRT_2PI - 1.0).abs() < 1e-14);
         assert!((at.slope / 0.5 - 1.0).abs() < 1e-14);
-        for s in [-30.0, -3.0, 0.0, 0.7, 4.0, 40.0, 1e3] {
-            let second = integral.curvature(s).unwrap();
-            // Scaled by exp(max(s, 0)²/2).
-            let exact = INV_SQRT_2PI * if s < 0.0 { (-0.5f64 * s * s).exp() } else { 1.0 };
-            assert!((second.value - exact).abs() < second.error * second.size, "{s}");
-            assert!(second.error < 1e-13);
-        }
     }
 
     /// x^p up to 1, then as much less than nothing.
@@ -153,7 +138,7 @@ pub(crate) mod tests {
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2e9] {
             let error = integral.value(wrong).unwrap_err();
             assert!(error.to_string().starts_with(&format!("s is {wrong}")), "{error}");
-            assert!(integral.at(wrong).is_err() && integral.curvature(wrong).is_err());
+            assert!(integral.at(wrong).is_err());
         }
     }
 
@@ -168,17 +153,6 @@ pub(crate) mod tests {
             assert!(fine.at(s).unwrap().slope_within(s, 1e-10).is_ok());
             let exact = 1.5 * s.abs().sqrt() * (1.0 - 0.125 / (s * s));
             assert!((coarse.at(s).unwrap().slope / exact - 1.0).abs() < 1e-6, "{s}");
-        }
-    }
-
-    #[test]
-    fn the_second_derivative_lowers_a_power_by_two() {
-        let [whole, lowered] = [3.425, 1.425].map(|p| ShiftedGaussian::new(power(p), 0.1, 1e-13));
-        for s in [-20.0, -1.0, 0.0, 2.0, 17.0, 300.0] {
-            let second = whole.curvature(s).unwrap();
-            let exact = 3.425 * 2.425 * lowered.value(s).unwrap().value / 0.01;
-            assert!((second.value - exact).abs() < second.error * second.size, "{s}");
-            assert!(second.error < 1e-12);
         }
     }
 
@@ -202,9 +176,9 @@ pub(crate) mod tests {
         let integral = ShiftedGaussian::new(power(1.5), 0.3, 1e-14);
         for s in [-64.0, -63.2] {
             let compiled = integral.at(s).unwrap();
-            let ([value, slope], _) = integral.task.directly(s, 0.3, 1).unwrap();
-            assert!((compiled.value / value.0 - 1.0).abs() < 1e-14);
-            assert!((compiled.slope / slope.0 - 1.0).abs() < 2e-12, "{s}");
+            let direct = integral.task.directly(s, 0.3).unwrap();
+            assert!((compiled.value / direct.value - 1.0).abs() < 1e-14);
+            assert!((compiled.slope / direct.slope - 1.0).abs() < 2e-12, "{s}");
         }
     }
 

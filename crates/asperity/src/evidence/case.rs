@@ -29,27 +29,14 @@ pub struct EvidenceCase {
     pub models: Vec<(String, EvidenceRow)>,
 }
 
-/// Dimensionless results; `None` if not available. Spans are one standard error of the mean to
-/// either side, for boundary elements only.
+/// Dimensionless results, in the order of [`Compared::ALL`]; `None` if not available.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct EvidenceRow {
-    /// Real over nominal area.
-    pub area_fraction: Option<f64>,
-    /// Span of the area.
-    pub area_span: Option<[f64; 2]>,
-    /// -dp/d(gap) √m₀/E in first loading.
-    pub stiffness: Option<f64>,
-    /// Span of the stiffness.
-    pub stiffness_span: Option<[f64; 2]>,
-    /// -dp/d(gap) √m₀/E at the start of unloading, in proportion to conductances.
-    pub unloading_stiffness: Option<f64>,
-    /// Span of the unloading stiffness.
-    pub unloading_stiffness_span: Option<[f64; 2]>,
-    /// Mean gap over √m₀.
-    pub mean_gap: Option<f64>,
-    /// Span of the mean gap.
-    pub mean_gap_span: Option<[f64; 2]>,
+    /// The values.
+    pub values: [Option<f64>; 4],
+    /// Standard errors of the mean, for boundary elements only.
+    pub errors: [Option<f64>; 4],
 }
 
 /// A quantity that is compared with boundary elements.
@@ -57,13 +44,15 @@ pub struct EvidenceRow {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Compared {
-    /// Real area.
+    /// Real area; in rows over the nominal area.
     Area,
-    /// Stiffness of first loading.
+    /// Stiffness of first loading; in rows −dp/d(gap) √m₀/E of a surface with the gradient
+    /// [`Evidence::GRADIENT`](crate::Evidence::GRADIENT), in proportion to which it grows.
     Stiffness,
-    /// Stiffness at the start of unloading; conductances and tangential stiffness, too.
+    /// Stiffness at the start of unloading, with which conductances and the tangential stiffness
+    /// go; in rows as that of first loading.
     UnloadingStiffness,
-    /// Mean gap.
+    /// Mean gap; in rows over √m₀.
     MeanGap,
 }
 
@@ -85,42 +74,15 @@ impl Compared {
 }
 
 impl EvidenceRow {
-    /// A row of values, each with its standard error, in the order of [`Compared::ALL`].
-    #[must_use]
-    pub(crate) fn of(values: [Option<f64>; 4], errors: [Option<f64>; 4]) -> Self {
-        let span = |k: usize| values[k].zip(errors[k]).map(|(x, error)| [x - error, x + error]);
-        Self {
-            area_fraction: values[0],
-            area_span: span(0),
-            stiffness: values[1],
-            stiffness_span: span(1),
-            unloading_stiffness: values[2],
-            unloading_stiffness_span: span(2),
-            mean_gap: values[3],
-            mean_gap_span: span(3),
-        }
-    }
-
     /// The value of a quantity.
     #[must_use]
     pub fn value(&self, quantity: Compared) -> Option<f64> {
-        match quantity {
-            Compared::Area => self.area_fraction,
-            Compared::Stiffness => self.stiffness,
-            Compared::UnloadingStiffness => self.unloading_stiffness,
-            Compared::MeanGap => self.mean_gap,
-        }
+        self.values[quantity as usize]
     }
 
     /// Its standard error.
     #[must_use]
     pub fn error(&self, quantity: Compared) -> Option<f64> {
-        let span = match quantity {
-            Compared::Area => self.area_span,
-            Compared::Stiffness => self.stiffness_span,
-            Compared::UnloadingStiffness => self.unloading_stiffness_span,
-            Compared::MeanGap => self.mean_gap_span,
-        };
-        span.map(|[low, high]| 0.5 * (high - low))
+        self.errors[quantity as usize]
     }
 }

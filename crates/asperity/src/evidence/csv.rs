@@ -74,7 +74,7 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
             values[0][k] = Some(number(8 + 2 * k)?);
             values[1][k] = Some(number(9 + 2 * k)?);
         }
-        let bem = EvidenceRow::of(values[0], values[1]);
+        let bem = EvidenceRow { values: values[0], errors: values[1] };
         let mut models = vec![];
         for (m, id) in ids.iter().enumerate() {
             let mut found = [None; 4];
@@ -83,7 +83,8 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
                 found[k] = relative.zip(values[0][k]).map(|(x, bem)| absolute(quantity, x, bem));
             }
             if found.iter().any(Option::is_some) {
-                models.push(((*id).to_string(), EvidenceRow::of(found, [None; 4])));
+                let errors = [None; 4];
+                models.push(((*id).to_string(), EvidenceRow { values: found, errors }));
             }
         }
         cases.push(EvidenceCase {
@@ -119,8 +120,8 @@ mod tests {
         assert_eq!((found.surfaces, found.patches), (4, 210));
         let [(id, gw)] = &found.models[..] else { panic!("{found:?}") };
         let near = |a: Option<f64>, b: f64| (a.unwrap() - b).abs() < 1e-12;
-        assert!(id == "gw" && near(gw.area_fraction, 0.16) && near(gw.stiffness, 0.9));
-        assert!(gw.unloading_stiffness.is_none() && near(gw.mean_gap, 0.48));
+        assert!(id == "gw" && near(gw.values[0], 0.16) && near(gw.values[1], 0.9));
+        assert!(gw.values[2].is_none() && near(gw.values[3], 0.48));
         assert!((relative(Compared::Area, 0.16, 0.2) - 800.0).abs() < 1e-9);
         assert!((relative(Compared::MeanGap, 0.48, 0.5) + 20.0).abs() < 1e-9);
         assert!(near(found.bem.error(Compared::Stiffness), 0.1));

@@ -110,7 +110,7 @@ fn solved_value(
         _ => [(value / Evidence::GRADIENT / scale(quantity, place)).ln(), error / value],
     };
     // Heavy contacts merge into few patches that are no small sample.
-    let merged = case.bem.area_fraction.is_some_and(|area| area > MERGED);
+    let merged = case.bem.value(Compared::Area).is_some_and(|area| area > MERGED);
     let few = if quantity == Compared::Area || merged { 0.0 } else { FEW / place.contacts };
     let error = error.hypot(few);
     (value.is_finite() && error.is_finite()).then_some(SolvedValue { place: *place, value, error })

@@ -24,12 +24,12 @@ fn unit() -> f64 {
 fn the_committed_table_is_complete() {
     let evidence = Evidence::committed().unwrap();
     for case in evidence.cases() {
-        let [low, high] = case.bem.area_span.unwrap();
-        let area = case.bem.area_fraction.unwrap();
-        assert!(low <= area && area <= high && high < 1.0, "{case:?}");
+        let area = case.bem.value(Compared::Area).unwrap();
+        let error = case.bem.error(Compared::Area).unwrap();
+        assert!(error >= 0.0 && area > 0.0 && area + error < 1.0, "{case:?}");
         assert!(case.surfaces >= 4 && (0.0..=1.0).contains(&case.plastic_share), "{case:?}");
         let gw = case.models.iter().find(|(id, _)| id == "gw");
-        assert!(gw.is_some_and(|(_, gw)| gw.area_fraction.is_some()), "{case:?}");
+        assert!(gw.is_some_and(|(_, gw)| gw.value(Compared::Area).is_some()), "{case:?}");
     }
     assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
 }
@@ -59,17 +59,21 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
         let pressure = case.load * unit();
         let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
         let area = found.estimate(Compared::Area).unwrap();
-        let solved = case.bem.area_fraction.unwrap();
+        let solved = case.bem.value(Compared::Area).unwrap();
         // The smooth surface passes light loads within their standard errors of up to 6 %.
         assert!((area.value / solved - 1.0).abs() < 0.07, "{case:?} {area:?}");
+        let span = |quantity| {
+            let [value, error] =
+                [case.bem.value(quantity), case.bem.error(quantity)].map(Option::unwrap);
+            [value - error, value + error]
+        };
         // The table has four digits.
-        let [lowest, highest] = case.bem.area_span.unwrap().map(|x| 1.0005 * x);
+        let [lowest, highest] = span(Compared::Area).map(|x| 1.0005 * x);
         areas += 1.0;
         inside_area += f64::from(area.low < highest && lowest < area.high);
         // Stiffnesses do not depend on the gradient of the solved surfaces.
         let unit = unit() * scene.nominal_area / 1e-6;
-        let [lowest, highest] =
-            case.bem.stiffness_span.unwrap().map(|k| k / Evidence::GRADIENT * unit);
+        let [lowest, highest] = span(Compared::Stiffness).map(|k| k / Evidence::GRADIENT * unit);
         if let Some(stiffness) = found.estimate(Compared::Stiffness) {
             stiffnesses += 1.0;
             inside += f64::from(stiffness.low < highest && lowest < stiffness.high);
@@ -177,7 +181,7 @@ fn separations_are_interpolated_up_to_most_of_the_hardness() {
     for case in evidence.cases().iter().filter(plain) {
         let scene = scene(case.alpha, case.plasticity_index);
         let pressure = case.load * unit();
-        let solved = case.bem.mean_gap.unwrap();
+        let solved = case.bem.value(Compared::MeanGap).unwrap();
         if scene.interface.hardness.is_some_and(|hardness| pressure > 0.2 * hardness) {
             let found = evidence.expected(&scene, None, pressure, None).unwrap();
             let Some(gap) = found.estimate(Compared::MeanGap) else {

@@ -35,25 +35,7 @@ pub struct Expectation {
     pub ratio: Ratio,
 }
 
-/// Deviation of a model from boundary elements, relative to them.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-#[non_exhaustive]
-pub struct Deviation {
-    /// Of the real area.
-    pub area: Option<f64>,
-    /// Half the width of its interval.
-    pub area_spread: Option<f64>,
-    /// Of the stiffness of first loading.
-    pub stiffness: Option<f64>,
-    /// Half the width of its interval.
-    pub stiffness_spread: Option<f64>,
-    /// Of the unloading stiffness and of conductances, if one is requested.
-    pub unloading_stiffness: Option<f64>,
-    /// Half the width of its interval.
-    pub unloading_stiffness_spread: Option<f64>,
-}
-
-/// The quantities of a [`Deviation`].
+/// The quantities in which models are ranked; mean gaps are not relative.
 const RELATIVE: [Compared; 3] = [Compared::Area, Compared::Stiffness, Compared::UnloadingStiffness];
 
 impl EvidenceAt {
@@ -64,10 +46,10 @@ impl EvidenceAt {
         self.ratios.iter().find(wanted).map(|found| found.ratio)
     }
 
-    /// The deviation of a model; `None` if nothing of it is known here.
+    /// The ratios of a model in the relative quantities that are known here.
     #[must_use]
-    pub fn deviation(&self, id: &str) -> Option<Deviation> {
-        Deviation::of(RELATIVE.map(|quantity| self.ratio(id, quantity)))
+    pub fn relative(&self, id: &str) -> Vec<(Compared, Ratio)> {
+        farthest(std::slice::from_ref(self), id)
     }
 
     /// Compares a model at this place.
@@ -88,45 +70,14 @@ impl EvidenceAt {
     }
 }
 
-impl Deviation {
-    /// From the ratios of [`RELATIVE`].
-    fn of([area, stiffness, unloading]: [Option<Ratio>; 3]) -> Option<Self> {
-        let off = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.ratio - 1.0);
-        let spread = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.half_width());
-        area.or(stiffness).or(unloading).map(|_| Self {
-            area: off(area),
-            area_spread: spread(area),
-            stiffness: off(stiffness),
-            stiffness_spread: spread(stiffness),
-            unloading_stiffness: off(unloading),
-            unloading_stiffness_spread: spread(unloading),
-        })
-    }
-
-    /// The deviation in a quantity and half the width of its interval; none in the mean gap, which
-    /// is not relative.
-    #[must_use]
-    pub fn in_quantity(&self, quantity: Compared) -> Option<[f64; 2]> {
-        let (off, spread) = match quantity {
-            Compared::Area => (self.area, self.area_spread),
-            Compared::Stiffness => (self.stiffness, self.stiffness_spread),
-            Compared::UnloadingStiffness => {
-                (self.unloading_stiffness, self.unloading_stiffness_spread)
-            }
-            Compared::MeanGap => (None, None),
-        };
-        off.zip(spread).map(|(off, spread)| [off, spread])
-    }
-
-    /// The largest deviations of a model at these places, each quantity separately.
-    pub(super) fn worst(places: &[EvidenceAt], id: &str) -> Option<Self> {
-        let worst = |quantity| {
-            let ratios = places.iter().filter_map(|place| place.ratio(id, quantity));
-            ratios
-                .max_by(|a, b| a.deviation(quantity).abs().total_cmp(&b.deviation(quantity).abs()))
-        };
-        Self::of(RELATIVE.map(worst))
-    }
+/// The ratios of a model farthest from 1 at these places, each quantity separately.
+pub(super) fn farthest(places: &[EvidenceAt], id: &str) -> Vec<(Compared, Ratio)> {
+    let farthest = |quantity: Compared| {
+        let ratios = places.iter().filter_map(|place| place.ratio(id, quantity));
+        let off = |ratio: &Ratio| ratio.deviation(quantity).abs();
+        Some((quantity, ratios.max_by(|a, b| off(a).total_cmp(&off(b)))?))
+    };
+    RELATIVE.into_iter().filter_map(farthest).collect()
 }
 
 /// The evidence at the places of a request, and the reference relative to it. At separations, the

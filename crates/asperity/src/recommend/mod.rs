@@ -9,11 +9,13 @@ use serde::Serialize;
 
 use crate::evidence::{compile, compile_known};
 use crate::{
-    Compared, ContactError, Described, Finding, Model, Quantity, Request, Scene, SurfaceShape,
+    Compared, ContactError, Described, Finding, Model, Quantity, Ratio, Request, Scene,
+    SurfaceShape,
 };
 use between_models::{Judge, answer, largest_deviation, regimes};
 pub(crate) use evidence::evidence_of;
-pub use evidence::{Deviation, EvidenceAt, Expectation};
+use evidence::farthest;
+pub use evidence::{EvidenceAt, Expectation};
 
 /// The id of the default reference model: `ke`, or `gw` without a hardness.
 ///
@@ -47,8 +49,8 @@ pub struct Comparison {
     pub regimes: usize,
     /// Why a model within the limit is not valid there; the reference may be invalid too.
     pub outside: Option<Finding>,
-    /// Largest expected deviation of the model from boundary elements, where there is evidence.
-    pub off: Option<Deviation>,
+    /// The expected ratios to boundary elements farthest from 1, where there is evidence.
+    pub off: Vec<(Compared, Ratio)>,
 }
 
 impl Comparison {
@@ -59,6 +61,14 @@ impl Comparison {
             Ok(all) if self.lacking.is_empty() => all.iter().fold(0.0, |m: f64, (_, d)| m.max(*d)),
             _ => f64::INFINITY,
         }
+    }
+
+    /// The expected deviation from boundary elements in a quantity, relative to them, and half the
+    /// width of its interval.
+    #[must_use]
+    pub fn off(&self, quantity: Compared) -> Option<[f64; 2]> {
+        let (_, ratio) = self.off.iter().find(|(known, _)| *known == quantity)?;
+        Some([ratio.deviation(quantity), ratio.half_width()])
     }
 }
 
@@ -101,7 +111,7 @@ impl Recommendation {
             place.expected = Err(reason.clone());
             place.ratios.clear();
         }
-        self.comparisons.iter_mut().for_each(|found| found.off = None);
+        self.comparisons.iter_mut().for_each(|found| found.off.clear());
         self.nearest.clear();
         self
     }
@@ -198,7 +208,7 @@ pub fn recommend_among(
         if let (Ok([]), [(_, error), ..]) = (deviations.as_deref(), &lacking[..]) {
             deviations = Err(error.clone());
         }
-        let off = Deviation::worst(&evidence, model.id());
+        let off = farthest(&evidence, model.id());
         let id = model.id().to_string();
         judge.contacts.borrow_mut().extend(contact.map(|contact| (id, contact)));
         let mut found = Comparison { model, deviations, lacking, regimes, outside: None, off };
@@ -253,7 +263,7 @@ fn nearest(
 ) -> Vec<(String, Option<Finding>)> {
     // The largest deviation, and half the width of its interval.
     let largest = |found: &Comparison| -> Option<[f64; 2]> {
-        let off = |of: &Compared| found.off?.in_quantity(*of).map(|[off, half]| [off.abs(), half]);
+        let off = |of: &Compared| found.off(*of).map(|[off, half]| [off.abs(), half]);
         let all: Vec<[f64; 2]> = compared.iter().map(off).collect::<Option<_>>()?;
         all.into_iter().reduce(|a, b| if b[0] > a[0] { b } else { a })
     };

@@ -19,9 +19,9 @@ impl Recommendation {
     /// here, the nearest that does, or the simplest that is as near; `None` without evidence.
     fn nearest_sentence(&self) -> Option<String> {
         let text = |id: &str| {
-            let off = self.comparisons.iter().find(|found| found.model.id() == id)?.off?;
+            let known = self.comparisons.iter().find(|found| found.model.id() == id)?;
             let in_words = |(of, name): (Compared, &str)| {
-                Some(format!("{name} {}", words(&[off.in_quantity(of)?[0]])))
+                Some(format!("{name} {}", words(&[known.off(of)?[0]])))
             };
             let asked = Compared::RANKED.into_iter().filter(|(of, _)| self.compared.contains(of));
             let all: Vec<String> = asked.filter_map(in_words).collect();
@@ -225,7 +225,8 @@ impl fmt::Display for Recommendation {
         let lines = [self.summary(), self.expectations()].concat();
         lines.iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width = self.comparisons.iter().map(|c| c.model.id().len()).max().unwrap_or(0).max(12);
-        for Comparison { model, deviations, outside, off, .. } in &self.comparisons {
+        for found in &self.comparisons {
+            let Comparison { model, deviations, outside, .. } = found;
             write!(f, "  {:width$}", model.id())?;
             match deviations {
                 Ok(all) => {
@@ -234,7 +235,7 @@ impl fmt::Display for Recommendation {
                     }
                     for (quantity, name) in Compared::RANKED {
                         let asked = self.compared.contains(&quantity);
-                        let off = off.filter(|_| asked).and_then(|off| off.in_quantity(quantity));
+                        let off = asked.then(|| found.off(quantity)).flatten();
                         let Some([off, spread]) = off.map(|off| off.map(|x| 100.0 * x)) else {
                             continue;
                         };

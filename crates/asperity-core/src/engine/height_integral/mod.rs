@@ -6,8 +6,7 @@ mod overlap;
 mod slope;
 
 use asperity_quadrature::{
-    ArrayAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ScaledIntegral,
-    ShiftedGaussian,
+    ArrayAccuracy, Density, Moments, Overlap, QuadratureError, ScaledIntegral, ShiftedGaussian,
 };
 
 use crate::engine::onset::Onset;
@@ -107,12 +106,6 @@ impl HeightIntegral {
             *out = if slopes { self.at(*s) } else { self.value(*s) }.ok()?;
         }
         Some(())
-    }
-
-    /// d²I/ds², for Gaussian heights.
-    pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        let found = self.gaussian()?.curvature(self.onset.shifted(s));
-        Some(found.map(|found| self.onset.widened_curvature(s, found)))
     }
 
     /// I(s) and -dI/ds, from what is prepared for many s.
