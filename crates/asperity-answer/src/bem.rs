@@ -39,7 +39,7 @@ fn pressure(solution: &Solution) -> f64 {
 pub struct Press<'a> {
     /// The scene.
     pub file: &'a SceneFile,
-    /// The name of the scene in messages.
+    /// The name of the scene in messages of [`solve`](Self::solve).
     pub name: &'a str,
     /// The model of its scan.
     pub bem: &'a Bem,
@@ -49,9 +49,9 @@ pub struct Press<'a> {
     pub quantities: &'a [Quantity],
     /// The fluid whose flow in both directions is asked for.
     pub leak: Option<Leak>,
-    /// Whether the same is solved on half the grid.
+    /// Whether [`solve`](Self::solve) adds the same on half the grid.
     pub refine: bool,
-    /// Whether the solutions are kept.
+    /// Whether [`solve`](Self::solve) keeps the solutions.
     pub keep: bool,
 }
 

@@ -121,12 +121,14 @@ impl<'s> Inquiry<'s> {
             match self.beside {
                 Beside::Nothing | Beside::Errors => {}
                 Beside::Deviations(_) => heads.push(column_beside(*quantity, "deviation")),
-                Beside::Intervals => heads.extend(ENDS.map(|end| column_of_end(*quantity, end))),
+                Beside::Intervals => {
+                    heads.extend(ENDS.map(|end| column_of_end(&quantity.column(), end)));
+                }
             }
         }
         match self.beside {
             Beside::Errors => heads.extend(quantities.iter().map(|q| column_beside(*q, "error"))),
-            Beside::Intervals => heads.extend(ENDS.map(|end| format!("separation_{end}_m"))),
+            Beside::Intervals => heads.extend(ENDS.map(|end| column_of_end("separation_m", end))),
             _ => {}
         }
         heads
@@ -252,11 +254,15 @@ pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
 }
 
-/// The name of a column with an end of a quantity: `area_lower_m2`.
+/// The name of a column with an end of another, before the unit of that: `area_lower_m2`,
+/// `separation_lower_m`.
 #[must_use]
-pub(crate) fn column_of_end(quantity: Quantity, end: &str) -> String {
-    let name = quantity.to_string().replace('-', "_");
-    quantity.column().replacen(&name, &format!("{name}_{end}"), 1)
+pub(crate) fn column_of_end(column: &str, end: &str) -> String {
+    let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
+    let units = Quantity::ALL.into_iter().map(unit).filter(|unit| column.ends_with(&**unit));
+    let unit = units.max_by_key(String::len).unwrap_or_default();
+    let (name, unit) = column.split_at(column.len() - unit.len());
+    format!("{name}_{end}{unit}")
 }
 
 fn cell(value: &Result<Evaluation, ContactError>) -> Cell {

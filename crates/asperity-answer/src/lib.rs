@@ -41,7 +41,6 @@ pub use ranges::{NO_RANGE, drawn_with_ranges, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
-pub use slip_scan::stick_map;
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, summary, truth,

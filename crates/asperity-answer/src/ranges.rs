@@ -56,7 +56,7 @@ pub fn drawn_with_ranges(file: &SceneFile, sheet: &Sheet) -> Sheet {
     for end in ENDS.into_iter().filter(|_| !file.spreads().is_empty()) {
         drawn.rows.extend(sheet.rows.iter().map(|row| {
             let cells = sheet.heads.iter().zip(row).map(|(head, own)| {
-                sheet.column(&head_of_end(head, end)).map_or(own, |column| &row[column]).clone()
+                sheet.column(&column_of_end(head, end)).map_or(own, |column| &row[column]).clone()
             });
             let mut cells: Vec<Cell> = cells.collect();
             cells[0] = Cell::from(&*format!("{} {end}", row[0].text()));
@@ -118,7 +118,7 @@ impl Ends<'_> {
                 let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
                 sheet.rows[row].splice(column + 1..column + 1, ends);
             }
-            let heads = ENDS.map(|end| head_of_end(&sheet.heads[column], end));
+            let heads = ENDS.map(|end| column_of_end(&sheet.heads[column], end));
             sheet.heads.splice(column + 1..column + 1, heads);
         }
         if blank > 0 {
@@ -231,14 +231,4 @@ fn most(numbers: &[f64]) -> f64 {
 /// The quantity of a column.
 fn quantity_of(head: &str) -> Option<Quantity> {
     Quantity::ALL.into_iter().find(|quantity| quantity.column() == head)
-}
-
-/// The name of a column with an end of another: `area_lower_m2` of `area_m2`, as of corrected
-/// models, and `separation_lower_m`.
-fn head_of_end(head: &str, end: &str) -> String {
-    match (quantity_of(head), head.strip_suffix("_m")) {
-        (Some(quantity), _) => column_of_end(quantity, end),
-        (None, Some(length)) => format!("{length}_{end}_m"),
-        (None, None) => format!("{head}_{end}"),
-    }
 }

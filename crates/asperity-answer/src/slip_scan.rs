@@ -1,12 +1,12 @@
 //! Partial slip of a scan, by boundary elements.
 
-use asperity::bem::{BemError, ContactSlip, LoadCase};
+use asperity::bem::{ContactSlip, LoadCase};
 use asperity::joints::coefficient_of_friction;
 use asperity::{At, Body, Datum, Scene, Separation, SeparationUnit, short};
 
 use crate::sliding::Sliding;
 use crate::subject::{Outcome, Subject};
-use crate::{AnswerError, Sheet, Watch};
+use crate::{Sheet, Watch};
 
 /// Largest Dundurs' β of bodies that count as alike: pressure and shear then act on each other by
 /// less than a per cent.
@@ -65,20 +65,6 @@ impl<'w> ScanSlip<'w> {
         let slip = ContactSlip::new(elements, &solution, friction, ratio)?;
         Ok((Self { slip, area, watch }, [pressure * area, pressure], place))
     }
-
-    /// 1 where a pixel slips at a shift, 2 where it sticks, 0 without contact; row after row.
-    ///
-    /// # Errors
-    /// Those of [`ContactSlip::tractions`].
-    pub(crate) fn states(&self, shift: f64) -> Result<Vec<f64>, BemError> {
-        let (tractions, sticks) = self.slip.tractions(shift)?;
-        let state = |(traction, sticks): (&f64, &bool)| match (traction, sticks) {
-            (_, true) => 2.0,
-            (traction, false) if *traction > 0.0 => 1.0,
-            _ => 0.0,
-        };
-        Ok(tractions.iter().zip(&sticks).map(state).collect())
-    }
 }
 
 /// Refuses bodies whose surfaces move sideways under pressure by different amounts.
@@ -124,24 +110,13 @@ impl Sliding for ScanSlip<'_> {
         Ok(())
     }
 
-    fn sticking(&self, amplitude: f64) -> Outcome<Option<f64>> {
-        let states = self.states(amplitude)?;
-        let count = |least: f64| states.iter().filter(|state| **state >= least).count() as f64;
-        Ok(Some(count(2.0) / count(1.0)))
+    fn states(&self, amplitude: f64) -> Outcome<Vec<f64>> {
+        let (tractions, sticks) = self.slip.tractions(amplitude)?;
+        let state = |(traction, sticks): (&f64, &bool)| match (traction, sticks) {
+            (_, true) => 2.0,
+            (traction, false) if *traction > 0.0 => 1.0,
+            _ => 0.0,
+        };
+        Ok(tractions.iter().zip(&sticks).map(state).collect())
     }
-}
-
-/// The pixels that stick (2) and slip (1) at the amplitude of a cycle, row after row.
-///
-/// # Errors
-/// Those of [`Slip::answer`](crate::Slip::answer).
-pub fn stick_map(
-    subject: &Subject<'_>,
-    preload: At,
-    friction: f64,
-    shift: f64,
-    watch: &dyn Watch,
-) -> Result<Vec<f64>, AnswerError> {
-    let (slip, ..) = ScanSlip::at(subject, preload, friction, &mut Sheet::default(), watch)?;
-    Ok(slip.states(shift)?)
 }

@@ -53,11 +53,11 @@ impl Sheet {
 
 impl Subject<'_> {
     /// Fills a sheet; an error is about the model.
-    pub(crate) fn fill(
+    pub(crate) fn fill<T>(
         &self,
         sheet: &mut Sheet,
-        fill: impl FnOnce(&mut Sheet) -> Outcome,
-    ) -> Outcome {
+        fill: impl FnOnce(&mut Sheet) -> Outcome<T>,
+    ) -> Outcome<T> {
         fill(sheet).map_err(|error| error.of_model(self.id))
     }
 

@@ -88,6 +88,12 @@ pub enum ContactError {
         #[serde(serialize_with = "as_written")]
         reason: String,
     },
+    /// No surface that was solved by boundary elements is like the one of the scene.
+    NoEvidence {
+        /// What differs.
+        #[serde(serialize_with = "as_written")]
+        reason: String,
+    },
     /// An unknown name of a quantity.
     UnknownQuantity {
         /// The value given.
@@ -188,6 +194,9 @@ impl ContactError {
             Self::OtherAsperity => "interface or `asperity_radius` differs from the compiled scene, and its laws depend on them: compile the new scene".into(),
             Self::Refused { model, reason } | Self::Option { model, reason } => {
                 format!("`{model}`: {reason}")
+            }
+            Self::NoEvidence { reason } => {
+                format!("no boundary-element solution is close: {reason}")
             }
             Self::UnknownQuantity { name, near, known } => format!(
                 "quantity {name:?} is not known{}: the quantities are {known}",

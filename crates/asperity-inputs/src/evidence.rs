@@ -1,8 +1,6 @@
 //! Evidence from boundary elements for a scene: its scan has a skewness and a lay.
 
-use asperity::{
-    ContactError, Evidence, Model, Recommendation, Request, SurfaceShape, recommend_among,
-};
+use asperity::{ContactError, Model, Recommendation, Request, SurfaceShape, recommend_among};
 use asperity_topography::{PowerLaw, Spectra, Statistics};
 
 use crate::check::KURTOSIS;
@@ -44,10 +42,11 @@ impl SceneFile {
         // Solved surfaces are skewed by an exponential of Gaussian heights.
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
         if !(from..=to).contains(&sku) {
-            return Err(Evidence::none(format!(
+            let reason = format!(
                 "`measured_kurtosis` is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity bem --compare`",
                 (10.0 * ssk).round() / 10.0 + 0.0
-            )));
+            );
+            return Err(ContactError::NoEvidence { reason });
         }
         let along = statistics.moments.along_rows[0];
         let across = statistics.moments.along_columns.map_or(along, |[m2, _]| m2);

@@ -88,7 +88,7 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
     plain = asperity.model("ke").solve(scene, pressure=pressures, quantities=asked)
     assert not np.allclose(plain.area, ke.area, rtol=1e-3)
     model = asperity.model("ke")
-    with pytest.raises(ValueError, match="-corrected: no boundary-element solution is close"):
+    with pytest.raises(ValueError, match="^no boundary-element solution is close"):
         model.solve(scene, load=1e9, quantities="area", corrected=True)
     with pytest.raises(ValueError, match="contacts has no counterpart"):
         model.solve(scene, load=1e4, quantities="contacts", corrected=True)

@@ -60,9 +60,13 @@ impl Best {
             }
             Ok(row) => best.take_evidence(file, &row),
             Err(reason) => {
-                let reason = reason.marked();
-                let why = reason.rsplit_once("is close: ").or_else(|| reason.split_once(": "));
-                let why = said(why.map_or(&reason, |(_, why)| why)).replace('_', " ");
+                let why = match reason {
+                    ContactError::NoEvidence { reason } | ContactError::Refused { reason, .. } => {
+                        reason
+                    }
+                    other => other.marked(),
+                };
+                let why = said(&why).replace('_', " ");
                 best.basis = format!("No evidence here ({why}): values by {}.", best.model);
             }
         }

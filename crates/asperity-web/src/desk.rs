@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactError, Corrected, Evidence, Finding};
+use asperity::{ContactError, Corrected, Finding};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
@@ -182,7 +182,7 @@ impl Desk {
         let rows: Vec<Row> = models.iter().map(|id| row(id)).collect();
         let corrected = corrected.entry(id).or_insert_with(|| match compiled.get(id) {
             Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file, id),
-            _ => Err(Evidence::none(format!("{id} has no values"))),
+            _ => Err(ContactError::NoEvidence { reason: format!("{id} has no values") }),
         });
         let corrected = corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at));
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());

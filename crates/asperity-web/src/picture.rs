@@ -77,8 +77,7 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     y.scale = Scale::fitting(&numbers);
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
-    // Black is left to boundary elements.
-    // The ends of the ranges of a model look like it.
+    // The ends of the ranges of a model look like it; black is left to boundary elements.
     let model = |id: &&str| id.split(' ').next().map(String::from);
     let mut looks: Vec<Option<String>> = ids.iter().map(model).collect();
     looks.dedup();

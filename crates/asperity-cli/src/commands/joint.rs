@@ -6,7 +6,7 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, stick_map, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
@@ -200,11 +200,8 @@ impl Joint {
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
-        let (sheet, ()) = scene.answer(fill)?;
-        if let (Some(path), [preload], Some(shift)) =
-            (&self.stick_map, preloads, self.cycle.amplitude)
-        {
-            let states = stick_map(&slip.subject, *preload, slip.friction, shift, &watch)?;
+        let (sheet, states) = scene.answer(fill)?;
+        if let Some(path) = &self.stick_map {
             let scan = scene.file.bem(None, false)?;
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
                 contact_map::write(path, &[&states], scan.map().shape())?;

@@ -1,4 +1,5 @@
-//! Pressures as a matrix of numbers, and as a map.
+//! Maps of the contact pressure, of the flow through the gap and of stick and slip, drawn or as
+//! matrices of numbers.
 
 use std::path::Path;
 

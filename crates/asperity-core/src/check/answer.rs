@@ -193,7 +193,8 @@ impl Check {
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
-        let pressure = force / scene.nominal_area;
+        // A pressure that was asked for is exact; that of the force has an error.
+        let pressure = at.pressure(scene).unwrap_or(force / scene.nominal_area);
         check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {

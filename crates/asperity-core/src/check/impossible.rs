@@ -1,4 +1,5 @@
-//! Answers that no contact has, though a formula gives a number.
+//! Areas beyond the nominal one, and loads beyond full contact, for which a formula still gives
+//! numbers.
 
 use super::findings::crowded;
 use super::{Check, Scene};

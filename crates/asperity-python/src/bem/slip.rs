@@ -3,7 +3,7 @@
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{Severity, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, Subject, stick_map};
+use asperity_answer::{Amplitude, Sheet, Slip, Subject};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,10 +31,8 @@ pub(crate) fn bem_slip<'py>(
     let subject = Subject { file, name: "", id: Bem::ID, model: &model, tolerance };
     let slip = Slip { subject, law: UnloadingLaw::Hertz, friction };
     let (mut sheet, cycle) = (Sheet::default(), [Amplitude::Shift(amplitude)]);
-    let states = run_interruptible(py, None, |stop| {
-        slip.answer(&[at], &cycle, points, &mut sheet, stop)?;
-        stick_map(&subject, at, friction, amplitude, stop)
-    })?;
+    let states =
+        run_interruptible(py, None, |stop| slip.answer(&[at], &cycle, points, &mut sheet, stop))?;
     let states = states.map_err(value_error)?;
     let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
     warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;

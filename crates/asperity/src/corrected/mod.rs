@@ -146,21 +146,16 @@ impl Corrected {
     /// The answers at a load.
     ///
     /// # Errors
-    /// [`ContactError::Refused`] at a separation, since models are compared under equal loads, and
-    /// where there is no evidence, with the property of the scene outside the solved range.
+    /// [`ContactError::Refused`] at a separation, since models are compared under equal loads;
+    /// [`ContactError::NoEvidence`] with the property of the scene outside the solved range.
     pub fn at(&self, at: impl Into<At>) -> Result<CorrectedRow<'_>, ContactError> {
         let at = at.into();
         let pressure = at.pressure(self.contact.scene()).ok_or_else(|| {
             self.refused("models are compared with boundary elements at equal loads; give a load or a pressure".into())
         })?;
         let contacts = self.counted.at(pressure);
-        let expected =
-            Evidence::committed()?.expected(self.contact.scene(), self.shape, pressure, contacts);
-        let expected = expected.map_err(|reason| match reason {
-            // With the name of the model in front, as other refusals.
-            ContactError::Refused { .. } => self.refused(reason.to_string()),
-            other => other,
-        })?;
+        let scene = self.contact.scene();
+        let expected = Evidence::committed()?.expected(scene, self.shape, pressure, contacts)?;
         Ok(CorrectedRow { of: self, at, expected })
     }
 

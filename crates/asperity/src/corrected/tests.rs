@@ -122,7 +122,7 @@ fn nothing_is_left_uncorrected() {
     assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
     let broad = corrected("ke", &self::scene(3e11));
     let refused = broad.at(At::Load(1e3)).unwrap_err().to_string();
-    assert!(refused.contains("ke-corrected: no boundary-element solution is close: alpha"));
+    assert!(refused.starts_with("no boundary-element solution is close: alpha"));
 }
 
 #[test]
@@ -228,6 +228,6 @@ fn a_corrected_model_has_the_id_by_which_it_was_asked_for() {
     assert_eq!(corrected.id(), "ke-random-corrected");
     let corrected = corrected.named("ke");
     assert_eq!(corrected.id(), "ke-corrected");
-    let refused = corrected.at(At::Pressure(1e100)).unwrap_err().to_string();
-    assert!(refused.starts_with("ke-corrected: no boundary-element solution"), "{refused}");
+    let refused = corrected.at(At::from(2.0)).unwrap_err().to_string();
+    assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
 }

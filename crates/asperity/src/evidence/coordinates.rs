@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::evidence::Evidence;
 use crate::evidence::case::EvidenceCase;
-use crate::evidence::{Evidence, NONE};
 use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface, short};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
@@ -120,11 +120,11 @@ impl Coordinates {
     ) -> Result<Self, ContactError> {
         if shape.is_none() && !matches!(scene.heights, HeightDistribution::Gaussian) {
             let reason = "the heights are not Gaussian, and the skewness of the surface is unknown";
-            return Err(Evidence::none(reason.into()));
+            return Err(ContactError::NoEvidence { reason: reason.into() });
         }
         if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
             let reason = "the surfaces adhere, the solved surfaces do not";
-            return Err(Evidence::none(reason.into()));
+            return Err(ContactError::NoEvidence { reason: reason.into() });
         }
         let asperity = scene.asperity()?;
         let moments = scene.surface.moments();
@@ -201,13 +201,7 @@ impl Evidence {
             let outside = named.into_iter().find(|(_, skewness)| !used.contains(skewness));
             outside.map(|(name, x)| format!("{name} = {x:.1}; solved range {low} to {high}"))
         });
-        reason.map_or(Ok(()), |reason| Err(Self::none(reason)))
-    }
-
-    /// The error for a scene without evidence, for this reason.
-    #[must_use]
-    pub fn none(reason: String) -> ContactError {
-        ContactError::Refused { model: NONE.into(), reason }
+        reason.map_or(Ok(()), |reason| Err(ContactError::NoEvidence { reason }))
     }
 }
 

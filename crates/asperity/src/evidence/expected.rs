@@ -150,7 +150,8 @@ impl Evidence {
     ) -> Result<ExpectedContact, ContactError> {
         let mut place = Coordinates::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
-            return Err(Self::none(format!("less than one asperity touches ({})", short(few))));
+            let reason = format!("less than one asperity touches ({})", short(few));
+            return Err(ContactError::NoEvidence { reason });
         }
         place.contacts = contacts.unwrap_or(f64::INFINITY);
         self.check(&place)?;
@@ -191,12 +192,13 @@ impl Evidence {
         let mut values: Vec<_> = Compared::ALL.into_iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
         if values.is_empty() {
-            return Err(Self::none(match place.contacts {
+            let reason = match place.contacts {
                 few if few < FEWEST => {
                     format!("with {few:.1} contacts, the scatter between surfaces is too large")
                 }
                 _ => "no surface like this one was solved".into(),
-            }));
+            };
+            return Err(ContactError::NoEvidence { reason });
         }
         Ok(ExpectedContact {
             alpha: place.alpha,

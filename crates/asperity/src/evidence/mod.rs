@@ -40,10 +40,6 @@ pub use crate::evidence::expected::{Estimate, ExpectedContact};
 #[cfg(feature = "evidence")]
 pub use crate::evidence::ratio::Ratio;
 
-/// First clause of a refusal.
-#[cfg(feature = "evidence")]
-pub(crate) const NONE: &str = "no boundary-element solution is close";
-
 /// Boundary elements on generated surfaces, and models beside them, as `cargo xtask truth` computes
 /// them: periodic, 256 x 256 to 2048 x 2048 pixels with shortest waves of 8 pixels, from
 /// `bem::RandomSurface`; isotropic and Gaussian, or skewed, or with a lay;

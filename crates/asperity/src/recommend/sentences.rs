@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::{
     AsWritten, Compared, Comparison, ContactError, Described, Dialect, EvidenceAt, ExpectedContact,
-    Model, Ratio, Recommendation, evidence::NONE, ranking, ranking::words,
+    Model, Ratio, Recommendation, ranking, ranking::words,
 };
 
 impl Recommendation {
@@ -194,14 +194,19 @@ impl Recommendation {
     /// The line for places without evidence, for the same reason.
     fn without(&self, group: &[&EvidenceAt]) -> String {
         let [first, last] = [0, group.len() - 1].map(|k| group[k].at.rounded());
-        let reason =
-            group[0].expected.as_ref().err().map_or_else(String::new, ContactError::marked);
+        let (error, reason) = match &group[0].expected {
+            Err(ContactError::NoEvidence { reason }) => {
+                ("no boundary-element solution is close", reason)
+            }
+            Err(error) => return error.marked(),
+            Ok(_) => return String::new(),
+        };
         let places = match (group.len(), self.evidence.len()) {
-            (some, all) if some == all => return reason,
+            (some, all) if some == all => String::new(),
             (1, _) => format!(" at {first}"),
             (some, _) => format!(" at {some} places from {first} to {last}"),
         };
-        format!("{NONE}{places}{}", reason.trim_start_matches('`').trim_start_matches(NONE))
+        format!("{error}{places}: {reason}")
     }
 }
 

@@ -1,7 +1,6 @@
 //! Recommendations of models, with their evidence.
 
 use super::*;
-use crate::Evidence;
 use crate::{At, Interface, Surface, linspace};
 
 fn advice(plasticity_index: f64, within: f64) -> Recommendation {
@@ -159,9 +158,9 @@ fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
 fn a_surface_unlike_the_solved_ones_has_no_evidence() {
     let known = advice(2.0, 0.05);
     assert!(known.evidence.iter().any(|place| place.expected.is_ok()), "{known}");
-    let without = known
-        .clone()
-        .without_evidence(&Evidence::none("the heights have a kurtosis of 175".into()));
+    let without = known.clone().without_evidence(&ContactError::NoEvidence {
+        reason: "the heights have a kurtosis of 175".into(),
+    });
     assert_eq!(
         without.summary(),
         ["no boundary-element solution is close: the heights have a kurtosis of 175"]
