@@ -129,14 +129,12 @@ fn shares_are_computed_when_requested_and_once() {
     let spy = Spy::default();
     let request = Request::new([Quantity::Force]).at([0.5]);
     let compiled = ContactModel::compile(&spy, &with_index(2.0), &request).unwrap();
-    assert!(compiled.respond(&request).columns[0].shares.is_none());
+    assert!(compiled.respond(&request).columns[0].rows[0].is_ok());
     let value_only = spy.samples();
     assert!(value_only > 0);
-    let answer = compiled.respond(&request.clone().with_shares());
+    let shares = compiled.shares(Quantity::Force, 0.5).unwrap();
     let with_shares = spy.samples();
     assert!(with_shares > value_only, "shares integrate the parts by themselves");
-    let shares = answer.columns[0].shares.clone().unwrap();
-    let shares = shares[0].as_ref().unwrap();
     let total: f64 = shares.iter().map(|s| s.share).sum();
     // The request's tolerance of 1e-10, for each of three integrals.
     assert!(shares.len() == 2 && (total - 1.0).abs() < 3e-10, "{shares:?}");

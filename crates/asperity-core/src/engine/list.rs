@@ -24,7 +24,7 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     let ranges = |heights: &OtherHeights| 2 + heights.heights().breaks().len();
     let sampled = scene.heights.sampled(1.0);
     let few = sampled.map_or(FEW, |(heights, _)| FEW_BETWEEN_BREAKS * ranges(heights));
-    request.at.len() <= few && !request.shares
+    request.at.len() <= few
 }
 
 /// The response to a request from prepared integrals.

@@ -11,7 +11,7 @@ use crate::{At, Quantity, Tolerance};
 
 /// Quantities, the separations or loads at which they are wanted, and a tolerance.
 ///
-/// Only the listed quantities are computed; shares of regimes cost extra and are off by default.
+/// Only the listed quantities are computed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[non_exhaustive]
@@ -22,8 +22,6 @@ pub struct Request {
     pub at: Vec<At>,
     /// Relative tolerance of every value.
     pub tolerance: Tolerance,
-    /// Report the share of every part of the law in every value.
-    pub shares: bool,
 }
 
 impl Request {
@@ -57,13 +55,6 @@ impl Request {
     #[must_use]
     pub fn within(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;
-        self
-    }
-
-    /// With the share of every regime in every value.
-    #[must_use]
-    pub fn with_shares(mut self) -> Self {
-        self.shares = true;
         self
     }
 }

@@ -6,7 +6,7 @@ pub(crate) mod row_check;
 use serde::Serialize;
 
 use self::row_check::RowCheck;
-use crate::{At, Contact, ContactError, Evaluation, Finding, Quantity, Request, Share};
+use crate::{At, Contact, ContactError, Evaluation, Finding, Quantity, Request};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -16,9 +16,6 @@ pub struct Column {
     pub quantity: Quantity,
     /// One for each row: a value, or the reason why it has none.
     pub rows: Vec<Result<Evaluation, Box<ContactError>>>,
-    /// Shares of the parts of the law, if they were requested: one list for each row, or the reason
-    /// why it has none.
-    pub shares: Option<Vec<Result<Vec<Share>, Box<ContactError>>>>,
 }
 
 impl Column {
@@ -96,7 +93,7 @@ pub(crate) fn respond(
 ) -> Response {
     let new = |quantity: &Quantity| {
         let rows = Vec::with_capacity(request.at.len());
-        Column { quantity: *quantity, rows, shares: None }
+        Column { quantity: *quantity, rows }
     };
     let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
     for places in request.at.chunks(ROWS_PER_BLOCK) {
@@ -110,10 +107,6 @@ pub(crate) fn respond(
         for (row, &at) in column.rows.iter().zip(&request.at) {
             let row = row.as_ref().map_err(|error| &**error);
             seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
-        }
-        if request.shares {
-            let of = |at: &At| contact.shares_at(quantity, *at).map_err(Box::new);
-            column.shares = Some(request.at.iter().map(of).collect());
         }
     }
     let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));

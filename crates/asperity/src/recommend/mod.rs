@@ -104,7 +104,8 @@ pub struct Recommendation {
 
 impl Recommendation {
     /// Removes the evidence, for a surface that differs from the solved ones in a property that
-    /// neither a [`Scene`] nor a [`SurfaceShape`] holds; the reason ([`ContactError::NoEvidence`]) names it.
+    /// neither a [`Scene`] nor a [`SurfaceShape`] holds; the reason
+    /// ([`ContactError::NoEvidence`]) names it.
     #[must_use]
     pub fn without_evidence(mut self, reason: &ContactError) -> Self {
         for place in &mut self.evidence {
