@@ -35,7 +35,7 @@ const CURVES: [(&str, usize, &str); 6] = [
 const BEM: &str = "bem";
 const THEIRS: &str = "simulated";
 const PIXELS: &str = "bem-pixels";
-/// Mean gaps are compared up to this p/(E g): the surfaces of a model of asperities overlap beyond.
+/// Mean gaps are drawn up to this p/(E g): the surfaces of a model of asperities overlap beyond.
 const HEAVIEST: f64 = 0.4;
 
 /// The columns of our own solutions: areas as estimated from the edges of patches, and as counted
