@@ -224,7 +224,7 @@ fn derived_numbers_equal_their_formulas() {
     // From moments and back.
     let other = Surface::from_moments(&surface.moments()).unwrap();
     assert!((other.asperity_height_std / surface.asperity_height_std - 1.0).abs() < 1e-12);
-    assert!((number("rms_slope").powi(2) / (2.0 * surface.moments().m2) - 1.0).abs() < 1e-12);
+    assert!((number("rms_gradient").powi(2) / (2.0 * surface.moments().m2) - 1.0).abs() < 1e-12);
 }
 
 #[test]

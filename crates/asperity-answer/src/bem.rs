@@ -149,7 +149,8 @@ impl<'a> Press<'a> {
         sheet.heads = self.heads();
         sheet.findings.extend(self.leak.and_then(|leak| leak.finding()));
         // Refuses what boundary elements or the scene lack before anything is solved.
-        self.bem.compile(&self.file.scene, &Request::new(self.quantities()))?;
+        let compiled = self.bem.compile(&self.file.scene, &Request::new(self.quantities()));
+        compiled.map_err(|error| AnswerError::from(error).of_model(self.name))?;
         // Before the hours of the whole grid.
         let half = self.refine.then(|| half_grid(self.bem)).transpose()?;
         let (whole, kept, mut found) = self.rows(self.bem, sheet, watch)?;

@@ -211,7 +211,9 @@ impl<'s> Inquiry<'s> {
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
                     let opening = if id == JKR && opens(reason) { OPENING } else { "" };
-                    blanks.count(&what, reason.marked() + opening);
+                    // The id of the model stands in front of the text.
+                    let (why, own) = (reason.marked(), format!("`{}` ", model.id()));
+                    blanks.count(&what, why.trim_start_matches(&own).to_string() + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
             }

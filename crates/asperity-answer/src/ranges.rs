@@ -1,7 +1,7 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
-use asperity::{Finding, Quantity, Severity, map_runs};
-use asperity_inputs::{SceneFile, Unknown};
+use asperity::{Quantity, map_runs};
+use asperity_inputs::{AT_AN_END, SceneFile, Unknown, worst_at_ends};
 
 use crate::inquiry::{ENDS, column_of_end};
 use crate::{AnswerError, Cell, Sheet};
@@ -29,7 +29,7 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     let (middle, corners) = file.corners().map_err(AnswerError::from)?;
     let found = fill(&middle, sheet)?;
     if sheet.heads.iter().any(|head| head.contains("_lower")) {
-        let text = "intervals by boundary elements are not combined with ranges of the surface";
+        let text = "intervals by boundary elements are not combined with ranges of the surface: give rq, rdq and bandwidth without a finish, or a scan";
         return Err(AnswerError::from(text).into());
     }
     let filled = |corner: &SceneFile| {
@@ -151,12 +151,8 @@ impl Ends<'_> {
     /// middle does not have.
     fn add_findings(&self, sheet: &mut Sheet) {
         let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
-        for found in at_ends.filter(|found| found.severity < Severity::Note) {
-            let is_new = |known: &Finding| known.code != found.code;
-            if sheet.findings.iter().all(is_new) {
-                sheet.findings.push(found.clone().from_origin(AT_AN_END));
-            }
-        }
+        let new = worst_at_ends(&sheet.findings, at_ends);
+        sheet.findings.extend(new);
         let verdict =
             |of: &Sheet| of.findings.iter().find(|found| found.code == "verdict").cloned();
         let own = verdict(sheet);
@@ -218,7 +214,6 @@ const ANSWERS: [&str; 3] = ["_deviation", "_off_bem", "_spread"];
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.
 pub const NO_RANGE: &str = "there is no value at an end of the ranges of the surface";
-const AT_AN_END: &str = "at an end of the ranges of the surface";
 
 fn least(numbers: &[f64]) -> f64 {
     numbers.iter().copied().fold(f64::INFINITY, f64::min)

@@ -3,8 +3,8 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, Contact, ContactError, ContactModel, Finding, Findings, HeightDistribution,
-    ProfileMoments, short,
+    At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
+    HeightDistribution, ProfileMoments, short,
 };
 use asperity_topography::Statistics;
 
@@ -24,6 +24,9 @@ pub struct Measured {
     pub long_wavelength: Option<f64>,
 }
 
+/// The yield strength over the modulus below which a metal is soft, as annealed: that of cold-drawn
+/// and tempered steels and of hard aluminium alloys is above.
+const ANNEALED: f64 = 0.0015;
 /// Ranges of skewness and kurtosis of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
 pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
@@ -35,7 +38,7 @@ const ASPERITY_FIELDS: [&str; 6] = [
     "asperity_density",
     "roughness_parameter",
     "height_std_over_radius",
-    "rms_slope",
+    "rms_gradient",
 ];
 
 /// Fields of the interface that follow from those of the bodies, whose findings are of the bodies.
@@ -75,6 +78,7 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
+        let of_pair = of_pair.chain(self.hardness_by_yield());
         let of_pair = of_pair.chain(self.smooth_counterface());
         let found = of_interface.into_iter().chain(self.of_bodies()).chain(of_pair);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
@@ -171,7 +175,7 @@ impl SceneFile {
                 ("measured_height_std", statistics.sq, "m", "Sq"),
                 ("measured_skewness", statistics.ssk, "", "Ssk"),
                 ("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights"),
-                ("measured_slope", slope, "", "rms slope of the scan"),
+                ("measured_slope", slope, "", "rms gradient of the scan"),
                 ("measured_bandwidth", statistics.alpha, "", "of the measured profiles"),
                 ("pixel_size", *pixel_size, "m", "of the scan"),
             ] {
@@ -230,6 +234,24 @@ impl SceneFile {
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
+    }
+
+    /// A note on the softer body where its hardness follows from the yield strength of a metal that
+    /// hardens.
+    fn hardness_by_yield(&self) -> Option<Finding> {
+        let limit = self.scene.interface.softer_hardness()?;
+        let is_softer = |body: &&asperity::Body| {
+            let strength = body.yield_strength.filter(|_| body.hardness.is_none());
+            strength.is_some_and(|strength| {
+                let hardness = HARDNESS_OVER_YIELD * strength;
+                hardness <= limit * (1.0 + 1e-9) && strength < ANNEALED * body.youngs_modulus
+            })
+        };
+        let softer = self.bodies.iter().find(is_softer)?;
+        let fact = format!("the hardness of {} Pa is 2.8 times the yield strength", short(limit));
+        let advice = "soft metals harden as they yield, often to a multiple of this: give their `hardness`, as \"150 HV\"";
+        let found = Finding::note("hardness-by-yield", "yield_strength", softer.yield_strength?);
+        Some(found.unit("Pa").fact(fact).advice(advice))
     }
 
     /// A warning of which of two equally hard bodies is taken to yield, where it matters.

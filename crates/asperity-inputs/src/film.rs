@@ -94,6 +94,16 @@ mod tests {
         assert_eq!((both.peklenik_numbers, both.friction_cut_off), ([3.0, 0.5], 1e-3));
         // 3²/(3² + 4²).
         assert!((both.share_at_rest - 0.36).abs() < 1e-6, "{both:?}");
+        // By roughness or by moments, the moving one or the resting one: in each way the same.
+        let rough = |rq: f64| format!("rq = {rq}e-7, rdq = 0.03, bandwidth = 6");
+        let moments = |rq: f64| format!("m0 = {}e-14, m2 = 9e-4, m4 = 1e9", rq * rq);
+        let ways: [&dyn Fn(f64) -> String; 2] = [&rough, &moments];
+        for (first, second) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let [moving, resting] = [ways[first](4.0).replace(", ", "\n"), ways[second](3.0)];
+            let text = format!("{moving}\npeklenik_number = 3\ncounterface = {{ {resting} }}\n");
+            let found = flow(&text, Path::new(".")).unwrap();
+            assert!((found.share_at_rest - 0.36).abs() < 1e-12, "{text}{found:?}");
+        }
         let refused = flow(&format!("{one}[options]\nfriction_cut_off = 1"), Path::new("."));
         assert!(refused.unwrap_err().contains("friction_cut_off is 1.0: 1e-6 to 0.1 was required"));
     }

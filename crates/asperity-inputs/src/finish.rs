@@ -30,6 +30,8 @@ pub(crate) const FINISH: &[&str] = &[
 
 /// Ra of the cusps of a turned surface is feed²/(18 √3 nose_radius), of parabolas. \[derived\]
 const CUSP: f64 = 31.18;
+/// The longest cut-off of profiles \[m\]; the longest of ISO 4288 is 8 mm.
+const LONGEST: f64 = 0.08;
 /// The power of Rq in the usual slope.
 const POWER: f64 = 0.402;
 
@@ -67,6 +69,7 @@ pub(crate) fn face(
             None => return drawing.missing(key, "a cut-off of the profile".into()),
         };
     }
+    drawing.check()?;
     let (across, slope_power) = drawing.slope_across(&height)?;
     let bandwidth = drawing.bandwidth()?;
     let (odd, notes) = (drawing.odd()?, drawing.warnings(ra, &height, &across)?);
@@ -88,6 +91,24 @@ impl Drawing<'_> {
 
     fn missing<T>(&self, key: &str, needed: String) -> Read<T> {
         Err(self.document.missing(&self.at(key), needed))
+    }
+
+    /// Refuses cut-offs that no profile has, and an Rq below Ra.
+    fn check(&self) -> Read<()> {
+        let [short_cut, cut] = self.wavelengths;
+        let below = self.number("rq")?.zip(self.number("ra")?).filter(|(rq, ra)| rq < ra);
+        let (key, value, hint) = match below {
+            Some((rq, _)) => ("rq", rq, "is below `ra`, which no surface has: check both"),
+            None if cut > LONGEST => ("lambda_c", cut, "is in m: write \"0.8 mm\", for example"),
+            None if cut <= short_cut => (
+                "lambda_c",
+                cut,
+                "is the long cut-off of the profile, and `lambda_s` is no shorter",
+            ),
+            None => return Ok(()),
+        };
+        let at = self.document.place(&self.at(key));
+        Err(SceneError::Notation { at, found: short(value), hint: hint.into() })
     }
 
     /// The range of a number for this finish.

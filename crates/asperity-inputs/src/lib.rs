@@ -61,4 +61,4 @@ pub use template::{template, template_on};
 pub use toml::Table as Keys;
 /// The value of an option.
 pub use toml::Value as OptionValue;
-pub use unknowns::Unknown;
+pub use unknowns::{AT_AN_END, Unknown, worst_at_ends};

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use asperity::{Finding, plain_unit as plain, short};
 
+use crate::Key;
 use crate::scaled::{leading, scale};
 
 mod lengths;
@@ -62,7 +63,14 @@ pub fn notation_hint(text: &str) -> Option<String> {
 pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     let is_number = |text: &str| text.trim().parse::<f64>().is_ok_and(f64::is_finite);
     if is_number(text) {
-        return Some("is a number in quotes; remove these".into());
+        let typed = Key::find("", key).filter(|key| !key.unit.is_empty());
+        let unit = typed.and_then(|key| key.form[1].split_once(' '));
+        return Some(match unit {
+            Some((_, unit)) => {
+                format!("has no unit; write \"{} {unit}\", for example", text.trim())
+            }
+            None => "is a number in quotes; remove these".into(),
+        });
     }
     if let Some(slope) = gradient(text).filter(|_| ["sdq", "mean_slope"].contains(&key)) {
         return Some(format!("is a slope; write {} without quotes", short(slope)));

@@ -83,7 +83,11 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     let strength = "is a hardness, not a yield strength: give hardness instead";
     let is_kinematic =
         si == "Pa s" && leading(text).is_some_and(|(_, unit)| KINEMATIC.contains(&&*plain(&unit)));
+    let other_scale = |scale: &str| key == "hardness" && text.to_uppercase().contains(scale);
+    let is_other = ["HB", "HR", "SHORE"].into_iter().any(other_scale);
+    let of_table = "is on another scale of hardness: convert it to HV by a table";
     let hint = is_hardness.then_some(strength).or(is_kinematic.then_some(TIMES_DENSITY));
+    let hint = hint.or(is_other.then_some(of_table));
     Err(hint.map(String::from).or_else(|| notation_hint(text)).unwrap_or_else(|| {
         let near = nearest_hint(in_other_case(text, units));
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());

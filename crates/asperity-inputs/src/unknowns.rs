@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use asperity::{At, Check, ContactError, ContactModel, Finding, Pair, ProfileMoments, Surface};
+use asperity::{
+    At, Check, ContactError, ContactModel, Finding, Pair, ProfileMoments, Severity, Surface,
+};
 
 use crate::{Place, SceneError, SceneFile};
 
@@ -99,12 +101,39 @@ fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Pair), ContactError>
     Ok((together, pair))
 }
 
-/// The surfaces of faces in the middle of their ranges.
+/// The variance of the heights of the second face \[m²\], if there is one.
+fn counter_variance(faces: &[Face], at: Corner) -> Option<f64> {
+    Some(faces.get(1)?.moments(at).m0)
+}
+
+/// The surfaces of faces in the middle of their ranges, and the variance of the heights of the
+/// second \[m²\].
 ///
 /// # Errors
 /// Those of [`Surface::from_moments`].
-pub(crate) fn middle(faces: &[Face]) -> Result<(Surface, Pair), ContactError> {
-    surfaces(faces, MIDDLE)
+pub(crate) fn middle(faces: &[Face]) -> Result<((Surface, Pair), f64), ContactError> {
+    Ok((surfaces(faces, MIDDLE)?, counter_variance(faces, MIDDLE).unwrap_or(0.0)))
+}
+
+/// Where a finding is from that the middle of the ranges does not have.
+pub const AT_AN_END: &str = "at an end of the ranges of the surface";
+
+/// The warnings at the ends of the ranges whose codes are not `known` in the middle, of each code
+/// the farthest beyond what is usual.
+pub fn worst_at_ends<'f>(
+    known: &[Finding],
+    at_ends: impl Iterator<Item = &'f Finding>,
+) -> Vec<Finding> {
+    let mut new: Vec<&Finding> = vec![];
+    let is_new = |found: &Finding| known.iter().all(|known| known.code != found.code);
+    for found in at_ends.filter(|found| found.severity < Severity::Note && is_new(found)) {
+        match new.iter_mut().find(|known| known.code == found.code) {
+            Some(known) if found.excess() > known.excess() => *known = found,
+            Some(_) => {}
+            None => new.push(found),
+        }
+    }
+    new.into_iter().map(|found| found.clone().from_origin(AT_AN_END)).collect()
 }
 
 impl SceneFile {
@@ -152,7 +181,9 @@ impl SceneFile {
             let rougher = surface.moments().m0.sqrt() / file.scene.surface.moments().m0.sqrt();
             (file.scene.surface, file.scene.pair) = (surface, Some(pair));
             file.scene.surface_height_std = file.scene.surface_height_std.map(|std| rougher * std);
-            file.counter_variance *= rougher * rougher;
+            // Of one surface it may be that of its like.
+            let of_two = counter_variance(&self.faces, place);
+            file.counter_variance = of_two.unwrap_or(file.counter_variance * rougher * rougher);
             Ok(file)
         };
         let corner = |corner: usize| {
@@ -203,6 +234,9 @@ impl SceneFile {
         }
         given.numbers.append(&mut check.numbers);
         check.numbers = given.numbers;
+        let at_ends = corners.iter().flat_map(|corner| corner.findings.iter());
+        let new = worst_at_ends(&check.findings, at_ends);
+        check.extend(new);
         check.extend(self.smooth_counterface());
         check.findings = self.accepted(check.findings);
         Ok(check)

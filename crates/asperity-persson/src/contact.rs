@@ -2,7 +2,7 @@
 
 use asperity_core::{
     At, Contact, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
-    SeparationUnit, positive,
+    SeparationUnit, positive, short,
 };
 use asperity_quadrature::QuadratureError;
 
@@ -50,8 +50,11 @@ impl OnScene {
             return Ok([self.model.variance.area_fraction(pressure / self.pressure_std), 0.0]);
         };
         if pressure >= limit {
-            let required = "a pressure on the nominal area below the hardness";
-            return Err(ContactError::OutOfRange { field: "pressure", value: pressure, required });
+            let [pressure, limit] = [pressure, limit].map(short);
+            let reason = format!(
+                "the mean pressure is {pressure} Pa, and contact is full at the hardness ({limit} Pa): check the units of load and nominal area"
+            );
+            return Err(ContactError::Refused { model: self.model().into(), reason });
         }
         let full = std::f64::consts::SQRT_2 * self.pressure_std / limit;
         Ok(plastic::areas(pressure / limit, full))
@@ -300,7 +303,7 @@ mod tests {
         }
         for at in [At::Pressure(8e4), At::Load(9e4 * 3e-5)] {
             let text = of(Quantity::Area, at).unwrap_err().to_string();
-            assert!(text.contains("pressure is") && text.contains("below the hardness"), "{text}");
+            assert!(text.contains("full at the hardness (80000 Pa): check"), "{text}");
         }
     }
 

@@ -348,7 +348,7 @@ def test_correlations_of_conductance_are_those_of_their_formulas() -> None:
     assert plastic.conductance.shape == (2, 3) and plastic.holds.all()
     np.testing.assert_allclose(plastic.relative_pressure, pressure / 2e9, rtol=1e-14)
     numbers = scene.check().numbers
-    slope = numbers["rms_slope"] / math.sqrt(math.pi)  # mean absolute slope of profiles
+    slope = numbers["rms_gradient"] / math.sqrt(math.pi)  # mean absolute slope of profiles
     wanted = 1.25 * 50.0 * slope / numbers["surface_height_std"] * (pressure / 2e9) ** 0.95
     np.testing.assert_allclose(plastic.conductance, wanted, rtol=1e-12)
     load = by("cmy", scene, load="1 kN").conductance

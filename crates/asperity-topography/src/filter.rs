@@ -108,6 +108,8 @@ impl Topography {
 fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
     let inside = |unit: &LengthUnit| (least..=largest).contains(&(value * unit.metres()));
     let unit = [LengthUnit::Micrometre, LengthUnit::Millimetre].into_iter().find(inside);
+    // A smaller number was meant in metres.
+    let unit = unit.filter(|_| value > 0.01);
     let meant = unit.map_or(String::new(), |unit| format!("; {value} looks like {unit}"));
     let required = format!(
         "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"

@@ -21,6 +21,9 @@ impl Export<'_> {
         if self.units != UnitSystem::Si {
             return Err("a table of films is in SI units".into());
         }
+        if self.max_error.is_some() {
+            return Err("a table of films has equal distances and no --max-error: give the number of its nodes".into());
+        }
         let file = self.subject.file;
         let request = Request::new(OF_CONTACT).within(self.subject.tolerance);
         let contact = self.subject.model.compile(&file.scene, &request)?;
@@ -29,13 +32,19 @@ impl Export<'_> {
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
         let flow = file.model(FLOW)?.compile(scene, &Request::new(factors))?;
         let of = |one: &dyn Contact, film: f64| -> Result<Vec<Option<f64>>, ContactError> {
-            let value =
-                |quantity: &Quantity| match one.evaluate(*quantity, Separation::film_ratio(film)) {
-                    Ok(value) => Ok(Some(value.value())),
-                    // Outside of the range of a fit.
-                    Err(ContactError::OutOfRange { .. }) if quantity.is_flow_factor() => Ok(None),
-                    Err(error) => Err(error),
-                };
+            let value = |quantity: &Quantity| match one
+                .evaluate(*quantity, Separation::film_ratio(film))
+            {
+                Ok(value) => Ok(Some(value.value())),
+                // Outside of the range of a fit; a lay that no fit has is an error.
+                Err(ContactError::OutOfRange { field, value, .. })
+                    if quantity.is_flow_factor()
+                        && (field != "peklenik_number" || (1.0 / 9.0..=9.0).contains(&value)) =>
+                {
+                    Ok(None)
+                }
+                Err(error) => Err(error),
+            };
             one.quantities().iter().map(value).collect()
         };
         let lambda = |at: At| {

@@ -113,9 +113,12 @@ impl ExportCommand {
             .or(load)
             .or(pressure)
             .context("a range was required")?;
-        let by_error = self.max_error.is_some() && self.format != TableFormat::Film;
-        if span.count.is_none() && !by_error {
-            let text = "A:B needs --max-error, or a number of nodes: A:B:N";
+        let is_film = self.format == TableFormat::Film;
+        if span.count.is_none() && (is_film || self.max_error.is_none()) {
+            let text = match is_film {
+                true => "a table of films needs the number of its nodes: A:B:N",
+                false => "A:B needs --max-error, or a number of nodes: A:B:N",
+            };
             usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
         valid("export", self.format.check(self.conductance, self.friction));

@@ -48,7 +48,7 @@ const COLUMNS: [(&str, &str, Number); 5] = [
     ("asperity_radius_m", "radius R (m)", |s| s.asperity_radius),
     ("asperity_density_per_m2", "density η (1/m²)", |s| s.asperity_density),
     ("asperity_height_std_m", "height std σ_z (m)", |s| s.asperity_height_std),
-    ("rms_slope", "rms slope", |s| Some((2.0 * s.m2).sqrt())),
+    ("rms_gradient", "rms gradient", |s| Some((2.0 * s.m2).sqrt())),
 ];
 /// Columns of the results of the scene.
 const ANSWERS: [(Quantity, &str); 2] =

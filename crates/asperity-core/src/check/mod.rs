@@ -173,7 +173,7 @@ impl Scene {
             check.add_number("asperity_height_skewness", heights.skewness(), "", meaning);
         }
         check.add_number("surface_height_std", moments.m0.sqrt(), "m", gaussian);
-        check.add_number("rms_slope", surface.rms_slope(), "", gaussian);
+        check.add_number("rms_gradient", surface.rms_gradient(), "", gaussian);
         check.add_number("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
         let beta = surface.roughness_parameter();
         check.add_number("roughness_parameter", beta, "", "beta_z = eta R sigma_z");

@@ -23,9 +23,9 @@ const FIELD: f64 = 1.0;
 const POPULATION: [f64; 3] = [30.0, 300.0, 1000.0];
 
 impl Surface {
-    /// √(2 m₂) of an isotropic Gaussian surface with these asperities: its rms slope.
+    /// √(2 m₂) of an isotropic Gaussian surface with these asperities: its rms gradient.
     #[must_use]
-    pub fn rms_slope(&self) -> f64 {
+    pub fn rms_gradient(&self) -> f64 {
         (2.0 * self.moments().m2).sqrt()
     }
 
@@ -90,8 +90,8 @@ impl Surface {
                 "the asperities would be needles, not spherical caps",
             ),
             (
-                derived("rms_slope", [0.0, 1.0]),
-                self.rms_slope(),
+                derived("rms_gradient", [0.0, 1.0]),
+                self.rms_gradient(),
                 "half-space contact assumes slopes well below 1",
             ),
         ]

@@ -79,7 +79,8 @@ impl RowCheck {
         if value == 0.0 && evaluation.scaled != 0.0 && !absolute {
             found(Oddity::Underflow, quantity, evaluation.ln_value());
         }
-        if condition > CANCELLED && !absolute && !adhesive {
+        // The shear factors of two like surfaces cancel, as they should.
+        if condition > CANCELLED && !absolute && !adhesive && !quantity.is_flow_factor() {
             found(Oddity::Cancelled, quantity, condition);
         }
         let nominal = if quantity == Quantity::Area { scene.nominal_area } else { 1.0 };

@@ -31,7 +31,7 @@ fn numbers_may_have_a_unit() {
         (
             "116e9",
             "\"116\"",
-            "interface.equivalent_modulus = \"116\" is a number in quotes; remove these",
+            "interface.equivalent_modulus = \"116\" has no unit; write \"116 GPa\", for example",
         ),
         (
             "1.11e8",

@@ -62,7 +62,7 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     let interface = Interface::new(116e9, 0.31, 1.12e9);
     let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
     let scene = Scene::new(interface, surface, 3e-5);
-    let unit = 116e9 * surface.rms_slope();
+    let unit = 116e9 * surface.rms_gradient();
     let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 5e-2].map(|p| At::Pressure(p * unit));
     let asked = [Quantity::Force, Quantity::Area, Quantity::Tangent];
     let request = Request::new(asked).at(pressures);
