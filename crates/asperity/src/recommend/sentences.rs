@@ -46,9 +46,10 @@ impl Recommendation {
                 format!(", but does not hold here (`{}`); of the models that do, {alike}", why.code)
             }
         };
-        let merging = match self.merging {
-            Some(_) => "; contacts merge here, and no model of asperities is valid",
-            None => "",
+        let merging = match (&self.merging, self.evidence.len()) {
+            (Some(_), 1) => "; contacts merge here, and no model of asperities is valid",
+            (Some(_), _) => "; contacts merge at some loads, where no model of asperities is valid",
+            (None, _) => "",
         };
         let text = text(first)?;
         Some(AsWritten.say(&format!("{text} is nearest to boundary elements{rest}{merging}")))
