@@ -142,13 +142,12 @@ pub fn materials_like(word: &str) -> Vec<&'static Material> {
 pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
     let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
     let like: Vec<&str> = materials_like(unknown).iter().map(|material| &*material.id).collect();
-    (
-        near,
-        match like[..] {
-            [] => "a material that `asperity list materials` lists".into(),
-            _ => format!("one of {}", like.join(", ")),
-        },
-    )
+    let listed = || "a material that `asperity list materials` lists".into();
+    match like[..] {
+        [] => (near, listed()),
+        [only] => (Some(only), listed()),
+        _ => (near, format!("one of {}", like.join(", "))),
+    }
 }
 
 #[cfg(test)]
@@ -170,6 +169,7 @@ mod tests {
         let (near, needed) = suggestion("aluminum");
         assert_eq!(near, Some("aluminium"));
         assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
+        assert_eq!(suggestion("C45").0, Some("steel-1045-cold-drawn"));
         assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
         assert_eq!(suggestion("unobtainium").1, "a material that `asperity list materials` lists");
     }

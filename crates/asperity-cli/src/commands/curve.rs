@@ -2,6 +2,7 @@
 //! `pull-off`.
 
 use anyhow::{Context, Result};
+use asperity::bem::Bem;
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
@@ -75,6 +76,11 @@ impl Curve {
         // The former command of comparisons always has a reference, at one separation.
         let compares = command == "compare";
         let ids = if compares { &[][..] } else { &self.asked.models };
+        if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
+            let text =
+                "bem solves a contact for each place: give --load, --pressure or --separation";
+            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+        }
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load(&self.asked.scene, ids)?;
         // Models of contact and of flow have other quantities.
