@@ -6,6 +6,7 @@ use asperity::{Compared, ContactError, Quantity, Separation, SeparationUnit};
 use crate::asked::Asked;
 use crate::blanks::Blanks;
 use crate::inquiry::{Found, Inquiry};
+use crate::models::reason_alone;
 use crate::subject::measured;
 use crate::{Cell, Sheet};
 
@@ -26,11 +27,7 @@ impl Inquiry<'_> {
         let length = |separation: Option<Separation>, unit| {
             Cell::from(separation.and_then(|s| measured(self.file, &self.file.scene, s, unit).ok()))
         };
-        // The id stands in front of every message.
-        let words = |reason: &ContactError| match reason {
-            ContactError::Refused { model, reason } if *model == id => reason.clone(),
-            reason => reason.marked(),
-        };
+        let words = |reason: &ContactError| reason_alone(&id, reason);
         for (k, &at) in self.request.at.iter().enumerate() {
             let row = corrected.as_ref().map_err(Clone::clone);
             let row = row.and_then(|corrected| corrected.at(at));

@@ -6,7 +6,7 @@ use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
 use crate::blanks::Blanks;
-use crate::models::{NamedModel, grouped, once};
+use crate::models::{NamedModel, grouped, once, reason_alone};
 use crate::sheet::warning;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -211,9 +211,7 @@ impl<'s> Inquiry<'s> {
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
                     let opening = if id == JKR && opens(reason) { OPENING } else { "" };
-                    // The id of the model stands in front of the text.
-                    let (why, own) = (reason.marked(), format!("`{}` ", model.id()));
-                    blanks.count(&what, why.trim_start_matches(&own).to_string() + opening);
+                    blanks.count(&what, reason_alone(model.id(), reason) + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
             }

@@ -125,6 +125,15 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
+/// The reason of a model whose id stands in front of it; terms are marked.
+pub(crate) fn reason_alone(id: &str, reason: &ContactError) -> String {
+    match reason {
+        ContactError::Unsupported { model, what } if model == id => format!("cannot give {what}"),
+        ContactError::Refused { model, reason } if model == id => reason.clone(),
+        reason => reason.marked(),
+    }
+}
+
 /// The models without a result, one text for each reason, that of the first: an input that several
 /// lack, or that is outside the same range.
 pub(crate) fn by_reason<'e>(

@@ -24,8 +24,8 @@ pub struct Measured {
     pub long_wavelength: Option<f64>,
 }
 
-/// The yield strength over the modulus below which a metal is soft, as annealed: that of cold-drawn
-/// and tempered steels and of hard aluminium alloys is above.
+/// The yield strength over the modulus below which a metal counts as soft: in the list of materials
+/// annealed and hot-rolled steels, copper and nickel lie below, cold-drawn and tempered ones above.
 const ANNEALED: f64 = 0.0015;
 /// Ranges of skewness and kurtosis of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
@@ -248,8 +248,12 @@ impl SceneFile {
             })
         };
         let softer = self.bodies.iter().find(is_softer)?;
-        let fact = format!("the hardness of {} Pa is 2.8 times the yield strength", short(limit));
-        let advice = "soft metals harden as they yield, often to a multiple of this: give their `hardness`, as \"150 HV\"";
+        let fact = format!(
+            "the hardness of {} Pa is {HARDNESS_OVER_YIELD} times the yield strength",
+            short(limit)
+        );
+        let advice =
+            "soft metals harden as they yield: give the measured `hardness`, such as \"150 HV\"";
         let found = Finding::note("hardness-by-yield", "yield_strength", softer.yield_strength?);
         Some(found.unit("Pa").fact(fact).advice(advice))
     }

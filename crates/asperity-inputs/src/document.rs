@@ -135,6 +135,17 @@ impl<'a> Document<'a> {
         self.get(path)
     }
 
+    /// The number of a key of a section; an error if it is not positive.
+    pub(crate) fn positive(
+        &self,
+        section: &str,
+        key: &'static str,
+    ) -> Result<Option<f64>, SceneError> {
+        let given = self.number(&joined(section, key))?;
+        let checked = given.map(|value| asperity::positive(key, value)).transpose();
+        checked.map_err(self.refused(section))
+    }
+
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
         self.number(path)?.ok_or_else(|| {

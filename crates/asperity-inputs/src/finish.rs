@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{Finding, nearest_name, positive, short};
+use asperity::{Finding, nearest_name, short};
 
 use crate::SceneError;
 use crate::document::Document;
@@ -30,7 +30,7 @@ pub(crate) const FINISH: &[&str] = &[
 
 /// Ra of the cusps of a turned surface is feed²/(18 √3 nose_radius), of parabolas. \[derived\]
 const CUSP: f64 = 31.18;
-/// The longest cut-off of profiles \[m\]; the longest of ISO 4288 is 8 mm.
+/// A longer cut-off \[m\] is a length in mm: ten times the longest of ISO 4288, 8 mm.
 const LONGEST: f64 = 0.08;
 /// The power of Rq in the usual slope.
 const POWER: f64 = 0.402;
@@ -84,9 +84,7 @@ impl Drawing<'_> {
 
     /// The number of a key, if it is given; an error if it is not positive.
     fn number(&self, key: &'static str) -> Read<Option<f64>> {
-        let found = self.document.number(&self.at(key))?;
-        let checked = found.map(|value| positive(key, value)).transpose();
-        checked.map_err(self.document.refused(self.section))
+        self.document.positive(self.section, key)
     }
 
     fn missing<T>(&self, key: &str, needed: String) -> Read<T> {

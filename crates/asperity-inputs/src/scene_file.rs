@@ -199,10 +199,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         pair.surface_height_std = Some(if is_alone { SQRT_2 * std } else { std });
     }
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
-        let key = "peklenik_number";
-        let given = document.number(&joined(section, key))?;
-        let checked = given.map(|value| asperity::positive(key, value)).transpose();
-        *number = checked.map_err(document.refused(section))?;
+        *number = document.positive(section, "peklenik_number")?;
     }
     // Two like surfaces, of which one is described.
     if options.asperities == Asperities::Pairs && is_alone {

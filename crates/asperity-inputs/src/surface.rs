@@ -89,14 +89,12 @@ struct Numbers {
     odd: Option<Finding>,
     /// The surface, if its numbers are known within ranges.
     face: Option<Face>,
-    /// The variance of the heights of the second of two surfaces \[m²\].
-    counter_variance: f64,
 }
 
 impl Numbers {
     /// The surface in the middle of the ranges of these, one or two rough surfaces together.
     fn of_faces(faces: &[Face], odd: Option<Finding>) -> Result<Self, ContactError> {
-        let (((surface, pair), counter_variance), face) = (middle(faces)?, faces.first().cloned());
+        let ((surface, pair), face) = (middle(faces)?, faces.first().cloned());
         Ok(Self {
             surface,
             pair: Some(pair),
@@ -104,7 +102,6 @@ impl Numbers {
             follows_from: &FINISH[..1],
             odd,
             face,
-            counter_variance,
         })
     }
 
@@ -140,6 +137,7 @@ pub(crate) fn surface(
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
     let has_ranges = [&first, &second].into_iter().flatten().any(|numbers| numbers.face.is_some());
+    let counter_variance = second.as_ref().map_or(0.0, |numbers| numbers.moments().m0);
     let mut faces = vec![];
     let numbers = match (first, second) {
         (Some(first), Some(second)) if has_ranges => {
@@ -148,15 +146,13 @@ pub(crate) fn surface(
             made.map_err(document.refused("surface"))?
         }
         (Some(first), Some(second)) => {
-            let counter_variance = second.moments().m0;
             let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
             let roughness = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
             let surface = roughness.surface().map_err(document.refused("surface"))?;
             let follows_from = roughness.way.keys();
             let odd = first.odd.or(second.odd);
             let pair = Some(Pair::new(first.surface, second.surface));
-            let roughness = Some(roughness);
-            Numbers { surface, pair, follows_from, roughness, odd, face: None, counter_variance }
+            Numbers { surface, pair, follows_from, roughness: Some(roughness), odd, face: None }
         }
         (Some(only), None) if !is_pair => {
             faces.extend(only.face.clone());
@@ -178,7 +174,7 @@ pub(crate) fn surface(
     file.follows_from = numbers.follows_from;
     file.roughness = numbers.roughness;
     file.odd_number = numbers.odd;
-    file.counter_variance = numbers.counter_variance;
+    file.counter_variance = counter_variance;
     file.faces = faces;
     Ok((file, notes))
 }
@@ -242,8 +238,7 @@ fn numbers(
     let odd = odd.map(|odd| in_other_unit(document, section, odd));
     let follows_from = if is_asperities { &[] } else { way };
     let pair = (!way.contains(&STD)).then(|| Pair::new(surface, surface));
-    let numbers =
-        Numbers { surface, pair, roughness, follows_from, odd, face: None, counter_variance: 0.0 };
+    let numbers = Numbers { surface, pair, roughness, follows_from, odd, face: None };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();

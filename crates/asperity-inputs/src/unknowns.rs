@@ -101,25 +101,19 @@ fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Pair), ContactError>
     Ok((together, pair))
 }
 
-/// The variance of the heights of the second face \[m²\], if there is one.
-fn counter_variance(faces: &[Face], at: Corner) -> Option<f64> {
-    Some(faces.get(1)?.moments(at).m0)
-}
-
-/// The surfaces of faces in the middle of their ranges, and the variance of the heights of the
-/// second \[m²\].
+/// The surfaces of faces in the middle of their ranges.
 ///
 /// # Errors
 /// Those of [`Surface::from_moments`].
-pub(crate) fn middle(faces: &[Face]) -> Result<((Surface, Pair), f64), ContactError> {
-    Ok((surfaces(faces, MIDDLE)?, counter_variance(faces, MIDDLE).unwrap_or(0.0)))
+pub(crate) fn middle(faces: &[Face]) -> Result<(Surface, Pair), ContactError> {
+    surfaces(faces, MIDDLE)
 }
 
 /// Where a finding is from that the middle of the ranges does not have.
 pub const AT_AN_END: &str = "at an end of the ranges of the surface";
 
-/// The warnings at the ends of the ranges whose codes are not `known` in the middle, of each code
-/// the farthest beyond what is usual.
+/// The warnings at the ends of the ranges with codes that are not `known` in the middle: one of
+/// each code, with the largest excess over its usual range.
 pub fn worst_at_ends<'f>(
     known: &[Finding],
     at_ends: impl Iterator<Item = &'f Finding>,
@@ -181,9 +175,11 @@ impl SceneFile {
             let rougher = surface.moments().m0.sqrt() / file.scene.surface.moments().m0.sqrt();
             (file.scene.surface, file.scene.pair) = (surface, Some(pair));
             file.scene.surface_height_std = file.scene.surface_height_std.map(|std| rougher * std);
-            // Of one surface it may be that of its like.
-            let of_two = counter_variance(&self.faces, place);
-            file.counter_variance = of_two.unwrap_or(file.counter_variance * rougher * rougher);
+            file.counter_variance = match &self.faces[..] {
+                [_, second] => second.moments(place).m0,
+                // That of its like, or none.
+                _ => file.counter_variance * rougher * rougher,
+            };
             Ok(file)
         };
         let corner = |corner: usize| {

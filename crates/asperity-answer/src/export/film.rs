@@ -31,20 +31,16 @@ impl Export<'_> {
         let scene = contact.scene();
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
         let flow = file.model(FLOW)?.compile(scene, &Request::new(factors))?;
+        // All fits hold at this film, so that an error is about the lay, and about every film.
+        flow.evaluate(Quantity::PressureFlowFactorX, Separation::film_ratio(3.0))?;
         let of = |one: &dyn Contact, film: f64| -> Result<Vec<Option<f64>>, ContactError> {
-            let value = |quantity: &Quantity| match one
-                .evaluate(*quantity, Separation::film_ratio(film))
-            {
-                Ok(value) => Ok(Some(value.value())),
-                // Outside of the range of a fit; a lay that no fit has is an error.
-                Err(ContactError::OutOfRange { field, value, .. })
-                    if quantity.is_flow_factor()
-                        && (field != "peklenik_number" || (1.0 / 9.0..=9.0).contains(&value)) =>
-                {
-                    Ok(None)
-                }
-                Err(error) => Err(error),
-            };
+            let value =
+                |quantity: &Quantity| match one.evaluate(*quantity, Separation::film_ratio(film)) {
+                    Ok(value) => Ok(Some(value.value())),
+                    // Outside of the range of a fit.
+                    Err(ContactError::OutOfRange { .. }) if quantity.is_flow_factor() => Ok(None),
+                    Err(error) => Err(error),
+                };
             one.quantities().iter().map(value).collect()
         };
         let lambda = |at: At| {

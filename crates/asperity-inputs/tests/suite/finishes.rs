@@ -203,6 +203,17 @@ fn what_is_missing_or_does_not_go_together_is_refused() {
             "ra = 8e-7\nfinish = \"ground\"\nlambda_s = 1e-8",
             "surface.bandwidth is missing: lambda_c/lambda_s is 80000",
         ),
+        ("ra = 8e-7\nrq = 7e-7\nfinish = \"ground\"", "surface.rq = 7e-7 is below `ra`"),
+        ("ra = 8e-7\nfinish = \"ground\"\nlambda_c = 0.8", "surface.lambda_c = 0.8 is in m: write"),
+        (
+            "ra = 8e-7\nfinish = \"ground\"\nlambda_c = 1e-6\nlambda_s = 2e-6",
+            "surface.lambda_c = 1e-6 is the long cut-off",
+        ),
+        ("ra = \"0.8\"\nfinish = \"ground\"", "surface.ra = \"0.8\" has no unit; write \"0.8 um\""),
+        (
+            "ra = 8e-7\nfinish = \"ground\"\npeklenik_number = -2",
+            "surface.peklenik_number is -2.0: a finite number above 0 was required",
+        ),
     ] {
         let found = read(surface).unwrap_err();
         assert!(found.contains(wanted), "{surface}: {found}");
