@@ -6,6 +6,7 @@ use asperity::{
     Surface, TabulatedHeights, Tolerance, WeibullHeights,
 };
 
+use crate::is_long;
 use crate::scenes::model;
 
 /// Evenly distributed numbers from 0 to 1.
@@ -105,7 +106,7 @@ pub(crate) fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
 
 #[test]
 fn no_crossing_is_missed_on_any_heights() {
-    let count = 48;
+    let count = if is_long() { 48 } else { 12 };
     let mut spread = Spread(0.123);
     let mut failures = vec![];
     let mut several = 0;
@@ -139,7 +140,7 @@ fn no_crossing_is_missed_on_any_heights() {
         failures.extend(found);
     }
     assert!(failures.is_empty(), "{} of {count}\n{}", failures.len(), failures.join("\n"));
-    assert!(several > 10, "{several}");
+    assert!(several > count / 5, "{several}");
 }
 
 /// The AT paper's materials with this hardness, and the roughness of this plasticity index.

@@ -29,3 +29,8 @@ mod tidy;
 mod truth;
 mod waves;
 mod work;
+
+/// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
+fn is_long() -> bool {
+    std::env::var_os("ASPERITY_LONG").is_some()
+}

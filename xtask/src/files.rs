@@ -24,14 +24,15 @@ fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]>
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
-/// The figures of these names. Without names, all of them, and the pictures of the report, drawn
-/// from its committed measurements.
+/// The figures whose names begin so. Without names, all of them, and the pictures of the report,
+/// drawn from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
-    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.0 == **n)) {
+    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.0.starts_with(**n))) {
         let known = FIGURES.map(|f| f.0).join(", ");
         bail!("{name:?} is not a figure; the figures are {known}");
     }
-    let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.0);
+    let begins = |spec: &FigureSpec| names.iter().any(|name| spec.0.starts_with(name));
+    let wanted = |spec: &&FigureSpec| names.is_empty() || begins(spec);
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
@@ -48,7 +49,7 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     Ok(all)
 }
 
-/// Writes the figures of these names (all, if none is given); returns the paths written.
+/// Writes the figures whose names begin so (all, if none is given); returns the paths written.
 ///
 /// # Errors
 /// An unknown name, a figure that cannot be computed, a file that cannot be written.

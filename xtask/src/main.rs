@@ -21,7 +21,7 @@ enum Task {
         /// Only compare: fail and name the committed files that are stale
         #[arg(long)]
         check: bool,
-        /// Only these figures
+        /// Only the figures whose names begin so: fig10
         names: Vec<String>,
     },
     /// Measure times and errors: write figures/speed-vs-error.* and figures/hard-cases.*
@@ -165,7 +165,7 @@ fn compare(names: &[&str]) -> Result<()> {
 /// times of a development build are not those of users.
 fn start_again(feature: &str) -> Result<()> {
     let release = (feature == "report").then_some("--release");
-    let run_with = ["run", "--quiet", "--package", "xtask", "--features", feature];
+    let run_with = ["run", "--package", "xtask", "--features", feature];
     let arguments = std::env::args_os().skip(1);
     run(cargo().args(run_with).args(release).arg("--").args(arguments))
 }

@@ -186,7 +186,7 @@ mod tests {
         let case = Case { family: FAMILIES[0], index: 2.0, load: 0.03, seeds: [2, 2] };
         let head = head();
         // Of some of these pairs the mean is far from its four digits.
-        for third in 0..8 {
+        for third in [2, 5] {
             let area = 0.100_04 + 1e-5 * f64::from(third);
             let bem = Bem::of_seeds(&[contact(area), contact(area + 1e-5)]);
             let row = lines(&[(case, bem)])?;

@@ -2,11 +2,12 @@
 
 use asperity_bem::{BemError, Boundary, BoundaryElements, LoadCase};
 
-use crate::{MODULUS, UNIT, close, rough};
+use crate::{MODULUS, UNIT, close, is_long, rough};
 
 #[test]
 fn contacts_of_few_pixels_are_those_of_the_whole_map() {
-    for (seed, hardness) in [(1, None), (2, None), (3, Some(0.3)), (4, Some(0.1))] {
+    let cases = [(1, None), (3, Some(0.3)), (2, None), (4, Some(0.1))];
+    for (seed, hardness) in cases.into_iter().take(if is_long() { 4 } else { 2 }) {
         let solver = BoundaryElements::new(rough(256, seed), MODULUS).unwrap();
         let solver = solver.tolerance(1e-11).unwrap();
         let solver = match hardness {

@@ -23,6 +23,11 @@ mod yielding;
 
 use asperity_bem::{HeightMap, RandomSurface};
 
+/// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
+fn is_long() -> bool {
+    std::env::var_os("ASPERITY_LONG").is_some()
+}
+
 /// A rough periodic map of n x n pixels with 8 pixels to the shortest wave.
 fn rough(n: usize, seed: u64) -> HeightMap {
     let surface = RandomSurface::new(2.0, 4.0, n as f64 / 8.0).unwrap();

@@ -2,7 +2,7 @@
 
 use asperity_bem::{BemError, Boundary, BoundaryElements, ContactSlip, HeightMap, LoadCase};
 
-use crate::{MODULUS, UNIT, close, rough};
+use crate::{MODULUS, UNIT, close, is_long, rough};
 
 const FRICTION: f64 = 0.3;
 /// 4 G/E of like bodies with ν = 0.3.
@@ -23,7 +23,8 @@ fn a_sphere_slips_as_cattaneo_and_mindlin_found() {
     let slip = ContactSlip::new(solver, &solution, FRICTION, RATIO).unwrap();
     let whole = FRICTION * contact * contact / radius / RATIO;
     close(slip.limit() * area, FRICTION * load, 1e-6);
-    for s in [0.1, 0.3, 0.6, 0.9, 1.2] {
+    for s in if is_long() { &[0.1, 0.3, 0.6, 0.9, 1.2][..] } else { &[0.3, 1.2] } {
+        let s = *s;
         let left = 1.0 - f64::min(s, 1.0);
         let [force, under] = [1.0 - left.powf(1.5), s - 0.4 * (1.0 - left.powf(2.5))];
         close(slip.traction(s * whole).unwrap() * area, FRICTION * load * force, 3e-3);

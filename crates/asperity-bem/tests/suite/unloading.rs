@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use asperity_bem::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
-use crate::{MODULUS, UNIT, close, rough};
+use crate::{MODULUS, UNIT, close, is_long, rough};
 
 /// Flat punches of the radius 1 at these places [x, y], in a square of the side `side` of n x n
 /// pixels, pressed by a load that holds all of them down.
@@ -190,7 +190,7 @@ fn a_slope_that_is_lost_in_rounding_is_refused() {
 /// An elastic contact unloads as it loads: the slope of pressure over mean gap.
 #[test]
 fn an_elastic_contact_has_its_loading_slope() {
-    for seed in [1, 2, 3] {
+    for seed in if is_long() { 1..=3 } else { 1..=1 } {
         let solver = BoundaryElements::new(rough(256, seed), MODULUS).unwrap();
         let solver = solver.tolerance(1e-11).unwrap();
         for pressure in [1e-3, 3e-3, 1e-2, 0.1].map(|share| share * UNIT) {

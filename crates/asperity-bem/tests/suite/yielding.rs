@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
 
-use crate::{MODULUS, UNIT, close};
+use crate::{MODULUS, UNIT, close, is_long};
 
 /// Waves of at least 1/16 of the side, on n x n pixels.
 fn surface(n: usize) -> HeightMap {
@@ -27,7 +27,8 @@ fn carries(solution: &Solution, hardness: f64) {
 /// From 35 to 99 % plastic, at 8, 16 and 64 pixels per shortest wave.
 #[test]
 fn yielded_contacts_keep_the_area_of_finer_grids() {
-    for hardness in [0.05, 0.1, 0.15, 0.2, 0.3, 0.6] {
+    let hardnesses = [0.05, 0.15, 0.6, 0.1, 0.2, 0.3];
+    for hardness in hardnesses.into_iter().take(if is_long() { 6 } else { 3 }) {
         let given = LoadCase::MeanPressure(0.01 * UNIT);
         let solve = |n| {
             let solver = BoundaryElements::new(surface(n), MODULUS).unwrap();

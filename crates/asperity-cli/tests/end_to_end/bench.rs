@@ -6,6 +6,11 @@ use std::process::{Command, Output};
 
 use asperity_inputs::SceneFile;
 
+/// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
+pub fn is_long() -> bool {
+    std::env::var_os("ASPERITY_LONG").is_some()
+}
+
 /// A scene without a shear modulus.
 pub const NO_SHEAR: &str = "nominal_area = 3e-5
 [interface]

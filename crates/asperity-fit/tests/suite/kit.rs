@@ -6,6 +6,11 @@ use asperity_core::{
 use asperity_fit::{Data, DataColumn, Parameter};
 use statrs::distribution::{ContinuousCDF, Normal};
 
+/// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
+pub fn is_long() -> bool {
+    std::env::var_os("ASPERITY_LONG").is_some()
+}
+
 /// Radius, density, standard deviation of the heights, hardness.
 pub const TRUTH: [f64; 4] = [2e-4, 2e8, 1e-6, 2e9];
 pub const NAMES: [&str; 4] =

@@ -4,7 +4,7 @@ use asperity_core::Quantity;
 use asperity_fit::Fit;
 use asperity_ke::KogutEtsion;
 
-use crate::kit::{LOADS, columns, data, normal, parameters, varied};
+use crate::kit::{LOADS, columns, data, is_long, normal, parameters, varied};
 
 #[test]
 fn data_in_another_unit_are_not_described() {
@@ -52,7 +52,7 @@ fn a_stiffness_of_another_column_is_named_among_noise_and_no_other_is() {
     let [unloading, stiffness] = [Quantity::UnloadingStiffness, Quantity::Stiffness];
     let clean = columns(&KogutEtsion, &loads, &[unloading]);
     let scene = varied(&[2]);
-    for draw in 0..10 {
+    for draw in 0..if is_long() { 10 } else { 2 } {
         let mut columns = clean.clone();
         let mut state = 100 * draw;
         columns[1].1.iter_mut().flatten().for_each(|k| *k *= 1.0 + 0.03 * normal(&mut state));

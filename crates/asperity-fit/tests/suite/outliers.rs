@@ -4,7 +4,7 @@ use asperity_core::{Datum, Quantity, Severity};
 use asperity_fit::{Data, Fit, Fitted, MeasuredTable};
 use asperity_ke::KogutEtsion;
 
-use crate::kit::{LOADS, columns, data, normal, parameters, varied};
+use crate::kit::{LOADS, columns, data, is_long, normal, parameters, varied};
 
 fn outlier_of(fitted: &Fitted) -> Option<String> {
     fitted.doubts.texts("outlier").pop()
@@ -164,7 +164,7 @@ fn outlier_of_noisy(count: usize, draw: u64, off: &[(usize, f64)]) -> Option<Str
 
 #[test]
 fn lines_beyond_the_scatter_of_the_others_are_named() {
-    for draw in 1..=5 {
+    for draw in 1..=if is_long() { 5 } else { 1 } {
         for (off, wanted) in [
             (&[(14, 1.5)][..], "row 14 ("),
             (&[(14, 1.3)], "row 14 ("),
@@ -182,7 +182,9 @@ fn lines_beyond_the_scatter_of_the_others_are_named() {
 #[test]
 fn normal_errors_hardly_ever_name_a_line() {
     for count in [12, 24] {
-        let named = (1..=25).filter(|draw| outlier_of_noisy(count, *draw, &[]).is_some()).count();
-        assert!(named <= 1, "{named} of 25 draws of {count} lines");
+        let draws = if is_long() { 25 } else { 8 };
+        let is_named = |draw: &u64| outlier_of_noisy(count, *draw, &[]).is_some();
+        let named = (1..=draws).filter(is_named).count();
+        assert!(named <= 1, "{named} of {draws} draws of {count} lines");
     }
 }

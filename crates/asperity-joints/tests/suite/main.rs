@@ -11,3 +11,8 @@ mod scenes;
 mod skewed;
 mod stated;
 mod turning;
+
+/// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
+fn is_long() -> bool {
+    std::env::var_os("ASPERITY_LONG").is_some()
+}

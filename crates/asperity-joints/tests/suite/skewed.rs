@@ -7,6 +7,7 @@ use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{Joint, UnloadingLaw};
 use asperity_ke::KogutEtsion;
 
+use crate::is_long;
 use crate::scenes::{SIGMA, flat, with_index};
 
 fn joint(model: &dyn ContactModel, skewness: f64) -> Joint {
@@ -47,7 +48,8 @@ fn elastic_contacts_unload_on_the_loading_curve() {
 #[test]
 fn plastic_contacts_open_to_zero_force() {
     let models: [&dyn ContactModel; 3] = [&AbdoFarhang::default(), &ChangEtsionBogy, &KogutEtsion];
-    for skewness in [-0.9, -0.6, 0.6, 1.3] {
+    let skewnesses = [-0.9, 1.3, -0.6, 0.6];
+    for skewness in skewnesses.into_iter().take(if is_long() { 4 } else { 1 }) {
         for model in models {
             let joint = joint(model, skewness);
             for closest in [-1.0, 0.3, 2.06, 2.91] {

@@ -183,7 +183,9 @@ fn areas_carry_the_load_and_contacts_unload_at_least_as_stiff() {
     for (id, scene) in [("ke", &soft), ("jg", &soft), ("gw", &elastic), ("ke-random", &soft)] {
         let model: Model = id.parse().unwrap();
         let corrected = Corrected::new(&model, scene, None, &Request::new(asked)).unwrap();
-        for step in 1..=40 {
+        // Random asperities take a hundred times as long.
+        let every = if id == "ke-random" { 8 } else { 1 };
+        for step in (1..=40).step_by(every) {
             let load = hardness * 1e-4 * 0.015 * f64::from(step);
             let Ok(row) = corrected.at(At::Load(load)) else { break };
             let value = |quantity| row.value(quantity);
