@@ -79,7 +79,7 @@ impl Laws {
         let law = self.force()?;
         // Each sample of an angle average is an integral; unless parts are subtracted it rises,
         // as scenes that are compiled verify.
-        let costly = |part: &crate::Part| part.form.unprepared().is_some();
+        let costly = |part: &crate::Part| part.form.unprepared((0.0, f64::INFINITY)).is_some();
         if !law.is_signed() && law.parts.iter().any(costly) {
             return Ok(true);
         }
