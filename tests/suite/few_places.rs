@@ -1,6 +1,9 @@
 //! A contact for a few places answers as the compiled one does.
 
-use asperity::{At, ContactModel, Evaluation, HeightDistribution, Model, Quantity, Request, Scene};
+use asperity::{
+    At, ContactModel, Evaluation, HeightDistribution, Interface, Model, Quantity, Request, Scene,
+    Separation, Surface,
+};
 
 use crate::scenes::{named, with_index};
 
@@ -101,6 +104,48 @@ fn a_contact_for_few_places_answers_as_the_compiled_one() {
                     assert_eq!(a, b, "{}", name("separations"));
                 }
             }
+        }
+    }
+}
+
+/// A scene and a separation from -1e5 to 20 σ_z: multiples of irrational numbers fill [0, 1)
+/// evenly, and repeat for every run.
+fn drawn(k: u32) -> (Scene, f64) {
+    let share = |step: f64| (f64::from(k) * step).fract();
+    let log = |low: f64, high: f64, step: f64| low * (high / low).powf(share(step));
+    let modulus = log(1e9, 3e11, 0.414_214);
+    let hardness = modulus * log(2e-4, 3e-2, 0.732_051);
+    let mut interface = Interface::new(modulus, 0.45 * share(0.236_068), hardness);
+    interface.equivalent_shear_modulus = Some(modulus * log(0.05, 0.6, 0.645_751));
+    interface.work_of_adhesion = Some(0.01);
+    let std = log(1e-8, 1e-5, 0.162_278);
+    let radius = std * log(10.0, 2000.0, 0.605_551);
+    let scene = Scene::new(interface, Surface::new(radius, 0.04 / (radius * std), std), 1e-4);
+    (scene, if k % 3 == 0 { log(0.1, 20.0, 0.872_983) } else { -log(0.1, 1e5, 0.872_983) })
+}
+
+#[test]
+fn at_any_depth_a_force_is_that_of_a_list_and_its_load_leads_back() {
+    let models: Vec<Model> = Model::all().into_iter().chain(Model::adhesive()).collect();
+    for (k, model) in models.iter().cycle().take(60).enumerate() {
+        let (scene, s) = drawn(k as u32);
+        let request = Request::new([Quantity::Force]).at([At::sigmas(s)]);
+        let contacts = [model.contact(&scene, &request), model.compile(&scene, &request)];
+        let [few, many] = contacts.map(Result::unwrap);
+        let [a, b] = [&few, &many].map(|contact| contact.evaluate(Quantity::Force, s));
+        assert!(agree(&a, &b), "{k} {model} {s}: {a:?} {b:?}");
+        let Ok(force) = a else { continue };
+        // At -1e5 rounding takes what is left of the tolerance.
+        assert!(force.error < 1e-10 * (1.0 + 1e-5 * s.abs()), "{k} {model} {s}: {force:?}");
+        if force.value() < 1e-200 {
+            continue;
+        }
+        for contact in [&few, &many] {
+            let found: Separation = contact.separation_at(force.value()).unwrap();
+            let again = contact.evaluate(Quantity::Force, At::Separation(found)).unwrap();
+            let error = (again.value() / force.value() - 1.0).abs();
+            let allowed = 2.0 * again.relative_error() + 1e-15 * s.abs() + 1e-13;
+            assert!(error < allowed, "{k} {model} {s}: back at {found:?}, {error:e} off");
         }
     }
 }

@@ -33,8 +33,9 @@ fn tangents_far_below_0_are_the_same_singly_and_in_a_list() {
         let listed = tangents(&model, &scene, &list, 1e-10);
         for (s, [value, bound]) in deep.iter().zip(&listed) {
             let [alone, own] = tangents(&model, &scene, &[*s], 1e-10)[0];
-            let [fine, least] = tangents(&model, &scene, &[*s], 1e-12)[0];
-            assert!(*bound < 2e-10 && own < 2e-10 && least < 1e-11, "{id} {s}: {bound:e} {own:e}");
+            // A table is known to 2e-13, and a slope at -60 to some sixty times as much.
+            let [fine, least] = tangents(&model, &scene, &[*s], 3e-11)[0];
+            assert!(*bound < 2e-10 && own < 2e-10 && least < 4e-11, "{id} {s}: {bound:e} {own:e}");
             assert!((value / alone - 1.0).abs() <= bound + own, "{id} {s}: {value} {alone}");
             assert!((value / fine - 1.0).abs() <= bound + least, "{id} {s}: {value} {fine}");
         }

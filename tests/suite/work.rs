@@ -106,6 +106,22 @@ fn only_the_laws_of_requested_quantities_are_built() {
 }
 
 #[test]
+fn nothing_is_integrated_after_preparation() {
+    let spy = Spy::default();
+    let compiled = spy.compile(&with_index(2.0), &[Quantity::Force, Quantity::Tangent]);
+    compiled.prepare(-5.0, 6.0).unwrap();
+    let prepared = spy.samples();
+    assert!(prepared > 0);
+    for k in 0..=1100 {
+        compiled.force_and_tangent(-5.0 + 0.01 * f64::from(k)).unwrap();
+    }
+    assert!(spy.samples() == prepared, "{} {prepared}", spy.samples());
+    compiled.evaluate(Quantity::Force, -6.5).unwrap();
+    assert!(spy.samples() > prepared, "beyond, ranges are integrated at their first call");
+    assert!(compiled.prepare(1.0, 0.0).is_err() && compiled.prepare(f64::NAN, 1.0).is_err());
+}
+
+#[test]
 fn regimes_out_of_reach_are_not_sampled() {
     let spy = Spy::default();
     // ψ = 0.5: w_c is 4 σ_z, so that yielding begins at heights of d + 4.

@@ -138,7 +138,7 @@ pub enum ContactError {
         /// Where it is.
         at: At,
     },
-    /// The force varies too much between two separations to find all those that carry the load.
+    /// The force varies too much between two separations to find those that carry the load.
     Unresolved {
         /// The lower separation.
         from: At,

@@ -35,12 +35,9 @@ pub fn angle_average(
         return (with_key(Formula::function(upright), "upright contact", vec![]), vec![]);
     };
     let parameters = vec![density.0, density.1, range.start, range.end, tolerance];
-    let average = Arc::new(AngleAverage::new(contact, range, density, tolerance));
-    let sampled = average.clone();
-    let table =
-        FunctionTable::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
-    let kinks = table.kinks().to_vec();
-    let formula = Formula::sampled(Arc::new(TabulatedAverage { average, table }));
+    let tabulated = TabulatedAverage::new(AngleAverage::new(contact, range, density, tolerance));
+    let kinks = tabulated.table.kinks().to_vec();
+    let formula = Formula::sampled(Arc::new(tabulated));
     (with_key(formula, "angle average, tabulated", parameters), kinks)
 }
 
@@ -56,6 +53,16 @@ struct TabulatedAverage {
     table: FunctionTable,
 }
 
+impl TabulatedAverage {
+    fn new(average: AngleAverage) -> Self {
+        let (tolerance, average) = (average.tolerance, Arc::new(average));
+        let sampled = average.clone();
+        let table =
+            FunctionTable::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
+        Self { average, table }
+    }
+}
+
 impl Sampler for TabulatedAverage {
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         self.table.sample(x, out)
@@ -65,13 +72,15 @@ impl Sampler for TabulatedAverage {
         self.table.relative_error(x)
     }
 
-    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
-        Some(self.average.clone())
+    /// Far below the heights the range is short and begins far above 0. There the integral over x
+    /// falls, as a function of y, from all to nothing next to the end of y, where no node of a
+    /// panel may lie, while the average itself is so smooth that the table needs few samples.
+    fn unprepared(&self, (start, _): (f64, f64)) -> Option<Arc<dyn Sampler>> {
+        (start <= 0.0).then(|| self.average.clone() as Arc<dyn Sampler>)
     }
 
     fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
-        let tolerance = table_tolerance(tolerance);
-        Some(Arc::new(self.average.within(tolerance)))
+        Some(Arc::new(Self::new(self.average.within(table_tolerance(tolerance)))))
     }
 }
 

@@ -42,7 +42,7 @@ pub(crate) struct AngleAverage {
     /// integral over x has an essential singularity.
     pub(crate) singular: Vec<f64>,
     /// Relative.
-    tolerance: f64,
+    pub(crate) tolerance: f64,
 }
 
 /// A range of y on which a corner rises or falls: each x is crossed at most once.

@@ -30,9 +30,9 @@ pub trait Sampler: Send + Sync {
         false
     }
 
-    /// The same function without preparation, for a single integral, if the function has one:
-    /// nothing is kept between samples.
-    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
+    /// The same function without preparation, for a single integral over this range, if that
+    /// saves work: nothing is kept between samples.
+    fn unprepared(&self, _range: (f64, f64)) -> Option<Arc<dyn Sampler>> {
         None
     }
 
@@ -142,10 +142,10 @@ pub struct Density {
 }
 
 impl Density {
-    /// The same density for a single integral: see [`Sampler::unprepared`].
+    /// The same density for a single integral over a range: see [`Sampler::unprepared`].
     #[must_use]
-    pub fn unprepared(&self) -> Self {
-        self.with(|sampler| sampler.unprepared())
+    pub fn unprepared(&self, range: (f64, f64)) -> Self {
+        self.with(|sampler| sampler.unprepared(range))
     }
 
     /// The same density to a relative `tolerance`, for a single integral: see [`Sampler::finer`].

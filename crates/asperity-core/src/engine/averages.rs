@@ -31,7 +31,11 @@ pub(crate) trait Averages<'s> {
         slope: bool,
     ) -> Result<(Moments, f64), ContactError>;
 
-    /// The same after [`settle`](Self::settle). Integrals that hold at any s have a method of their
+    /// I(s) of the law for the force, and a slope to search with, which may miss the tolerance far
+    /// below 0.
+    fn rough_force(&mut self, s: f64) -> Result<Moments, ContactError>;
+
+    /// [`integral`](Self::integral) after [`settle`](Self::settle). Integrals that hold at any s have a method of their
     /// own: a call that does nothing costs a value 14 instructions of 360.
     fn settled(
         &mut self,
@@ -169,7 +173,7 @@ struct Force<'a, A>(&'a mut A);
 
 impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
     fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        Ok(self.0.integral(Quantity::Force, (s, &s.into()), true)?.0)
+        self.0.rough_force(s)
     }
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {

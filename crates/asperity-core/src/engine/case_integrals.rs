@@ -128,8 +128,14 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     ) -> Result<(Moments, f64), ContactError> {
         let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
         let law = self.law(base)?;
-        let moments = law.at(s, slope, scene, tolerance).map_err(integral_failed(base, at))?;
-        Ok((moments, law.units.factor))
+        let moments = law.at(s, (slope, true), scene, tolerance);
+        Ok((moments.map_err(integral_failed(base, at))?, law.units.factor))
+    }
+
+    fn rough_force(&mut self, s: f64) -> Result<Moments, ContactError> {
+        let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
+        let moments = self.law(Quantity::Force)?.at(s, (true, false), scene, tolerance);
+        moments.map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
     fn parts(
@@ -190,11 +196,11 @@ impl PartIntegral {
 }
 
 impl LawIntegrals<'_> {
-    /// The sum over the parts.
+    /// The sum over the parts: its slope may miss the tolerance far below 0, unless it is `within`.
     fn at(
         &mut self,
         s: f64,
-        slope: bool,
+        (slope, within): (bool, bool),
         scene: &Scene,
         tolerance: f64,
     ) -> Result<Moments, QuadratureError> {
@@ -209,8 +215,9 @@ impl LawIntegrals<'_> {
             let (factor, m) = source.at(part, (s, scale), slope, tolerance)?;
             sum = sum.plus(factor, &m);
         }
-        if slope {
-            sum = with_slope_within(sum, || self.law.density(), (scale, s), tolerance);
+        if slope && within {
+            let finer = |tolerance| self.law.density().finer(tolerance);
+            sum = with_slope_within(sum, finer, (scale, s), tolerance);
         }
         Ok(onset.widened(given, sum))
     }

@@ -77,10 +77,9 @@ impl Laws {
     /// the force.
     pub(crate) fn rises_above(&self, scene: &Scene, s: f64) -> Result<bool, ContactError> {
         let law = self.force()?;
-        // Each sample of an angle average is an integral; unless parts are subtracted it rises,
-        // as scenes that are compiled verify.
-        let costly = |part: &crate::Part| part.form.unprepared().is_some();
-        if !law.is_signed() && law.parts.iter().any(costly) {
+        // Unless parts of an angle average are subtracted it rises, as scenes that are compiled
+        // verify.
+        if !law.is_signed() && is_costly(law) {
             return Ok(true);
         }
         let mut cached = self.cached_falls.lock().unwrap_or_else(PoisonError::into_inner);
@@ -91,6 +90,11 @@ impl Laws {
     pub(crate) fn falls(&self, scene: &Scene) -> Result<Option<Arc<Falls>>, ContactError> {
         let mut cached = self.cached_falls.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(cached.on(self.force()?, scene, self.tolerance))
+    }
+
+    /// Whether a case takes milliseconds.
+    pub(crate) fn are_costly(&self) -> bool {
+        self.laws.iter().any(|(_, law)| is_costly(law))
     }
 
     /// Whether a part is subtracted in any of them.
@@ -107,6 +111,11 @@ impl Laws {
     pub(crate) fn are_of(&self, asperity: &Asperity) -> bool {
         self.asperity == asperity.seen_by(self.density)
     }
+}
+
+/// Whether a sample of some part is an integral itself, as those of angle averages are.
+fn is_costly(law: &Law) -> bool {
+    law.parts.iter().any(|part| part.form.unprepared((0.0, f64::INFINITY)).is_some())
 }
 
 /// Whether any of these places is a load or a pressure.

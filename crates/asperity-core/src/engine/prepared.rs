@@ -140,6 +140,11 @@ impl<'p> Averages<'p> for &'p Prepared {
         }
     }
 
+    fn rough_force(&mut self, s: f64) -> Result<Moments, ContactError> {
+        let found = self.channel(Quantity::Force)?.total.rough(s);
+        found.map_err(integral_failed(Quantity::Force, &s.into()))
+    }
+
     #[inline(always)]
     fn settled(
         &mut self,

@@ -1,12 +1,15 @@
 //! Many scenes, one model: parts that recur in their laws are integrated once.
 
+use crate::engine::laws::{Laws, any_load};
 use crate::engine::parallel::{both, map_runs};
 use crate::engine::shapes::Shapes;
 use crate::engine::worker::Worker;
 use crate::{Case, ContactError, ContactModel, Evaluation, Quantity, Tolerance};
 
-/// Cases handed to a thread at a time.
+/// Cases handed to a thread at a time,
 const CASES_PER_RUN: usize = 256;
+/// and where each takes milliseconds: neighbours still share their integrals.
+const SLOW_CASES_PER_RUN: usize = 4;
 /// Cases of a stream that are held in memory.
 const HELD: usize = 16_384;
 
@@ -58,13 +61,29 @@ impl<'m> Sweep<'m> {
     /// Every case on all cores, in order. The digits do not depend on the number of threads.
     #[must_use]
     pub fn evaluate_all(&self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
-        map_runs(cases, CASES_PER_RUN, |cases| Worker::new(self).run(cases))
+        map_runs(cases, self.run_length(cases), |cases| Worker::new(self).run(cases))
     }
 
     /// The separation d/σ_z of every case; for a load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        map_runs(cases, CASES_PER_RUN, |cases| Worker::new(self).separations(cases))
+        map_runs(cases, self.run_length(cases), |cases| Worker::new(self).separations(cases))
+    }
+
+    /// The number of cases of a run, by the laws of the first: the digits must not depend on times
+    /// or threads.
+    fn run_length(&self, cases: &[Case]) -> usize {
+        let is_slow = |case: &Case| {
+            // Without laws of an asperity each case is compiled.
+            let Some(model) = self.model.asperity_model() else { return true };
+            let Self { quantities, tolerance, .. } = self;
+            let asperity = model.averaged_over(&case.scene).and_then(|scene| scene.asperity());
+            let laws = asperity.and_then(|asperity| {
+                Laws::new(model, asperity, quantities, any_load(&[case.at]), *tolerance)
+            });
+            laws.is_ok_and(|laws| laws.are_costly())
+        };
+        if cases.first().is_some_and(is_slow) { SLOW_CASES_PER_RUN } else { CASES_PER_RUN }
     }
 
     /// Every case on all cores, delivered in order with its number. Some thousand cases at a time

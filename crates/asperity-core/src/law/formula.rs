@@ -181,7 +181,7 @@ impl Sampler for Formula {
         self.sampler()?.finer(tolerance)
     }
 
-    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
-        self.sampler()?.unprepared()
+    fn unprepared(&self, range: (f64, f64)) -> Option<Arc<dyn Sampler>> {
+        self.sampler()?.unprepared(range)
     }
 }

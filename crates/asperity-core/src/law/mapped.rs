@@ -43,8 +43,8 @@ impl<F: Fn(f64) -> f64 + Clone + Send + Sync + 'static> Sampler for Mapped<F> {
         error * values.iter().map(sensitivity).fold(0.0, f64::max)
     }
 
-    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
-        self.inner.unprepared().map(|inner| self.around(inner))
+    fn unprepared(&self, range: (f64, f64)) -> Option<Arc<dyn Sampler>> {
+        self.inner.unprepared(range).map(|inner| self.around(inner))
     }
 
     fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {

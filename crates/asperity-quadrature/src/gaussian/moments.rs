@@ -48,19 +48,36 @@ impl Moments {
 
     /// Whether the slope at s is as good as a `tolerance`, relative to itself, if s < -8: there it
     /// is a small difference of large integrals, of which rounding leaves less and less (from
-    /// s = -800 or so not 1e-10). Where it changes its sign, what is usual of slopes takes its
-    /// place; where parts of the density do, the size.
+    /// s = -800 or so not 1e-10). Where it changes its sign, the usual slope of an integral of this
+    /// size takes its place.
     ///
     /// # Errors
     /// [`QuadratureError::NotConverged`] where the slope misses it.
     #[inline]
     pub fn slope_within(&self, s: f64, tolerance: f64) -> Result<(), QuadratureError> {
-        let usual = self.slope.abs().max(self.value / (1.0 - s));
+        if s >= DEEP {
+            return Ok(());
+        }
+        let usual = self.usual_slope(s);
         let (asked, error) = (tolerance.max(FINEST), self.error * self.sizes[1]);
-        if s >= DEEP || self.value < self.sizes[0] || error <= asked * usual {
+        if error <= asked * usual {
             return Ok(());
         }
         Err(QuadratureError::missed(error / usual, asked, 0))
+    }
+
+    /// The slope, or that of a linear density with an integral of this size if it is larger; s < 0.
+    fn usual_slope(&self, s: f64) -> f64 {
+        self.slope.abs().max(self.sizes[0] / (1.0 - s))
+    }
+
+    /// These, with the slope of a finer integral at the same s < 0, whose value may be known less
+    /// well: its size is the usual one, which the tolerance of slopes refers to.
+    #[must_use]
+    pub fn with_slope(self, finer: &Self, s: f64) -> Self {
+        let size = finer.usual_slope(s);
+        let error = self.error.max(finer.error * finer.sizes[1] / size);
+        Self { slope: finer.slope, sizes: [self.sizes[0], size], error, ..self }
     }
 
     #[inline]

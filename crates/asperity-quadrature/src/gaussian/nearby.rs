@@ -1,11 +1,13 @@
 //! I(s) and its neighbourhood for one s at one scale: for scenes that are asked for few values.
 
 use super::moments::{DEEP, Moments};
-use super::weight::{DEEPEST, HIGHEST, INV_SQRT_2PI, LOWEST, ROUNDING, Weight, masses};
+use super::weight::{CUT, DEEPEST, HIGHEST, INV_SQRT_2PI, LOWEST, ROUNDING, Weight, masses};
 use crate::{Density, Goal, QuadratureError};
 
-/// As far from where the masses were made they still give a first digit.
+/// As far from where the masses were made they still give a first digit: for s < 0 less, where the
+/// error of the masses is worse than FIRST exp(-REACH²/2).
 const REACH: f64 = 8.0;
+const FIRST: f64 = 0.1;
 
 /// The point masses of one integral, made for one s: exact there, and good enough to look for a
 /// root nearby.
@@ -18,9 +20,19 @@ pub struct Nearby {
     error: f64,
     /// How often the density was sampled.
     evaluations: usize,
+    reach: f64,
 }
 
 impl Nearby {
+    const EMPTY: Self = Self {
+        from: 0.0,
+        points: vec![],
+        masses: vec![],
+        error: 0.0,
+        evaluations: 0,
+        reach: REACH,
+    };
+
     /// Integrates `density(t/scale)` against φ(s + t) to a relative `tolerance`, without a rule.
     ///
     /// # Errors
@@ -33,7 +45,8 @@ impl Nearby {
         s: f64,
         tolerance: f64,
     ) -> Result<Self, QuadratureError> {
-        Self::of(&density.unprepared(), scale, s, tolerance)
+        let (near, far) = Weight::new(s, scale * density.begin()).window(CUT);
+        Self::of(&density.unprepared((near / scale, far / scale)), scale, s, tolerance)
     }
 
     /// The same where the density may prepare itself, as it will be sampled again.
@@ -50,7 +63,7 @@ impl Nearby {
         // that makes of panels is worse, and nearly averages out.
         let rounding = f64::EPSILON * s.min(0.0).abs();
         let error = rounding + ROUNDING;
-        let mut made = Self { from: s, points: vec![], masses: vec![], error, evaluations: 0 };
+        let mut made = Self { from: s, error, ..Self::EMPTY };
         let weight = Weight::new(s, scale * density.begin());
         if weight.depth > DEEPEST {
             return Ok(made);
@@ -59,6 +72,9 @@ impl Nearby {
         // Far below slopes are small differences, and wanted as well.
         let share = if s < DEEP { 0.1 / (1.0 - s) } else { 0.1 };
         let aim = noise.max(share * tolerance);
+        if s < 0.0 {
+            made.reach = (2.0 * (FIRST / aim).ln().max(0.0)).sqrt().min(REACH);
+        }
         let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
         let window = |depth| weight.window(depth);
         let found = masses(density, scale, (s, &window), &|t| weight.at(t), goal)?;
@@ -83,7 +99,7 @@ impl Nearby {
     /// Whether [`at`](Self::at) is of use at s.
     #[must_use]
     pub fn serves(&self, s: f64) -> bool {
-        (s < 0.0) == (self.from < 0.0) && (s - self.from).abs() <= REACH
+        (s < 0.0) == (self.from < 0.0) && (s - self.from).abs() <= self.reach
     }
 
     /// I and -dI/ds: to the bound where it was made, less well further away.

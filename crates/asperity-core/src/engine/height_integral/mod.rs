@@ -5,6 +5,8 @@ mod other;
 mod overlap;
 mod slope;
 
+use std::sync::OnceLock;
+
 use asperity_quadrature::{
     ArrayAccuracy, Density, Moments, Overlap, QuadratureError, ScaledIntegral, ShiftedGaussian,
 };
@@ -15,6 +17,7 @@ use exponential::{EXPONENTIAL, Exponential};
 use other::Other;
 use overlap::{Extent, OverlapIntegral};
 
+use slope::FINER_BELOW;
 pub(crate) use slope::{SLOPES_CANCEL, with_slope_within};
 
 /// The integral of one density over one kind of heights, for all s: I(s), and -dI/ds by the
@@ -55,7 +58,8 @@ impl HeightIntegral {
             }
             None => {
                 let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
-                HeightKind::Gaussian(Gaussian { integral, density, scale, tolerance })
+                let finer = OnceLock::new();
+                HeightKind::Gaussian(Gaussian { integral, density, finer, scale, tolerance })
             }
         };
         Self { onset: Onset(law.onset * scale), over }
@@ -129,9 +133,22 @@ impl HeightIntegral {
                     integral.by_parts(&integral.below, weight, self.onset.shifted(s), extent);
                 found.map(|found| self.onset.widened(s, found))
             }
-            _ => self.answer(s, extent),
+            HeightKind::Gaussian(_) => self.rough(s),
+            HeightKind::Other(_) | HeightKind::Exponential(_) => self.answer(s, extent),
         };
         found.or_else(|_| Ok(Moments { slope: f64::NAN, ..self.value(s)? }))
+    }
+
+    /// I(s) to the tolerance, and -dI/ds, which over Gaussian heights may miss it far below 0, from
+    /// what is prepared for many s.
+    pub(crate) fn rough(&self, s: f64) -> Result<Moments, QuadratureError> {
+        match &self.over {
+            HeightKind::Gaussian(heights) => {
+                let found = heights.integral.at(self.onset.shifted(s))?;
+                Ok(self.onset.widened(s, found))
+            }
+            HeightKind::Exponential(_) | HeightKind::Other(_) => self.at(s),
+        }
     }
 
     /// I(s), and -dI/ds if `slope` is set, without preparation for other s.
@@ -163,6 +180,8 @@ impl HeightIntegral {
 struct Gaussian {
     integral: ShiftedGaussian,
     density: Density,
+    /// The density for slopes far below 0.
+    finer: OnceLock<Density>,
     scale: f64,
     tolerance: f64,
 }
@@ -171,8 +190,16 @@ impl Gaussian {
     #[inline(always)]
     fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(s)?;
-        let Self { density, scale, tolerance, .. } = self;
-        Ok(with_slope_within(found, || density.clone(), (*scale, s), *tolerance))
+        Ok(with_slope_within(found, |to| self.finer(to), (self.scale, s), self.tolerance))
+    }
+
+    /// The density to a tolerance: that of all slopes but the deepest is made once.
+    fn finer(&self, tolerance: f64) -> Density {
+        let usual = FINER_BELOW * self.tolerance;
+        match tolerance < usual {
+            true => self.density.finer(tolerance),
+            false => self.finer.get_or_init(|| self.density.finer(usual)).clone(),
+        }
     }
 }
 

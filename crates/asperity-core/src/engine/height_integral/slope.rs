@@ -7,36 +7,43 @@ use asperity_quadrature::{Density, Moments, Nearby, Overlap, QuadratureError, We
 /// Below this s a slope is a small difference of large integrals: with a finer law and a finer
 /// integral by [`FINER_BELOW`], enough digits are left down to about s = -64.
 pub(crate) const SLOPES_CANCEL: f64 = -8.0;
-const FINER_BELOW: f64 = 0.01;
+pub(super) const FINER_BELOW: f64 = 0.01;
 /// No law that is sampled is better than this.
 const FINEST_LAW: f64 = 1e-13;
 
 /// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
 /// and the finer one meets it.
+/// `finer` returns the density to a smaller tolerance.
 #[inline(always)]
 pub(crate) fn with_slope_within(
     found: Moments,
-    density: impl Fn() -> Density,
+    finer: impl Fn(f64) -> Density,
     (scale, s): (f64, f64),
     tolerance: f64,
 ) -> Moments {
     if s >= SLOPES_CANCEL || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
-    finer(&density(), (scale, s), tolerance).unwrap_or(found)
+    let better = integral_within(&finer, (scale, s), tolerance);
+    better.map_or(found, |better| found.with_slope(&better, s))
 }
 
 #[cold]
-fn finer(density: &Density, (scale, s): (f64, f64), tolerance: f64) -> Option<Moments> {
+fn integral_within(
+    density: &dyn Fn(f64) -> Density,
+    (scale, s): (f64, f64),
+    tolerance: f64,
+) -> Option<Moments> {
     let finer = FINER_BELOW * tolerance;
-    let made = Nearby::new(&density.finer(finer), scale, s, finer).map(|made| made.at(s));
+    let made = Nearby::new(&density(finer), scale, s, finer).map(|made| made.at(s));
     // Farther down, derivatives of the law are averaged instead: those of samples err by as much
     // more than the samples as s is deep.
     let derived = || {
         let weight = GAUSSIAN.as_ref().map_err(Clone::clone)?;
         let finer = (0.1 * tolerance / (1.0 - s)).max(FINEST_LAW);
+        let density = density(finer);
         let own = if density.knows_slope() { 0.0 } else { finer * (1.0 - s) };
-        let made = Overlap::new(density.finer(finer), scale, tolerance).at(weight, s, true)?;
+        let made = Overlap::new(density, scale, tolerance).at(weight, s, true)?;
         Ok::<_, QuadratureError>(Moments { error: made.error + own, ..made })
     };
     let within = |made: &Moments| made.slope_within(s, tolerance).is_ok();

@@ -2,6 +2,7 @@
 
 use asperity_quadrature::Moments;
 
+use crate::engine::inverse::search::unresolved;
 use crate::engine::inverse::{ALL_TOUCH, CarriedLoad, ForceCurve, place};
 use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError};
@@ -103,7 +104,7 @@ impl CarriedLoad {
             }
             last = if inside { step } else { f64::INFINITY };
         }
-        Ok(SeparationInSigma { s, rounding: high - low })
+        Err(unresolved(low.max(LOWEST), high.min(HIGHEST)))
     }
 
     /// From the value and the slope at 0: exp(-a s - s²/2) above, a power of the overlap below.

@@ -235,7 +235,7 @@ enum Middle {
     Edge(Sample),
 }
 
-fn unresolved(from: f64, to: f64) -> ContactError {
+pub(crate) fn unresolved(from: f64, to: f64) -> ContactError {
     ContactError::Unresolved { from: from.into(), to: to.into() }
 }
 
