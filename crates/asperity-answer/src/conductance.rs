@@ -112,8 +112,8 @@ impl Conductance<'_> {
             let mut beside = vec!["".into()];
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                let gap = compiled.separation(*at)?.measured_in(unit, plane, scene)?;
-                let gas = gap_conductance(conductivity, gap.value.max(0.0), jump)?;
+                let gap = compiled.separation_in(unit, plane, *at)?;
+                let gas = gap_conductance(conductivity, gap.max(0.0), jump)?;
                 beside.extend([gas, contacts + gas].map(Cell::from));
             }
             let numbers = [at.load(scene), at.pressure(scene), None, Some(contacts)];

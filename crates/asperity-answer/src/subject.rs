@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
-    At, ContactError, ContactModel, Finding, Findings, Model, Scene, Separation, SeparationUnit,
-    Severity, Tolerance,
+    At, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
+    Tolerance,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
 
@@ -68,8 +68,7 @@ impl Subject<'_> {
 
     /// The scene over whose heights the model averages.
     pub(crate) fn scene(&self) -> Result<Cow<'_, Scene>, ContactError> {
-        let scene = &self.file.scene;
-        self.model.asperity_model().map_or(Ok(Cow::Borrowed(scene)), |one| one.averaged_over(scene))
+        (**self.model).averaged_over(&self.file.scene)
     }
 
     /// A separation from the plane of the scene, in this unit.

@@ -121,7 +121,7 @@ fn add_rows(
     retreats: &[f64],
     with_area: bool,
 ) -> Result<LawFindings, ContactError> {
-    let (scene, law) = (&subject.file.scene, opening.law());
+    let (scene, law) = (subject.scene()?, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
     let (name, mut blanks) = (law.to_string(), Blanks::default());
     // Blank where the integral fails.

@@ -69,7 +69,7 @@ pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::body::{Body, HARDNESS_OVER_YIELD, hardness_of_vickers};
 pub use scene::interface::Interface;
-pub use scene::pair::Pair;
+pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};
 pub use text::{nearest_hint, nearest_name, shortest_digits};
 #[doc(hidden)]

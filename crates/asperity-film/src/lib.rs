@@ -4,8 +4,8 @@ mod factors;
 
 use asperity_core::recommended::FLOW;
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Provenance,
-    Quantity, Request, Scene, SeparationUnit, Validity,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
+    HeightDistribution, Provenance, Quantity, Request, Scene, SeparationUnit, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -26,13 +26,21 @@ pub struct PatirCheng {
     /// (σ₂/σ)²: the share of the second surface, which rests, in the mean square of all heights;
     /// 0 for one rough surface, which moves.
     pub share_at_rest: f64,
+    /// Whether films are those of models of pairs: between [both surfaces](Scene::of_contacts) of a
+    /// scene, two like ones where it has one. Otherwise `Scene::surface` meets a smooth one.
+    pub pairs: bool,
     /// The least gap over σ that carries fluid friction, 1e-6 to 0.1.
     pub friction_cut_off: f64,
 }
 
 impl Default for PatirCheng {
     fn default() -> Self {
-        Self { peklenik_numbers: [1.0; 2], share_at_rest: 0.0, friction_cut_off: 0.01 }
+        Self {
+            peklenik_numbers: [1.0; 2],
+            share_at_rest: 0.0,
+            pairs: false,
+            friction_cut_off: 0.01,
+        }
     }
 }
 
@@ -90,9 +98,10 @@ impl PatirCheng {
 
 impl ContactModel for PatirCheng {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        let scene = if self.pairs { scene.of_contacts()? } else { scene.clone() };
         scene.asperity()?;
-        let (model, scene) = (*self, scene.clone());
-        let contact = Film { model, scene, quantities: request.quantities.clone() };
+        let notes = not_gaussian(&scene.heights).into_iter().collect();
+        let contact = Film { model: *self, scene, quantities: request.quantities.clone(), notes };
         for quantity in &contact.quantities {
             contact.check_asked(*quantity, Quantity::is_flow_factor)?;
         }
@@ -106,6 +115,24 @@ struct Film {
     model: PatirCheng,
     scene: Scene,
     quantities: Vec<Quantity>,
+    notes: Vec<Finding>,
+}
+
+/// A warning of heights for which the factors were not made.
+fn not_gaussian(heights: &HeightDistribution) -> Option<Finding> {
+    let skewness = match heights {
+        HeightDistribution::Gaussian => return None,
+        HeightDistribution::Weibull(heights) => heights.skewness(),
+        _ => f64::NAN,
+    };
+    let found = Finding::warning("gaussian-factors", "heights", skewness)
+        .of_model(FLOW)
+        .fact(format!(
+            "the flow factors are those of Gaussian surfaces, and the heights of this scene are {}",
+            heights.name()
+        ))
+        .advice("valleys carry more flow, and peaks less, than these factors say: use them as an estimate only");
+    Some(found)
 }
 
 impl Contact for Film {
@@ -119,6 +146,10 @@ impl Contact for Film {
 
     fn quantities(&self) -> &[Quantity] {
         &self.quantities
+    }
+
+    fn notes(&self) -> &[Finding] {
+        &self.notes
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
@@ -193,7 +224,7 @@ mod tests {
 
     #[test]
     fn options_are_read_by_their_names() {
-        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
+        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"pairs":true,"friction_cut_off":0.001}"#;
         let model: PatirCheng = serde_json::from_str(text).unwrap();
         assert_eq!(serde_json::to_string(&model).unwrap(), text);
     }

@@ -160,7 +160,8 @@ impl<'f> Forward<'f> {
         let sigmas = self.loads.separations(std::slice::from_ref(case)).pop();
         let sigmas = sigmas.unwrap_or(Err(ContactError::NoMeanPlane))?;
         let (unit, from) = (SeparationUnit::Metres, self.data.datum());
-        let separation = Separation::sigmas(sigmas).measured_in(unit, from, &case.scene)?;
+        let scene = self.model.averaged_over(&case.scene)?;
+        let separation = Separation::sigmas(sigmas).measured_in(unit, from, &scene)?;
         let load = case.at.load(&case.scene).unwrap_or(0.0);
         Ok(separation.value + rig.separation_offset - rig.series_compliance * load)
     }
@@ -168,7 +169,8 @@ impl<'f> Forward<'f> {
     /// Where the model is asked: a load as it is, a reading of a separation as the separation.
     fn place(&self, scene: &Scene, rig: Rig, at: At) -> Result<At, ContactError> {
         let At::Separation(reading) = at else { return Ok(at) };
-        let reading = reading.measured_in(SeparationUnit::Metres, reading.from, scene)?;
+        let own = self.model.averaged_over(scene)?;
+        let reading = reading.measured_in(SeparationUnit::Metres, reading.from, &own)?;
         let unloaded = reading.value - rig.separation_offset;
         let mut case = Case::new(scene.clone(), Separation { value: unloaded, ..reading });
         if rig.series_compliance == 0.0 {
@@ -184,7 +186,7 @@ impl<'f> Forward<'f> {
             let step = -missing / (1.0 + rig.series_compliance * tangent);
             separation += step;
             case.at = Separation { value: separation, ..reading }.into();
-            if step.abs() <= 1e-15 * (scene.surface.asperity_height_std + separation.abs()) {
+            if step.abs() <= 1e-15 * (own.surface.asperity_height_std + separation.abs()) {
                 return Ok(case.at);
             }
         }

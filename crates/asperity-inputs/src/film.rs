@@ -17,7 +17,12 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Refused`] for a scan without one, and for one with an oblique lay.
     pub fn flow(&self, options: &ModelOptions) -> Result<PatirCheng, SceneError> {
-        let share_at_rest = self.counter_variance / self.scene.surface_height_std().powi(2);
+        let pairs = self.is_pair(options.asperities);
+        let alike = pairs && self.scene.pair.is_none();
+        let share_at_rest = match self.scene.pair {
+            None if !alike => self.counter_variance / self.scene.surface_height_std().powi(2),
+            _ => self.scene.both_surfaces().share_of_second(),
+        };
         let [moving, resting] = self.peklenik_numbers;
         let refused = |reason: String| {
             let at = Place::field(format!("surface.{PEKLENIK}")).into();
@@ -36,13 +41,14 @@ impl SceneFile {
             }
             (None, None) => 1.0,
         };
-        // Two scans of `files` have one number, as they have one section.
-        let of_scans = if self.measured.is_some() { moving } else { 1.0 };
+        // Two scans of `files` have one number, as they have one section; like surfaces as well.
+        let of_scans = if self.measured.is_some() || alike { moving } else { 1.0 };
         let friction_cut_off =
             options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
             peklenik_numbers: [moving, resting.unwrap_or(of_scans)],
             share_at_rest,
+            pairs,
             friction_cut_off,
         })
     }
@@ -69,7 +75,7 @@ fn peklenik_number(scan: &Topography) -> Result<f64, String> {
 mod tests {
     use std::path::Path;
 
-    use asperity::{ContactModel, Quantity, Request};
+    use asperity::{ContactModel, Quantity, Request, Scene};
 
     use super::*;
 
@@ -119,8 +125,13 @@ mod tests {
             let file = crate::parse(&text, Path::new(".")).unwrap();
             let request = Request::new([Quantity::Area]);
             let gw = file.model("gw").unwrap().compile(&file.scene, &request).unwrap();
-            let (both, here) = (gw.scene().surface_height_std(), file.scene.surface_height_std());
-            assert!((both / here - 1.0).abs() < 1e-14, "{keys}: {both} {here}");
+            let flow = file.model("patir-cheng").unwrap();
+            let factor = Request::new([Quantity::ShearFlowFactor]);
+            let flow = flow.compile(&file.scene, &factor).unwrap();
+            for length in [Scene::surface_height_std, Scene::mean_plane_offset] {
+                let [both, film] = [gw.scene(), flow.scene()].map(length);
+                assert!((both / film - 1.0).abs() < 1e-14, "{keys}: {both} {film}");
+            }
             let flow = file.flow(&file.options).unwrap();
             let alike = !keys.contains(facing);
             assert_eq!(

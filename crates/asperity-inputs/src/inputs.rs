@@ -59,7 +59,7 @@ impl SceneFile {
         let of_all = BODY.iter().filter(|field| field.name == YOUNGS_MODULUS);
         let of_all = of_all.filter(|_| alike && !self.bodies.is_empty());
         let skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
-        let offset = self.scene.mean_plane_offset.filter(|_| self.table.is_none());
+        let offset = self.mean_plane_offsets()[0].filter(|_| self.table.is_none());
         // Numbers of a surface that is known within ranges follow from these.
         let is_open = !self.spreads().is_empty();
         let of_surface = |input: &(&str, Input)| {
@@ -148,7 +148,7 @@ impl SceneFile {
             Input::NominalArea => Some(scene.nominal_area),
             Input::PlasticityIndex => scene.plasticity_index().ok(),
             Input::RoughnessParameter => Some(scene.surface.roughness_parameter()),
-            Input::MeanPlaneOffset => scene.mean_plane_offset,
+            Input::MeanPlaneOffset => self.mean_plane_offsets()[0],
             Input::Skewness => match &scene.heights {
                 HeightDistribution::Weibull(heights) => Some(heights.skewness()),
                 _ => None,
@@ -221,7 +221,7 @@ impl SceneFile {
             made.scene.heights = HeightDistribution::Weibull(WeibullHeights::new(skewness)?);
         }
         if offset.is_some() {
-            made.scene.mean_plane_offset = offset;
+            made.set_mean_plane_offsets([offset, made.mean_plane_offsets()[1]]);
             made.scene.asperity()?;
         }
         Ok(made)

@@ -272,7 +272,7 @@ impl Key {
 /// The names of the keys of a section; those of the second surface describe one surface.
 pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
     let of_pair = |key: &Key| match key.subject {
-        Subject::Surface => key.name != "peklenik_number",
+        Subject::Surface => !["peklenik_number", "mean_plane_offset"].contains(&key.name),
         _ => ["files", "aligned"].contains(&key.name),
     };
     let is_here = |key: &&Key| match section {

@@ -182,8 +182,11 @@ pub(crate) fn measured(
         Ok::<_, SceneError>(Measured { statistics, pixel_size, long_wavelength: None })
     };
     let (mut rougher, mut counter_variance) = (None, 0.0);
+    // A single scan may be that of the counterface.
+    let is_second = first.section == COUNTERFACE;
     let each = |one: &Statistics, two: Option<Surface>| match (one.surface(), two) {
-        (Ok(one), Some(two)) => Ok(Pair::new(one, two)),
+        (Ok(one), Some(two)) if is_second => Ok(Some(Pair::new(two, one))),
+        (Ok(one), Some(two)) => Ok(Some(Pair::new(one, two))),
         _ => Err("models of pairs need the asperities of each surface, and one has none"),
     };
     let mut facing = Err("models of pairs need two independent surfaces, not aligned scans");
@@ -202,18 +205,15 @@ pub(crate) fn measured(
         }
         (None, _, Some(moments)) => {
             let (one, scan) = alone(first)?;
-            // The scan may be that of the counterface.
-            let of_scan = one.statistics.m0;
-            counter_variance = if first.section == COUNTERFACE { of_scan } else { moments.m0 };
+            counter_variance = if is_second { one.statistics.m0 } else { moments.m0 };
             rougher = (one.statistics.m4 > moments.m4).then_some(scan);
             facing = each(&one.statistics, Surface::from_moments(&moments).ok());
             (sum(one, Statistics::gaussian(moments), 0.0)?, None)
         }
         (None, _, None) => {
             let scan = first.read(document)?;
-            let one = first.measure(document, &scan)?;
-            facing = each(&one.statistics, one.statistics.surface().ok());
-            (one, Some(scan))
+            facing = Ok(None);
+            (first.measure(document, &scan)?, Some(scan))
         }
     };
     let statistics = &measured.statistics;
@@ -240,7 +240,7 @@ pub(crate) fn measured(
     });
     let mut file = SceneFile::from(pair);
     file.scene.surface = surface;
-    (file.scene.pair, file.no_pair) = (facing.ok(), facing.err());
+    (file.scene.pair, file.no_pair) = (facing.ok().flatten(), facing.err());
     file.table = heights.transpose()?;
     file.measured = Some(measured);
     file.scan = scan.map(Arc::new);

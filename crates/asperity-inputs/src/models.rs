@@ -90,7 +90,10 @@ impl SceneFile {
     pub fn other_joint<'m>(&self, models: impl Iterator<Item = &'m Model>) -> Option<Finding> {
         let (mut of_pairs, mut of_one) = (None, None);
         for model in models {
-            let is_pairs = model.asperities() == Asperities::Pairs;
+            let is_pairs = match model.id() {
+                FLOW => self.meets_its_like(),
+                _ => model.asperities() == Asperities::Pairs,
+            };
             if is_pairs { &mut of_pairs } else { &mut of_one }.get_or_insert(model.id());
         }
         let (pairs, one) = of_pairs.zip(of_one)?;
@@ -108,7 +111,7 @@ impl SceneFile {
 
     /// Whether the surface of the scene stands for two that are known.
     fn has_counterface(&self) -> bool {
-        self.scene.pair.is_some_and(|pair| pair.surfaces[0] != self.scene.surface)
+        self.scene.pair.is_some()
     }
 
     /// Why the scene has no asperities for a model.

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface,
+    Asperities, Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface,
     TabulatedHeights, positive,
 };
 
@@ -139,7 +139,6 @@ impl SceneFile {
             roughness: self.roughness.filter(|_| same),
             odd_number: self.odd_number.clone().filter(|_| same),
             stated: vec![],
-            counter_variance: if same { self.counter_variance } else { 0.0 },
             warnings: Findings::default(),
             scan: self.scan.clone().filter(|_| same),
             faces: if same { self.faces.clone() } else { vec![] },
@@ -147,14 +146,40 @@ impl SceneFile {
         })
     }
 
-    /// Sets the height of the mean of the asperities above the mean plane \[m\]: of one of two like
-    /// surfaces, or of both together.
-    pub(crate) fn set_mean_plane_offset(&mut self, offset: Option<f64>) {
-        self.scene.mean_plane_offset = offset;
-        if let Some(pair) = &mut self.scene.pair {
-            let surfaces = if pair.surfaces[0] == pair.surfaces[1] { 2.0 } else { 1.0 };
-            pair.mean_plane_offset = offset.map(|offset| surfaces * offset);
+    /// Sets the heights of the means of the asperities above the mean planes \[m\] of the surface
+    /// and of the counterface, where they are given. Beside a counterface, the surface that is
+    /// equivalent to both has the Gaussian offset of its own, changed by the ratio of the sum of
+    /// both offsets to that of Gaussian surfaces.
+    pub(crate) fn set_mean_plane_offsets(&mut self, given: [Option<f64>; 2]) {
+        let Scene { surface, pair, mean_plane_offset, .. } = &mut self.scene;
+        let Some(pair) = pair else {
+            *mean_plane_offset = given[0];
+            return;
+        };
+        let [first, second] = pair.surfaces.map(|one| one.asperities);
+        let gaussian = Pair::new(first, second).mean_plane_offset();
+        for (one, given) in pair.surfaces.iter_mut().zip(given) {
+            one.mean_plane_offset = given;
         }
+        let ratio = pair.mean_plane_offset() / gaussian;
+        let is_given = given.iter().any(Option::is_some);
+        *mean_plane_offset = is_given.then(|| surface.mean_plane_offset() * ratio);
+    }
+
+    /// The heights that [`set_mean_plane_offsets`](Self::set_mean_plane_offsets) sets.
+    pub(crate) fn mean_plane_offsets(&self) -> [Option<f64>; 2] {
+        let alone = [self.scene.mean_plane_offset, None];
+        self.scene.pair.map_or(alone, |pair| pair.surfaces.map(|one| one.mean_plane_offset))
+    }
+
+    /// Whether models on these asperities press two rough surfaces on each other.
+    pub(crate) fn is_pair(&self, asperities: Asperities) -> bool {
+        asperities == Asperities::Pairs && self.no_pair.is_none()
+    }
+
+    /// Whether the scene describes one surface, and its models press that on another one like it.
+    pub(crate) fn meets_its_like(&self) -> bool {
+        self.is_pair(self.options.asperities) && self.scene.pair.is_none()
     }
 
     /// An interface with the properties of this pair that do not follow from the bodies.

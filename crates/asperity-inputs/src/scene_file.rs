@@ -1,12 +1,11 @@
 //! Scene files.
 
-use std::f64::consts::SQRT_2;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Asperities, Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene,
-    Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
+    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Scene, Separation,
+    SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
 
@@ -61,7 +60,8 @@ pub struct SceneFile {
     pub(crate) odd_number: Option<Finding>,
     /// The place of the hardness of the interface or of the first body.
     pub(crate) hardness_at: Option<Box<Place>>,
-    /// Of two surfaces, the mean square of the heights of the second \[m²\]; 0 of one.
+    /// Of two scans, or of a scan and a surface by numbers, the mean square of the heights of the
+    /// second \[m²\], where `scene.pair` may lack each by itself; 0 of others.
     pub(crate) counter_variance: f64,
     /// The Peklenik number of each surface, where it is given.
     pub(crate) peklenik_numbers: [Option<f64>; 2],
@@ -152,7 +152,6 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let (interface, interface_section, bodies) = interface(document)?;
     let heights: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
-    let mean_plane_offset = document.number("surface.mean_plane_offset")?;
     if let Some(asperities) = document.get("surface.asperities")? {
         if document.has("options.asperities") {
             let needed = "one of the two";
@@ -185,28 +184,25 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     };
     let offset = file.measured.as_ref().and_then(|found| found.statistics.mean_plane_offset);
     let offset = table.map(TabulatedHeights::mean).or(offset);
-    if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
-        let source = if table.is_some() { "surface.heights" } else { "surface.file" };
-        let needed = "one of the two: the offset follows from measured heights";
-        return Err(document.conflict("surface.mean_plane_offset", source, needed));
+    let mut given = [None; 2];
+    for (section, given) in ["surface", COUNTERFACE].iter().zip(&mut given) {
+        let key = joined(section, "mean_plane_offset");
+        *given = document.number(&key)?;
+        if given.is_some() && offset.is_some() {
+            let source = if table.is_some() { "surface.heights" } else { "surface.file" };
+            let needed = "one of the two: the offset follows from measured heights";
+            return Err(document.conflict(&key, source, needed));
+        }
     }
-    file.set_mean_plane_offset(mean_plane_offset.or(offset));
+    match offset {
+        Some(_) => file.scene.mean_plane_offset = offset,
+        None => file.set_mean_plane_offsets(given),
+    }
     let measured = file.measured.as_ref().map(|found| found.statistics.sq);
     let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
     file.scene.surface_height_std = measured.or_else(given);
-    let is_alone = !document.has(COUNTERFACE) && !document.has("surface.files");
-    if let (Some(pair), Some(std)) = (&mut file.scene.pair, file.scene.surface_height_std) {
-        pair.surface_height_std = Some(if is_alone { SQRT_2 * std } else { std });
-    }
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.positive(section, "peklenik_number")?;
-    }
-    // Two like surfaces, of which one is described.
-    if options.asperities == Asperities::Pairs && is_alone {
-        let both = file.scene.both_surfaces().surface_height_std();
-        file.counter_variance = 0.5 * both * both;
-        file.scene.surface_height_std = Some(both);
-        file.peklenik_numbers[1] = file.peklenik_numbers[0];
     }
     let (scene, table) = (&file.scene, file.table.as_ref());
     scene.asperity().map_err(|error| {
@@ -310,8 +306,7 @@ impl SceneFile {
     /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
     #[must_use]
     pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
-        let mut scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
-        scene.pair = Some(Pair::new(surface, surface));
+        let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
         let (options, separation_from) = (self.options, self.separation_from);
         Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
     }

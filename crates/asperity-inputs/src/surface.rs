@@ -79,8 +79,7 @@ fn way(
 /// A surface described by numbers.
 struct Numbers {
     surface: Surface,
-    /// Each of the surfaces in contact; of one alone, another like it, unless its heights are those
-    /// of both.
+    /// Each of the surfaces in contact; none of one alone.
     pair: Option<Pair>,
     /// The numbers from which the asperities follow, if they are not given directly.
     roughness: Option<Roughness>,
@@ -95,14 +94,7 @@ impl Numbers {
     /// The surface in the middle of the ranges of these, one or two rough surfaces together.
     fn of_faces(faces: &[Face], odd: Option<Finding>) -> Result<Self, ContactError> {
         let ((surface, pair), face) = (middle(faces)?, faces.first().cloned());
-        Ok(Self {
-            surface,
-            pair: Some(pair),
-            roughness: None,
-            follows_from: &FINISH[..1],
-            odd,
-            face,
-        })
+        Ok(Self { surface, pair, roughness: None, follows_from: &FINISH[..1], odd, face })
     }
 
     /// As a surface with ranges, which these numbers may have none of.
@@ -137,7 +129,6 @@ pub(crate) fn surface(
     }
     let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
     let has_ranges = [&first, &second].into_iter().flatten().any(|numbers| numbers.face.is_some());
-    let counter_variance = second.as_ref().map_or(0.0, |numbers| numbers.moments().m0);
     let mut faces = vec![];
     let numbers = match (first, second) {
         (Some(first), Some(second)) if has_ranges => {
@@ -174,7 +165,6 @@ pub(crate) fn surface(
     file.follows_from = numbers.follows_from;
     file.roughness = numbers.roughness;
     file.odd_number = numbers.odd;
-    file.counter_variance = counter_variance;
     file.faces = faces;
     Ok((file, notes))
 }
@@ -237,8 +227,7 @@ fn numbers(
     surface.check().map_err(&refused)?;
     let odd = odd.map(|odd| in_other_unit(document, section, odd));
     let follows_from = if is_asperities { &[] } else { way };
-    let pair = (!way.contains(&STD)).then(|| Pair::new(surface, surface));
-    let numbers = Numbers { surface, pair, roughness, follows_from, odd, face: None };
+    let numbers = Numbers { surface, pair: None, roughness, follows_from, odd, face: None };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();

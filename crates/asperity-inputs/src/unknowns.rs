@@ -90,13 +90,13 @@ fn moments(faces: &[Face], at: Corner) -> ProfileMoments {
     faces.iter().fold(none, |sum, face| sum.plus(&face.moments(at)))
 }
 
-/// The surface that faces make together, and the asperities of each; one face meets its like.
-fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Pair), ContactError> {
+/// The surface that faces make together, and the asperities of each of two.
+fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Option<Pair>), ContactError> {
     let together = Surface::from_moments(&moments(faces, at))?;
     let each = faces.iter().map(|face| Surface::from_moments(&face.moments(at)));
     let pair = match each.collect::<Result<Vec<_>, _>>()?[..] {
-        [first, second] => Pair::new(first, second),
-        _ => Pair::new(together, together),
+        [first, second] => Some(Pair::new(first, second)),
+        _ => None,
     };
     Ok((together, pair))
 }
@@ -105,7 +105,7 @@ fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Pair), ContactError>
 ///
 /// # Errors
 /// Those of [`Surface::from_moments`].
-pub(crate) fn middle(faces: &[Face]) -> Result<(Surface, Pair), ContactError> {
+pub(crate) fn middle(faces: &[Face]) -> Result<(Surface, Option<Pair>), ContactError> {
     surfaces(faces, MIDDLE)
 }
 
@@ -172,14 +172,7 @@ impl SceneFile {
         let at = |place: Corner| {
             let (surface, pair) = surfaces(&self.faces, place)?;
             let mut file = Self { faces: vec![], ..self.clone() };
-            let rougher = surface.moments().m0.sqrt() / file.scene.surface.moments().m0.sqrt();
-            (file.scene.surface, file.scene.pair) = (surface, Some(pair));
-            file.scene.surface_height_std = file.scene.surface_height_std.map(|std| rougher * std);
-            file.counter_variance = match &self.faces[..] {
-                [_, second] => second.moments(place).m0,
-                // That of its like, or none.
-                _ => file.counter_variance * rougher * rougher,
-            };
+            (file.scene.surface, file.scene.pair) = (surface, pair);
             Ok(file)
         };
         let corner = |corner: usize| {
@@ -244,14 +237,15 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// A note that the other surface is taken as smooth, of a single surface with ranges.
+    /// A note that the other surface is taken as smooth, of a single surface with ranges in a scene
+    /// whose models do not press it on another one like it.
     #[must_use]
     pub fn smooth_counterface(&self) -> Option<Finding> {
         let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
         let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
-            .fact("the other surface is taken as smooth")
+            .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
             .advice("describe it as `counterface` if it is rough, too");
-        is_alone.then_some(found)
+        (is_alone && !self.meets_its_like()).then_some(found)
     }
 
     /// Nothing where the surface is known; where it is known within ranges, an answer in single

@@ -219,7 +219,8 @@ impl SceneFile {
         let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
         let offset = scene.mean_plane_offset;
         if known.is_none() {
-            keys.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+            let own = self.mean_plane_offsets()[0];
+            keys.extend(own.map(|offset| ("mean_plane_offset".into(), offset.into())));
         } else if known.map(f64::to_bits) != offset.map(f64::to_bits) {
             let reason = "it differs from the offset of the measured heights";
             return Err(unwritable(Place::field("surface.mean_plane_offset"), reason));

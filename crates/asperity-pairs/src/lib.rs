@@ -1,7 +1,6 @@
 #![doc = include_str!("../README.md")]
 
 mod antiderivative;
-mod contacts;
 mod integral;
 mod model;
 #[cfg(test)]

@@ -8,7 +8,6 @@ use asperity_core::{
     OneContact, Scene, Tolerance, Variant,
 };
 
-use crate::contacts::of_contacts;
 use crate::integral::integral;
 
 /// A model of upright contacts between the asperities of two rough surfaces.
@@ -72,7 +71,7 @@ impl IsVariant for AsperityPairs {
 impl AsperityModel for AsperityPairs {
     fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
         self.0.laws(&scene.heights)?;
-        Ok(Cow::Owned(of_contacts(scene)?))
+        Ok(Cow::Owned(scene.of_contacts()?))
     }
 
     fn of_one_contact(&self) -> Option<OneContact<'_>> {

@@ -1,6 +1,6 @@
 //! Laws between two rough surfaces against references computed another way.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use asperity_af::AbdoFarhang;
 use asperity_at::AminiTehrani;
@@ -34,7 +34,7 @@ fn model(id: &str) -> AsperityPairs {
     }
 }
 
-/// A scene of the table of scenes.
+/// A scene of the table of scenes, whose heights are those of both surfaces together.
 fn scene(name: &str) -> Scene {
     let rows = include_str!("../../../tests/reference/models_scenes.csv");
     let row = rows.lines().find(|row| row.starts_with(&format!("{name},"))).unwrap();
@@ -42,7 +42,7 @@ fn scene(name: &str) -> Scene {
     let [e, g, nu, hardness, factor, radius, density, std, area] = numbers[..] else { panic!() };
     let mut interface = Interface::new(e, nu, hardness);
     (interface.equivalent_shear_modulus, interface.pressure_factor) = (Some(g), Some(factor));
-    Scene::new(interface, Surface::new(radius, density, std), area)
+    Scene::new(interface, Surface::new(radius, density, FRAC_1_SQRT_2 * std), area)
 }
 
 /// Values at separations over σ_a from the mean of the asperities, each one alone and prepared.
@@ -74,9 +74,10 @@ fn two_like_surfaces_have_the_values_of_the_reference() {
     assert_eq!(check_against(include_str!("../../../tests/reference/pairs.csv"), scene), 748);
 }
 
-/// A second surface as in `pairs_unlike.py`.
+/// A second surface as in `pairs_unlike.py`, where the heights of the table are those of the first.
 fn unlike(name: &str) -> Scene {
     let mut scene = scene(name);
+    scene.surface.asperity_height_std *= 2f64.sqrt();
     let Surface { asperity_radius: r, asperity_density: eta, asperity_height_std: std, .. } =
         scene.surface;
     let second = Surface::new(0.4 * r, 1.7 * eta, 0.8 * std);
@@ -93,9 +94,9 @@ fn two_unlike_surfaces_have_those_of_the_double_integral() {
 #[test]
 fn greenwood_and_tripp_have_a_closed_form() {
     let scene = scene("mild");
-    let Surface {
-        asperity_radius: beta, asperity_density: eta, asperity_height_std: sigma, ..
-    } = scene.surface;
+    let Surface { asperity_radius: beta, asperity_density: eta, asperity_height_std: std, .. } =
+        scene.surface;
+    let sigma = 2f64.sqrt() * std;
     let (e, area) = (scene.interface.equivalent_modulus, scene.nominal_area);
     let rough = (eta * beta * sigma).powi(2);
     let quantities = [Quantity::Pressure, Quantity::AreaFraction, Quantity::Contacts];
@@ -125,15 +126,12 @@ fn both_surfaces_may_be_exchanged_and_like_ones_need_not_be_named() {
     }
     let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-14, "{a} {b}");
     same(force(&unlike, 1.5), force(&exchanged, 1.5));
-    // Two surfaces with this standard deviation each, or one with that of the sum.
-    let mut each = scene("severe");
-    each.pair = Some(Pair::new(each.surface, each.surface));
-    let mut sum = scene("severe");
-    sum.surface.asperity_height_std *= 2f64.sqrt();
-    same(force(&each, 1.5), force(&sum, 1.5));
+    let (alone, mut named) = (scene("severe"), scene("severe"));
+    named.pair = Some(Pair::new(named.surface, named.surface));
+    same(force(&named, 1.5), force(&alone, 1.5));
     // The scene of the contacts stands for itself, as where a contact is judged.
     let request = Request::new([Quantity::Force]);
-    for scene in [&unlike, &sum] {
+    for scene in [&unlike, &alone] {
         let own = model("ke").compile(scene, &request).unwrap().scene().clone();
         for at in [At::sigmas(1.5), Separation::metres(3e-6).from_surface_mean().into()] {
             same(force(&own, at), force(scene, at));
@@ -149,13 +147,37 @@ fn separations_of_the_mean_planes_count_the_asperities_of_both() {
     let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
     same(force(&like, h), force(&like, At::metres(d)));
     let unlike = unlike("at-paper");
-    let [first, second] = unlike.pair.unwrap().surfaces;
+    let [first, second] = unlike.pair.unwrap().surfaces.map(|one| one.asperities);
     let d = 4e-6 - first.mean_plane_offset() - second.mean_plane_offset();
     same(force(&unlike, h), force(&unlike, At::metres(d)));
-    // Measured: of one of two like surfaces.
+    // Measured: of each of two like surfaces, or of one of two, whose other has its own.
     let mut measured = like.clone();
     measured.mean_plane_offset = Some(5e-7);
     same(force(&measured, h), force(&like, At::metres(3e-6)));
+    let mut one = unlike.clone();
+    if let Some(pair) = &mut one.pair {
+        pair.surfaces[0].mean_plane_offset = Some(5e-7);
+    }
+    let d = 4e-6 - 5e-7 - second.mean_plane_offset();
+    same(force(&one, h), force(&unlike, At::metres(d)));
+}
+
+/// σ² and m₂ of two surfaces are the sums, and h/σ = 2 is a film of 2 √(σ₁² + σ₂²).
+#[test]
+fn both_surfaces_have_the_sums_of_their_numbers() {
+    let unlike = unlike("mild");
+    let pair = unlike.both_surfaces();
+    let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
+    let [first, second] = pair.surfaces.map(|one| one.asperities.moments());
+    same(pair.moments().m0, first.m0 + second.m0);
+    same(pair.moments().m2, first.m2 + second.m2);
+    same(pair.share_of_second(), second.m0 / (first.m0 + second.m0));
+    let film = Separation::metres(2.0 * (first.m0 + second.m0).sqrt()).from_surface_mean();
+    same(force(&unlike, Separation::film_ratio(2.0)), force(&unlike, film));
+    // The surface that is equivalent to both plays no part.
+    let mut other = unlike.clone();
+    (other.surface_height_std, other.mean_plane_offset) = (Some(1e-3), Some(1e-3));
+    same(force(&other, film), force(&unlike, film));
 }
 
 /// The force by contacts of one regime: the law of a contact times the pairs nearer than v.
@@ -168,7 +190,7 @@ fn shares_are_those_of_the_contacts_and_loads_are_inverted() {
     let law = KogutEtsion.force(&asperity, Tolerance::default()).unwrap();
     let by = |from: f64, to: f64| {
         let nearer = |x: f64| {
-            let s = d + x * law.interference_unit / scene.surface.asperity_height_std;
+            let s = d + x * law.interference_unit / ke.scene().surface.asperity_height_std;
             0.5 * libm::erfc(s / 2f64.sqrt())
         };
         let force = |x: f64| law.value(x * law.interference_unit).unwrap() * nearer(x);
@@ -207,7 +229,7 @@ fn contacts_unload_one_by_one() {
     let critical = asperity.critical_interference().unwrap();
     let sum = |remaining: &dyn Fn(f64) -> f64| {
         let nearer = |w: f64| {
-            let s = d + w / scene.surface.asperity_height_std;
+            let s = d + w / closed.scene().surface.asperity_height_std;
             remaining(w) * 0.5 * libm::erfc(s / 2f64.sqrt())
         };
         // The first contact that is left has w near u.

@@ -11,6 +11,7 @@ import pytest
 INTERFACE = asperity.Interface(116e9, 0.31, hardness=1.12e9)
 SURFACE = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
 PAIRS = {"asperities": "pairs"}
+UNITS = ("asperity_height_std", "m")
 SCENE = asperity.Scene(INTERFACE, SURFACE, 3e-5)
 
 
@@ -23,12 +24,23 @@ def test_the_option_the_name_and_greenwood_tripp_are_the_same() -> None:
     assert pairs.models()[0] == "gw-pairs"
     assert force(pairs, "gw", 1.0) == force(SCENE, "gt", 1.0) == force(SCENE, "gw-pairs", 1.0)
     assert asperity.Scene.parse(pairs.to_toml()).options == PAIRS
-    # Two surfaces of one height std each.
-    each = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
-    both = each.replace(asperity_height_std=math.sqrt(2) * each.asperity_height_std)
-    scenes = [asperity.Scene(INTERFACE, of, 3e-5) for of in (each, both)]
+    # The asperities of one surface, by moments or by their own numbers.
+    one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+    numbers = (one.asperity_radius, one.asperity_density, one.asperity_height_std)
+    scenes = [asperity.Scene(INTERFACE, of, 3e-5) for of in (one, asperity.Surface(*numbers))]
     found, wanted = (force(scene, "ke-pairs", 1.0) for scene in scenes)
     assert found == pytest.approx(wanted, rel=1e-12)
+
+
+def test_separations_of_pairs_are_those_of_both_surfaces_on_one_scene_and_on_several() -> None:
+    pairs = asperity.Scene(INTERFACE, SURFACE, 3e-5, options=PAIRS)
+    std = math.sqrt(2) * SURFACE.asperity_height_std
+    ke = asperity.model("ke")
+    sigmas, metres = (ke.separation(pairs, load=1.0, separation_unit=u) for u in UNITS)
+    assert float(metres) == pytest.approx(std * float(sigmas), rel=1e-12)
+    varied = pairs.vary(hardness=[1.12e9, 1.12e9 * (1 + 1e-9)])
+    found = ke.separation(varied, load=1.0, separation_unit="m")
+    assert np.asarray(found) == pytest.approx(float(metres), rel=1e-6)
 
 
 class Scaled:

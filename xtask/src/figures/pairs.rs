@@ -9,7 +9,7 @@ use asperity_plot::{Axis, Figure};
 use super::models::{NOMINAL_AREA, beside, interface, named, of, panel, solve};
 use crate::table::Table;
 
-/// σ of the sum of the heights \[m\], η β σ of each surface, and ψ of the contacts: all but ψ
+/// σ of the sum of the heights \[m\], η β σ with the η and β of each surface, and ψ of the contacts: all but ψ
 /// cancel.
 const STD: f64 = 1e-6;
 const ROUGHNESS_PARAMETER: f64 = 0.04;
@@ -38,7 +38,7 @@ pub fn table() -> Result<Table> {
     let contacts =
         Surface::from_plasticity_index(PLASTICITY_INDEX, ROUGHNESS_PARAMETER, STD, &interface)?;
     let radius = 2.0 * contacts.asperity_radius;
-    let surface = Surface::new(radius, ROUGHNESS_PARAMETER / (radius * STD), STD);
+    let surface = Surface::new(radius, ROUGHNESS_PARAMETER / (radius * STD), STD / SQRT_2);
     let scene = Scene::new(interface, surface, NOMINAL_AREA);
     let unit = 16.0 * SQRT_2 * PI / 15.0
         * ROUGHNESS_PARAMETER.powi(2)

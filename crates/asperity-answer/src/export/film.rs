@@ -2,9 +2,10 @@
 
 use asperity::recommended::FLOW;
 use asperity::{
-    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, Separation,
+    Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, Separation,
     SeparationUnit, Surface, linspace, shortest_digits,
 };
+use asperity_inputs::ModelOptions;
 
 use super::text::filled;
 use super::{Export, UnitSystem};
@@ -14,6 +15,20 @@ use crate::{Cell, Sheet};
 
 /// Quantities of the contact.
 const OF_CONTACT: [Quantity; 2] = [Quantity::Pressure, Quantity::AreaFraction];
+
+/// The words of the head, with their blanks.
+const OF_PAIR: [(&str, &str); 4] = [
+    ("surfaces", "both surfaces"),
+    ("formula", "Greenwood & Tripp"),
+    ("each", "each of two like surfaces"),
+    ("together", "of both surfaces together"),
+];
+const OF_ONE: [(&str, &str); 4] = [
+    ("surfaces", "the rough surface and a flat"),
+    ("formula", "Greenwood & Williamson (one rough surface on a flat)"),
+    ("each", "this surface"),
+    ("together", "of this surface"),
+];
 
 impl Export<'_> {
     /// The table at films of equal distances, in SI units; fills a sheet with the same columns.
@@ -30,7 +45,9 @@ impl Export<'_> {
         // That of both surfaces, for models of pairs.
         let scene = contact.scene();
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
-        let flow = file.model(FLOW)?.compile(scene, &Request::new(factors))?;
+        let flow = file.model_with(&self.film_options(), FLOW)?;
+        let flow = flow.compile(&file.scene, &Request::new(factors))?;
+        sheet.report(file, flow.notes().iter().cloned().collect());
         // All fits hold at this film, so that an error is about the lay, and about every film.
         flow.evaluate(Quantity::PressureFlowFactorX, Separation::film_ratio(3.0))?;
         let of = |one: &dyn Contact, film: f64| -> Result<Vec<Option<f64>>, ContactError> {
@@ -43,11 +60,8 @@ impl Export<'_> {
                 };
             one.quantities().iter().map(value).collect()
         };
-        let lambda = |at: At| {
-            let (unit, from) = (SeparationUnit::SurfaceStd, Datum::SurfaceMean);
-            contact.separation(at)?.measured_in(unit, from, scene)
-        };
-        let [first, last] = [lambda(self.ends[0])?.value, lambda(self.ends[1])?.value];
+        let lambda = |at| contact.separation_in(SeparationUnit::SurfaceStd, Datum::SurfaceMean, at);
+        let [first, last] = [lambda(self.ends[0])?, lambda(self.ends[1])?];
         sheet.under(&[&["film_m", "lambda"]]);
         let columns = contact.quantities().iter().chain(flow.quantities());
         sheet.heads.extend(columns.map(|quantity| quantity.column()));
@@ -62,21 +76,29 @@ impl Export<'_> {
         Ok(text)
     }
 
+    /// The options of the scene with the surfaces of the model, which the factors of flow have, too.
+    fn film_options(&self) -> ModelOptions {
+        let asperities = self.subject.model.asperities();
+        ModelOptions { asperities, ..self.subject.file.options }
+    }
+
     /// The comments at the head of the table.
     fn film_head(&self, scene: &Scene) -> Outcome<String> {
-        let file = self.subject.file;
-        // Models of pairs average over those of two like surfaces.
-        let like = scene.pair.filter(|_| scene.surface != file.scene.surface);
-        let each = like.map_or(scene.surface, |pair| pair.surfaces[0]);
+        let flow = self.subject.file.flow(&self.film_options())?;
+        let (each, words) = match flow.pairs {
+            // Models of pairs average over those of two like surfaces.
+            true => (scene.both_surfaces().surfaces[0].asperities, OF_PAIR),
+            false => (scene.surface, OF_ONE),
+        };
         let Surface { asperity_radius: beta, asperity_density: eta, .. } = each;
-        let sigma = scene.surface_height_std();
-        let flow = file.flow(&file.options)?;
+        let sigma_z = scene.surface.asperity_height_std;
         let numbers = [
             ("eta", eta),
             ("beta", beta),
-            ("sigma", sigma),
-            ("product", eta * beta * sigma),
-            ("sigma_z", scene.surface.asperity_height_std),
+            ("sigma", scene.surface_height_std()),
+            ("product", eta * beta * sigma_z),
+            ("sigma_z", sigma_z),
+            ("offset", scene.mean_plane_offset()),
             ("modulus", scene.interface.equivalent_modulus),
             ("moving", flow.peklenik_numbers[0]),
             ("resting", flow.peklenik_numbers[1]),
@@ -85,7 +107,7 @@ impl Export<'_> {
         let numbers = numbers.map(|(name, value)| (name, rounded(value)));
         let blanks = numbers.each_ref().map(|(name, value)| (*name, &**value));
         let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), self.subject.id);
-        let form = filled(include_str!("forms/film.txt"), &blanks);
+        let form = filled(&filled(include_str!("forms/film.txt"), &words), &blanks);
         Ok(filled(&form, &[("title", &title)]))
     }
 }

@@ -92,10 +92,7 @@ impl Check {
             Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => Ok(None),
             Err(error) => Err(error),
         };
-        let in_sigma = |at| {
-            let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
-            Ok(contact.separation(at)?.measured_in(unit, from, scene)?.value)
-        };
+        let in_sigma = |at| contact.separation_in(SeparationUnit::Sigma, Datum::AsperityMean, at);
         let asked = validity.asperities && (whole || !validity.angles);
         let place = if asked { known(in_sigma(at))?.map(Separation::sigmas) } else { None };
         let row = contact.respond(&Request::new(Quantity::JUDGED).at([place.map_or(at, At::from)]));

@@ -117,10 +117,20 @@ impl Scene {
         self.check_of(self)
     }
 
-    /// The same with the critical interference of the contacts of another scene, which those of a
-    /// model may have.
-    pub(crate) fn check_of(&self, contacts: &Self) -> Result<Check, ContactError> {
+    /// The same for a model with these contacts: of models of pairs, [those between both
+    /// surfaces](Self::of_contacts), whose critical interference and numbers of both surfaces it has.
+    /// All other numbers are those of one surface.
+    ///
+    /// # Errors
+    /// Those of [`check`](Self::check).
+    pub fn check_of(&self, contacts: &Self) -> Result<Check, ContactError> {
         let asperity = contacts.asperity()?;
+        let is_of_pair = contacts.surface != self.surface;
+        let whose = match (is_of_pair, self.pair) {
+            (false, _) => "",
+            (true, None) => ", of one surface",
+            (true, Some(_)) => ", of the surface that is equivalent to both",
+        };
         let surface = &self.surface;
         let mut check = Check::default();
         let (r, sigma) = (surface.asperity_radius, surface.asperity_height_std);
@@ -135,19 +145,19 @@ impl Scene {
             check.add_number("hardness_over_modulus", ratio, "", "H/E");
             // Elastic asperities have no critical interference.
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
-                let (radius, std) = (asperity.radius, contacts.surface.asperity_height_std);
-                let whose = |what: String| match contacts.surface == *surface {
-                    true => String::new(),
-                    false => format!(", with {what} of contacts between both surfaces"),
+                let of_radius = match is_of_pair {
+                    true => {
+                        let radius = asperity.radius;
+                        format!(", with R = {radius:.4e} m of contacts between both surfaces")
+                    }
+                    false => String::new(),
                 };
-                let of_radius = whose(format!("R = {radius:.4e} m"));
                 let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
                 check.add_number("critical_interference", w, "m", meaning);
                 let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
                 check.add_number("critical_force", f, "N", meaning);
-                let meaning = "psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy";
-                let meaning = meaning.to_owned() + &whose(format!("sigma_z = {std:.4e} m"));
-                check.add_number("plasticity_index", (std / w).sqrt(), "", meaning);
+                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{whose}");
+                check.add_number("plasticity_index", self.plasticity_index()?, "", meaning);
             }
         }
         if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
@@ -176,10 +186,32 @@ impl Scene {
         check.add_number("rms_gradient", surface.rms_gradient(), "", gaussian);
         check.add_number("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
         let beta = surface.roughness_parameter();
-        check.add_number("roughness_parameter", beta, "", "beta_z = eta R sigma_z");
+        let meaning = format!("beta_z = eta R sigma_z{whose}");
+        check.add_number("roughness_parameter", beta, "", meaning);
         check.add_number("height_std_over_radius", sigma / r, "", "sigma_z/R");
         let above = "of the asperities above the mean plane";
         check.add_number("mean_plane_offset", self.mean_plane_offset(), "m", above);
+        if is_of_pair {
+            for (name, value, meaning) in [
+                (
+                    "pair_asperity_height_std",
+                    contacts.surface.asperity_height_std,
+                    "sigma_z of both surfaces together, the unit of separations",
+                ),
+                (
+                    "pair_surface_height_std",
+                    contacts.surface_height_std(),
+                    "sigma of both surfaces together, the unit of films",
+                ),
+                (
+                    "pair_mean_plane_offset",
+                    contacts.mean_plane_offset(),
+                    "of the asperities of both surfaces above their mean planes",
+                ),
+            ] {
+                check.add_number(name, value, "m", meaning);
+            }
+        }
         check.add_number("nominal_area", self.nominal_area, "m2", "A_n");
         check.add_number("asperities", self.asperities(), "", "eta A_n");
         check.extend(self.findings());

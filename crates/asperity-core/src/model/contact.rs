@@ -7,7 +7,8 @@ use crate::engine::parallel;
 use crate::error::require;
 use crate::response::{Answered, Response, respond};
 use crate::{
-    At, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation, Share,
+    At, ContactError, Datum, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
+    SeparationUnit, Share,
 };
 
 /// A model applied to a scene: shared by threads, for many evaluations.
@@ -252,6 +253,20 @@ impl dyn Contact + '_ {
             At::Separation(separation) => Ok(separation),
             at => self.separation_at(at.load(self.scene()).unwrap_or(f64::NAN)),
         }
+    }
+
+    /// The [separation](Self::separation) of a place in this unit, from this plane, on the scene of
+    /// this contact: for models of pairs, σ and the mean planes are those of both surfaces.
+    ///
+    /// # Errors
+    /// Those of [`separation`](Self::separation) and [`Separation::measured_in`].
+    pub fn separation_in(
+        &self,
+        unit: SeparationUnit,
+        from: Datum,
+        at: impl Into<At>,
+    ) -> Result<f64, ContactError> {
+        Ok(self.separation(at)?.measured_in(unit, from, self.scene())?.value)
     }
 
     /// [`shares_at`](Contact::shares_at).

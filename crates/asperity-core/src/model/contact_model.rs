@@ -1,5 +1,7 @@
 //! A contact model: named, swapped, applied to scenes.
 
+use std::borrow::Cow;
+
 use crate::engine::alone::Alone;
 use crate::engine::list::is_short;
 use crate::engine::prepared::{Facts, Prepared};
@@ -57,6 +59,15 @@ impl dyn ContactModel + '_ {
             Some(model) => model.law(asperity, quantity, tolerance),
             None => Err(ContactError::NoLaw { model: self.id().into(), quantity }),
         }
+    }
+
+    /// The scene of a contact of this model on a scene, on which separations are counted: see
+    /// [`AsperityModel::averaged_over`].
+    ///
+    /// # Errors
+    /// Those of [`AsperityModel::averaged_over`].
+    pub fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
+        self.asperity_model().map_or(Ok(Cow::Borrowed(scene)), |one| one.averaged_over(scene))
     }
 }
 

@@ -11,30 +11,34 @@ use serde::{Deserialize, Serialize};
 use crate::error::{positive, require};
 use crate::{Asperity, ContactError, HeightDistribution, Interface, Pair, Surface};
 
-/// Two bodies, their equivalent rough surface and its nominal area.
+/// Two bodies, their rough surface and its nominal area.
+///
+/// Models of one rough surface press `surface` on a flat. Models of pairs press two surfaces on each
+/// other: those of `pair`, or two like `surface`; [`of_contacts`](Self::of_contacts) has the numbers
+/// of both together.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Scene {
     /// The two bodies.
     pub interface: Interface,
-    /// The equivalent rough surface.
+    /// One rough surface; where `pair` has two, the surface that is equivalent to both.
     pub surface: Surface,
     /// A_n \[m²\], > 0.
     pub nominal_area: f64,
     /// Distribution of the asperity heights; Gaussian by default.
     #[serde(default)]
     pub heights: HeightDistribution,
-    /// Measured height of the mean of the asperities above the mean plane of the surface \[m\]; by
+    /// Measured height of the mean of the asperities above the mean plane of `surface` \[m\]; by
     /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
-    /// Measured or given standard deviation of the surface heights \[m\]; by default that of an
+    /// Measured or given standard deviation of the heights of `surface` \[m\]; by default that of an
     /// isotropic Gaussian surface.
     #[serde(default)]
     pub surface_height_std: Option<f64>,
-    /// The asperities of the two rough surfaces in contact, each by itself, for which `surface`
-    /// stands; only models of pairs use them. By default both are like `surface`.
+    /// The two rough surfaces in contact, each by itself; only models of pairs use them. By default
+    /// both are like `surface`.
     #[serde(default)]
     pub pair: Option<Pair>,
 }
@@ -77,14 +81,14 @@ impl Scene {
         require(offset.is_finite(), "mean_plane_offset", offset, "a finite number").map(drop)
     }
 
-    /// Height of the mean of the asperities above the mean plane of the surface \[m\].
+    /// Height of the mean of the asperities above the mean plane of `surface` \[m\].
     #[must_use]
     pub fn mean_plane_offset(&self) -> f64 {
         self.mean_plane_offset.unwrap_or_else(|| self.surface.mean_plane_offset())
     }
 
-    /// σ \[m\]: the standard deviation of the surface heights (not of the asperities), of both
-    /// surfaces together; films are measured in it.
+    /// σ \[m\]: the standard deviation of the heights of `surface` (not of its asperities); films are
+    /// measured in it.
     #[must_use]
     pub fn surface_height_std(&self) -> f64 {
         self.surface_height_std.unwrap_or_else(|| self.surface.moments().m0.sqrt())

@@ -231,8 +231,10 @@ fn odd_numbers_have_a_warning() {
         let found = warnings(surface);
         assert!(found.iter().any(|one| one.contains(text)), "{surface}: {found:?}");
     };
-    let smooth = "smooth-counterface: the other surface is taken as smooth: describe it as counterface if it is rough, too";
+    let smooth = "smooth-counterface: the other surface is taken as smooth (by models of pairs as rough as this one): describe it as counterface if it is rough, too";
     assert_eq!(warnings("ra = \"0.8 um\"\nfinish = \"ground\""), [smooth]);
+    let pairs = "ra = \"0.8 um\"\nfinish = \"ground\"\nasperities = \"pairs\"";
+    assert!(warnings(pairs).is_empty(), "{:?}", warnings(pairs));
     // The slope in metres, and the default of a program that is far too steep.
     has(
         "ra = \"0.8 um\"\nfinish = \"ground\"\nmean_slope = 7e-6",

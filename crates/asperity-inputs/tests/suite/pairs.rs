@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use asperity::{Asperities, At, ContactModel, Model, Pair, Quantity, Request, Separation, Surface};
+use asperity::{
+    Asperities, At, ContactModel, Datum, Model, Pair, Quantity, Request, Separation,
+    SeparationUnit, Surface,
+};
 use asperity_inputs::{SceneFile, parse};
 
 const MOMENTS: &str = "m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4";
@@ -38,7 +41,7 @@ fn the_key_the_id_and_greenwood_tripp_are_one() {
 }
 
 #[test]
-fn heights_of_asperities_are_those_of_both_and_of_a_surface_those_of_one() {
+fn every_key_describes_one_of_both_surfaces() {
     let Surface { asperity_radius, asperity_density, asperity_height_std: std, .. } =
         scene(MOMENTS).scene.surface;
     let of = |std: f64| {
@@ -48,7 +51,10 @@ fn heights_of_asperities_are_those_of_both_and_of_a_surface_those_of_one() {
         ))
     };
     let at = At::from(Separation::metres(2e-6));
-    same(force(&scene(MOMENTS), "ke-pairs", at), force(&of(2f64.sqrt() * std), "ke-pairs", at));
+    same(force(&scene(MOMENTS), "ke-pairs", at), force(&of(std), "ke-pairs", at));
+    // Separations count in the standard deviation of the sum.
+    let two = At::from(Separation::metres(2.0 * 2f64.sqrt() * std));
+    same(force(&of(std), "ke-pairs", 2.0), force(&of(std), "ke-pairs", two));
     let surface_std = scene(&format!(
         "asperity_radius = {asperity_radius:e}\nasperity_density = {asperity_density:e}\n\
          surface_height_std = 1e-6"
@@ -85,7 +91,8 @@ fn a_counterface_has_asperities_of_its_own() {
     let area = file.scene.nominal_area;
     let rougher = file.with_numbers(file.scene.interface, surface, area).unwrap();
     let ratio = |k: usize| {
-        let of = |file: &SceneFile| file.scene.pair.unwrap().surfaces[k].asperity_height_std;
+        let of =
+            |file: &SceneFile| file.scene.pair.unwrap().surfaces[k].asperities.asperity_height_std;
         of(&rougher) / of(&file)
     };
     same(ratio(0), 2.0);
@@ -100,4 +107,61 @@ fn a_surface_smoother_than_its_asperities_is_refused_by_its_keys() {
     let refused = parse(text, Path::new(".")).unwrap_err().to_string();
     let keys = "(asperity_density times asperity_radius times surface_height_std)";
     assert!(refused.contains("roughness_parameter is 0.01") && refused.contains(keys), "{refused}");
+}
+
+/// A film of 3 um between two surfaces, of which one has a given offset.
+#[test]
+fn each_surface_has_its_own_mean_plane_offset() {
+    let second =
+        |m0: f64, more: &str| format!("counterface = {{ m0 = {m0:e}, m2 = 1e-4, m4 = 5e4{more} }}");
+    let first = format!("{MOMENTS}\nmean_plane_offset = 6e-7");
+    let film = Separation::metres(4e-6).from_surface_mean();
+    let of = |text: &str| force(&scene(text), "gw-pairs", film);
+    let at = |text: &str, d: f64| force(&scene(text), "gw-pairs", Separation::metres(d));
+    let own = scene(MOMENTS).scene.surface.mean_plane_offset();
+    let alike = format!("{first}\n{}", second(1e-12, ""));
+    same(of(&alike), at(MOMENTS, 4e-6 - 6e-7 - own));
+    let near = of(&format!("{first}\n{}", second(1.000_001e-12, "")));
+    assert!((near / of(&alike) - 1.0).abs() < 1e-4, "{near}");
+    let both = format!("{first}\n{}", second(1e-12, ", mean_plane_offset = 6e-7"));
+    same(of(&both), of(&first));
+    same(of(&both), at(MOMENTS, 4e-6 - 2.0 * 6e-7));
+    let other = format!("{MOMENTS}\n{}", second(1e-12, ", mean_plane_offset = 6e-7"));
+    same(of(&other), of(&alike));
+    // The surface that is equivalent to both has √2 times the offset of each, and is written again.
+    let file = scene(&both);
+    same(file.scene.mean_plane_offset(), 2f64.sqrt() * 6e-7);
+    let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+    same(force(&again, "gw-pairs", film), of(&both));
+    let inputs = file.inputs(["mean_plane_offset"]).unwrap();
+    let set = file.with_inputs([(inputs[0], 1e-6)]).unwrap();
+    assert_eq!(set.value_of(inputs[0]), Some(1e-6));
+    same(force(&set, "gw-pairs", film), at(MOMENTS, 4e-6 - 1e-6 - 6e-7));
+}
+
+#[test]
+fn a_reading_of_a_separation_under_a_load_is_that_of_the_pair() {
+    use asperity::fit::{Data, Rig, predict};
+    let file = scene(MOMENTS);
+    let columns = [("load_N", 1.0), ("separation_m", 1e-6), ("separation_m_std", 1e-9)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    for from in [Datum::AsperityMean, Datum::SurfaceMean] {
+        let data = Data::from_columns(&columns, from).unwrap();
+        let model = file.model("ke-pairs").unwrap();
+        let found = predict(&*model, &file.scene, Rig::default(), &data);
+        let contact = model.compile(&file.scene, &Request::new([Quantity::Force])).unwrap();
+        let wanted = contact.separation_in(SeparationUnit::Metres, from, At::Load(1.0)).unwrap();
+        same(*found[0].as_ref().unwrap(), wanted);
+    }
+}
+
+/// Correlations of conductance describe the joint that the models do: √2 times σ and m of one.
+#[test]
+fn the_gap_of_correlations_has_the_roughness_of_both() {
+    let [one, both] = ["", "\nasperities = \"pairs\""]
+        .map(|key| scene(&format!("{MOMENTS}{key}")).gap_roughness());
+    same(both.height_std / one.height_std, 2f64.sqrt());
+    same(both.mean_slope / one.mean_slope, 2f64.sqrt());
+    let named = format!("{MOMENTS}\ncounterface = {{ {} }}", MOMENTS.replace('\n', ", "));
+    same(scene(&named).gap_roughness().height_std, both.height_std);
 }

@@ -143,6 +143,14 @@ fn two_scans_may_have_keys_of_their_own() {
     let keys = scene(folder.path(), &text).unwrap();
     let [a, b] = [&files, &keys].map(|file| file.scene.surface);
     is(&b, [a.asperity_density, a.asperity_radius, a.asperity_height_std]);
+    // Between both, the asperities of each stand above its own mean plane.
+    let alone = ["a.txt", "b.txt"].map(|name| {
+        let one = scene(folder.path(), &format!("file = \"{name}\"\n{READ}")).unwrap().scene;
+        [one.mean_plane_offset(), one.surface_height_std()]
+    });
+    let both = files.scene.both_surfaces();
+    near(both.mean_plane_offset(), alone[0][0] + alone[1][0], 1e-12);
+    near(both.surface_height_std(), alone[0][1].hypot(alone[1][1]), 1e-9);
 }
 
 #[test]

@@ -79,7 +79,8 @@ pub(crate) fn separations<'py>(
         let one = |(row, case, found): (usize, Option<Case>, Result<f64, ContactError>)| {
             let found = found?;
             case.map_or(Ok(found), |case| {
-                Ok(unit.of(Separation::sigmas(found), rows.datum(row), &case.scene)?)
+                let scene = (*asked.model).averaged_over(&case.scene)?;
+                Ok(unit.of(Separation::sigmas(found), rows.datum(row), &scene)?)
             })
         };
         let swept = |cases: &[Case]| sweep.separations(cases);

@@ -39,14 +39,14 @@ use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 ///     The plane of separation 0: the mean of the asperity heights (for exponential heights the
 ///     lowest asperity), or the mean plane of the surface.
 /// mean_plane_offset : float, optional
-///     Measured height of the mean of the asperity heights above the mean plane [m]; by default
-///     that of the table of heights, or of an isotropic Gaussian surface.
+///     Measured height of the mean of the asperity heights above the mean plane of the surface [m];
+///     by default that of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
 ///     Options of the models, as in the section [options] of a scene file. With
 ///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
 ///     have the joint distribution of an isotropic Gaussian surface with these moments; with
-///     ``{"asperities": "pairs"}`` "ke-pairs": two like surfaces, with ``asperity_height_std`` the
-///     standard deviation of the sum of both heights unless the surface is given by other numbers.
+///     ``{"asperities": "pairs"}`` "ke-pairs": the surface and another one like it, or its
+///     counterface; separations count in the standard deviation of the sum of both heights.
 /// accept : sequence of str
 ///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
 ///

@@ -27,11 +27,7 @@ impl Compared {
             Self::Area => value(Quantity::Area).map(|area| area / contact.scene().nominal_area),
             Self::Stiffness => value(Quantity::Tangent),
             Self::UnloadingStiffness => value(Quantity::UnloadingStiffness),
-            Self::MeanGap => {
-                let separation = contact.separation(at)?;
-                let (metres, mean) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                Ok(separation.measured_in(metres, mean, contact.scene())?.value)
-            }
+            Self::MeanGap => contact.separation_in(SeparationUnit::Metres, Datum::SurfaceMean, at),
         }
     }
 
