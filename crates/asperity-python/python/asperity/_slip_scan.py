@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from asperity import _asperity
 from asperity._arguments import Floats, in_si, one_number, one_scene, place
 from asperity._asperity import Scene
+from asperity._bem import Boundary
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,8 @@ def bem_slip(
     load: float | str | None = None,
     pressure: float | str | None = None,
     points: int = 21,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
 ) -> BemSlip:
     """Partial slip of a scan under a constant load, by boundary elements.
 
@@ -61,13 +64,16 @@ def bem_slip(
         The constant load [N] on the nominal area, or pressure on it [Pa]; one of them.
     points : int
         The number of shifts.
+    elastic, boundary
+        As in ``bem``.
     """
     if not 2 <= points <= 100_000:
         raise ValueError(f"points is {points}: 2 to 100000 were required")
     axis, number = place(None, load, pressure, "m")
     given = axis, one_number(axis, number)
     cycle = one_number("amplitude", in_si(amplitude, "m")), points
-    found, pixels = _asperity.bem_slip(one_scene(scene, "bem_slip"), given, friction, cycle)
+    scan = one_scene(scene, "bem_slip")
+    found, pixels = _asperity.bem_slip(scan, given, friction, cycle, (boundary, elastic))
     states = found.pop("states").reshape(pixels)
     units = ("_m", "_N", "_N", "_N", "_J", "")
     own = zip(list(BemSlip.__dataclass_fields__)[:6], units, strict=True)

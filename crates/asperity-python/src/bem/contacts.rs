@@ -11,7 +11,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::scan::{Arguments, Pressed, load_cases};
+use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
 use crate::convert::{
@@ -132,12 +132,14 @@ pub(crate) fn bem_unloading<'py>(
         Some(Err(error)) => Err(value_error(error)),
         None => Ok(f64::NAN),
     });
+    let open = found.iter().map(|contact| contact.mean_open_gap.unwrap_or(f64::NAN));
     let columns = [
         ("retreat", retreats),
         ("load", found.iter().map(|contact| contact.mean_pressure * area).collect()),
         ("pressure", found.iter().map(|contact| contact.mean_pressure).collect()),
         ("area_fraction", found.iter().map(|contact| contact.area).collect()),
         ("mean_gap", found.iter().map(|contact| contact.mean_gap).collect()),
+        ("mean_open_gap", open.collect()),
         ("stiffness", stiffness.collect::<PyResult<_>>()?),
     ];
     let fields = arrays(py, columns)?;
@@ -166,14 +168,13 @@ pub(crate) fn truth<'py>(
     py: Python<'py>,
     scene: &SceneFile,
     pressures: Vec<f64>,
-    elastic_and_boundary: (bool, Option<String>),
+    pressing: Pressing,
     engines: Engines,
     quantities: Quantities,
     refine_and_mask: (bool, bool),
 ) -> PyResult<TruthFields<'py>> {
-    let (scene, (elastic, boundary), (refine, mask)) =
-        (&*scene.0, elastic_and_boundary, refine_and_mask);
-    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary.as_deref(), elastic)?;
+    let (scene, (refine, mask)) = (&*scene.0, refine_and_mask);
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene, options(pressing)?)?;
     let quantities = compared(&quantities.0).map_err(value_error)?;
     let (models, left_out) = models_among(scene, &engines)?;
     let found = run_interruptible(py, None, |stop| {

@@ -8,6 +8,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use super::scan::{Pressed, Pressing, options};
 use crate::ask::long::run_interruptible;
 use crate::convert::axis::Axis;
 use crate::convert::{value_error, warn_unless};
@@ -24,8 +25,12 @@ pub(crate) fn bem_slip<'py>(
     given: (Axis, f64),
     friction: f64,
     cycle: (f64, usize),
+    pressing: Pressing,
 ) -> PyResult<(Bound<'py, PyDict>, [usize; 2])> {
-    let (file, model) = (&*scene.0, scene.0.model(Bem::ID).map_err(value_error)?);
+    let pressing = options(pressing)?;
+    let pixels = Pressed::of_scene(py, &scene.0, pressing)?.bem.map().shape();
+    let file = &(*scene.0).clone().pressing(pressing);
+    let model = file.model(Bem::ID).map_err(value_error)?;
     let ((axis, number), (amplitude, points)) = (given, cycle);
     let (at, tolerance) = (axis.at(number, file.separation_from), Tolerance::default());
     let subject = Subject { file, name: "", id: Bem::ID, model: &model, tolerance };
@@ -38,5 +43,5 @@ pub(crate) fn bem_slip<'py>(
     warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
     let fields = columns(py, &sheet)?;
     fields.set_item("states", PyArray1::from_vec(py, states))?;
-    Ok((fields, file.bem(None, false).map_err(value_error)?.map().shape()))
+    Ok((fields, pixels))
 }
