@@ -63,13 +63,13 @@ pub(crate) fn of_hardness(
     let area = Finding::note("least-area", "area_fraction", least)
         .usual([1.0, f64::INFINITY])
         .at(at)
-        .fact("area_fraction is pressure over hardness, the least that carries the load: the pixels in contact, corrected for their edges, are fewer")
+        .fact("area_fraction is pressure over hardness, the least that carries the load, as the pixels in contact, corrected for their edges, are fewer")
         .advice("refine the grid; area_fraction_pixels is the count");
     let gap = Finding::note("imprint", "mean_gap", mean_gap)
         .usual([0.0, f64::INFINITY])
         .at(at)
         .fact(format!(
-            "the mean gap is {} m: pixels at the hardness are pressed in, and their gaps count as negative",
+            "the mean gap is {} m, below 0 by the imprint of the pixels at the hardness",
             short(mean_gap)
         ))
         .advice("mean_open_gap is the mean gap of the pixels out of contact");

@@ -65,7 +65,7 @@ fn a_ball_slips_as_cattaneo_and_mindlin_found() {
     let bench = bench();
     let (limit, whole) = (0.2 * LOAD, 0.2 * depth() / RATIO);
     let slip = |amplitude: f64| {
-        let line = format!("joint ball.toml --model bem --load 10 --friction 0.2 --points 2");
+        let line = "joint ball.toml --model bem --load 10 --friction 0.2 --points 2";
         let run = bench.run(&format!("{line} --amplitude {amplitude}"));
         assert_eq!(run.code, Some(0), "{}", run.messages);
         (column(&run.out, "forth_N")[1], told(&run.messages, "dissipates "), run.messages)

@@ -401,11 +401,7 @@ def bem_unloading(
     points: int,
 ) -> _Fields: ...
 def bem_slip(
-    scene: Scene,
-    given: tuple[str, _Float],
-    friction: _Float,
-    cycle: tuple[_Float, int],
-    pressing: _Pressing,
+    pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
 ) -> tuple[_Fields, list[int]]: ...
 def truth(
     scene: Scene,

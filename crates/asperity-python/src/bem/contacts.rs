@@ -46,14 +46,14 @@ pub(crate) fn bem<'py>(
     let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
     let leak = leak.map_err(value_error)?;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene, accept } = Pressed::new(pressed)?;
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let scene = &file.scene;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let (area, pixels) = (scene.nominal_area, bem.map().heights().len());
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
-    bem.compile(&scene, &request).map_err(refused)?;
+    bem.compile(scene, &request).map_err(refused)?;
     let all = load_cases(given, area);
-    let file = scene.into();
     let press = Press { leak, ..Press::new(&file, &bem, &all, &quantities) };
     let heads = press.heads();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
@@ -93,7 +93,7 @@ pub(crate) fn bem<'py>(
         return Err(error);
     }
     notes.extend(leak.and_then(|leak| leak.finding()));
-    notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
+    notes.iter().try_for_each(|note| warn_unless(py, &file.accept, note, 1))?;
     let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
     fields.set_item("failures", failures)?;
     fields.set_item("boundary", bem.continuation().name())?;
@@ -112,7 +112,8 @@ pub(crate) fn bem_unloading<'py>(
     retreats: Option<Vec<f64>>,
     points: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Pressed { bem, scene, .. } = Pressed::new(pressed)?;
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let scene = &file.scene;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_cases(given, area).remove(0);
@@ -174,7 +175,7 @@ pub(crate) fn truth<'py>(
     refine_and_mask: (bool, bool),
 ) -> PyResult<TruthFields<'py>> {
     let (scene, (refine, mask)) = (&*scene.0, refine_and_mask);
-    let Pressed { bem, .. } = Pressed::of_scene(py, scene, options(pressing)?)?;
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene.clone(), options(pressing)?)?;
     let quantities = compared(&quantities.0).map_err(value_error)?;
     let (models, left_out) = models_among(scene, &engines)?;
     let found = run_interruptible(py, None, |stop| {

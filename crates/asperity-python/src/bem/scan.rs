@@ -12,11 +12,8 @@ use crate::topography::Topography;
 /// A scan as it is pressed.
 pub(super) struct Pressed {
     pub(super) bem: Bem,
-    /// The two bodies, and the area of the loads: the nominal area of a scene, or that of a
-    /// topography.
-    pub(super) scene: asperity::Scene,
-    /// Codes of findings that the scene accepts.
-    pub(super) accept: Vec<String>,
+    /// The scene of the scan, or one of a topography between two bodies, with its area.
+    pub(super) file: asperity_inputs::SceneFile,
 }
 
 /// A surface, the two bodies of a topography, the form to remove, and how the scan is pressed.
@@ -31,7 +28,7 @@ impl Pressed {
         let given = options(pressing)?;
         if let Ok(scene) = surface.cast::<SceneFile>() {
             return match interface {
-                None => Self::of_scene(surface.py(), &scene.get().0, given),
+                None => Self::of_scene(surface.py(), (*scene.get().0).clone(), given),
                 Some(_) => Err(PyTypeError::new_err(
                     "interface was given beside a scene, which has its own",
                 )),
@@ -50,9 +47,7 @@ impl Pressed {
         let topography = topography.get();
         let level = topography.form(surface.py(), level.as_deref(), 1)?;
         // A plane taken from a periodic surface would add steps.
-        let declared = topography.0.is_periodic().then_some(Continuation::Periodic);
-        let boundary = given.boundary.or(declared);
-        let periodic = [boundary, declared].contains(&Some(Continuation::Periodic));
+        let periodic = topography.0.is_periodic() || given.boundary == Some(Continuation::Periodic);
         let scan = topography.0.clone().with_periodic(periodic);
         let levelled = scan.levelled(level).map_err(value_error)?;
         let map = asperity_inputs::height_map(&levelled).map_err(|error| {
@@ -61,28 +56,25 @@ impl Pressed {
                 false => value_error(error),
             }
         })?;
-        let bem = Bem::new(map, BemOptions { boundary, ..given });
         // Boundary elements use no asperities.
         let none = asperity::Surface::new(1.0, 1.0, 1.0);
-        let scene = asperity::Scene::new(interface, none, bem.map().area());
-        Self::noted(surface.py(), Self { bem, scene, accept: vec![] })
+        let mut file: asperity_inputs::SceneFile =
+            asperity::Scene::new(interface, none, map.area()).into();
+        file.scan = Some(levelled.into());
+        Self::of_scene(surface.py(), file, given)
     }
 
-    /// The scan of a scene with these options in front of its own.
+    /// The scan of a scene with these options in front of its own; warns of edges that do not
+    /// match.
     pub(super) fn of_scene(
         py: Python<'_>,
-        file: &asperity_inputs::SceneFile,
+        file: asperity_inputs::SceneFile,
         given: BemOptions,
     ) -> PyResult<Self> {
-        let file = file.clone().pressing(given);
+        let file = file.pressing(given);
         let bem = file.bem().map_err(value_error)?;
-        Self::noted(py, Self { bem, scene: file.scene, accept: file.accept })
-    }
-
-    /// Warns of edges that do not match.
-    fn noted(py: Python<'_>, pressed: Self) -> PyResult<Self> {
-        pressed.bem.note().map_or(Ok(()), |note| warn_unless(py, &pressed.accept, &note, 1))?;
-        Ok(pressed)
+        bem.note().map_or(Ok(()), |note| warn_unless(py, &file.accept, &note, 1))?;
+        Ok(Self { bem, file })
     }
 }
 
