@@ -118,7 +118,7 @@ CASES = [  # seed, n, rows, columns, stretch of dy
     (1, 64, 64, 64, 1.0),
     (2, 64, 45, 63, 1.5),
 ]
-HEAD = "seed n rows columns dy boundary hardness pressure pixels plastic edges mean_gap mean_open_gap highest_pressure pressure_square fixed_stiffness".split()
+HEAD = "seed n rows columns dy boundary hardness pressure pixels plastic edges mean_gap gap_volume highest_pressure pressure_square fixed_stiffness".split()
 
 
 def main():

@@ -12,18 +12,19 @@ use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// A number of a solution on a nominal area.
-type Number = fn(&Solution, f64) -> f64;
+type Number = fn(&Solution, f64) -> Cell;
 /// Columns of every solution.
-const COLUMNS: [(&str, Number); 9] = [
-    ("load_N", |found, area| pressure(found) * area),
-    ("pressure_Pa", |found, _| pressure(found)),
-    ("area_fraction", |found, _| found.area),
-    ("area_fraction_pixels", |found, _| found.pixel_area),
-    ("plastic_fraction", |found, _| found.plastic_area),
-    ("mean_gap_m", |found, _| found.mean_gap),
-    ("patches", |found, _| found.patches.len() as f64),
-    ("iterations", |found, _| found.iterations as f64),
-    ("residual", |found, _| found.residual),
+const COLUMNS: [(&str, Number); 10] = [
+    ("load_N", |found, area| (pressure(found) * area).into()),
+    ("pressure_Pa", |found, _| pressure(found).into()),
+    ("area_fraction", |found, _| found.area.into()),
+    ("area_fraction_pixels", |found, _| found.pixel_area.into()),
+    ("plastic_fraction", |found, _| found.plastic_area.into()),
+    ("mean_gap_m", |found, _| found.mean_gap.into()),
+    ("mean_open_gap_m", |found, _| found.mean_open_gap.into()),
+    ("patches", |found, _| (found.patches.len() as f64).into()),
+    ("iterations", |found, _| (found.iterations as f64).into()),
+    ("residual", |found, _| found.residual.into()),
 ];
 
 /// The mean pressure, exactly as given.
@@ -125,7 +126,7 @@ impl<'a> Press<'a> {
                 Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
             };
             let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
-            let cells = numbers.map(Cell::from).chain(values).chain(flows.into_iter().flatten());
+            let cells = numbers.chain(values).chain(flows.into_iter().flatten());
             let cells = cells.collect();
             let notes = solution.notes.iter().cloned().chain(summary.sealed()).collect();
             Pressed { cells, notes, solution }

@@ -53,7 +53,7 @@ impl<'w> ScanSlip<'w> {
             check_alike(one, other)?;
         }
         let shear = scene.asperity()?.shear_modulus("partial slip by bem")?;
-        let bem = subject.file.bem(None, false)?;
+        let bem = subject.file.bem()?;
         sheet.findings.extend(bem.note());
         let elements = bem.elements(&scene.interface)?;
         let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id));

@@ -29,7 +29,7 @@ pub fn unloading_scan(
     subject.fill(sheet, |sheet| {
         let (id, scene) = (subject.id, &subject.file.scene);
         let retreats = retreats.map(|given| metres(sheet, scene, given));
-        let bem = subject.file.bem(None, false)?;
+        let bem = subject.file.bem()?;
         sheet.findings.extend(bem.note());
         let greatest = load_case(scene, closest)?;
         watch.progress(&format!("{id}: the greatest load"));

@@ -3,12 +3,23 @@
 use std::fmt;
 
 use asperity_core::Finding;
+use serde::{Deserialize, Serialize};
 
 use crate::seam::{LARGEST_KINK, LARGEST_STEP};
 use crate::{Boundary, HeightMap};
 
+/// How a scan is pressed, besides its heights and the bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct BemOptions {
+    /// How it continues beyond its edges; by default as [`Continuation::of`] says.
+    pub boundary: Option<Continuation>,
+    /// Whether the hardness is ignored, so that pressures are unlimited.
+    pub elastic: bool,
+}
+
 /// How a scan continues beyond its edges.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Continuation {
     /// Repeated as it is, with the steps at its edges: for a surface known to be periodic.
     Periodic,
@@ -38,11 +49,25 @@ impl Continuation {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 
-    /// The default for a map not declared periodic: repetition, without steps if its edges do not
-    /// [match](HeightMap::edges_meet).
+    /// The default for a map not declared periodic: its periodic component if its edges do not
+    /// [match](HeightMap::edges_meet), free if they do and its slopes do not, as of a ball or a
+    /// cylinder that fills the map, and otherwise repetition.
     #[must_use]
     pub fn of(map: &HeightMap) -> Self {
-        if map.edges_meet() { Self::Periodic } else { Self::PeriodicPart }
+        match map.edges_meet() {
+            false => Self::PeriodicPart,
+            true if map.seam_kink() > LARGEST_KINK => Self::Free,
+            true => Self::Periodic,
+        }
+    }
+
+    /// A note on this default of a map, where its edges do not match in height or slope.
+    pub(crate) fn note(self, map: &HeightMap) -> Option<Finding> {
+        match self {
+            Self::Periodic => None,
+            Self::PeriodicPart => Some(taken_part(map.seam_step())),
+            Self::Free => Some(single_body(map.seam_kink())),
+        }
     }
 
     /// The map that is pressed.
@@ -69,7 +94,7 @@ impl fmt::Display for Continuation {
 
 /// A note that the periodic component is used by default; `step` is the
 /// [step at the edges](HeightMap::seam_step).
-pub(crate) fn taken_part(step: f64) -> Finding {
+fn taken_part(step: f64) -> Finding {
     Finding::note("periodic-part", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
@@ -80,16 +105,15 @@ pub(crate) fn taken_part(step: f64) -> Finding {
         )
 }
 
-/// A note that a map is repeated by default although its slopes change at the edges by this
-/// [kink](HeightMap::seam_kink); `None` where they do not.
-pub(crate) fn repeated(kink: f64) -> Option<Finding> {
-    let note = Finding::note("repeated", "seam_kink", kink).usual([0.0, LARGEST_KINK]).fact(
-        format!(
+/// A note that a map is taken as one body by default, because its slopes change at the edges by
+/// this [kink](HeightMap::seam_kink).
+fn single_body(kink: f64) -> Finding {
+    Finding::note("single-body", "seam_kink", kink)
+        .usual([0.0, LARGEST_KINK])
+        .fact(format!(
             "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"
-        ),
-    );
-    let note = note.advice(
-        "the scan is repeated, and each copy is pressed by its neighbours; boundary \"free\" takes a single body, periodic = true accepts the repetition",
-    );
-    (kink > LARGEST_KINK).then_some(note)
+        ))
+        .advice(
+            "the scan is taken as a single body (boundary \"free\"); boundary \"periodic\", or periodic = true, repeats it",
+        )
 }

@@ -97,7 +97,7 @@ mod summary;
 mod unloading;
 mod unloading_path;
 
-pub use continuation::Continuation;
+pub use continuation::{BemOptions, Continuation};
 pub use error::BemError;
 pub use half_space::Boundary;
 pub use height_map::HeightMap;

@@ -38,8 +38,9 @@ pub struct LightContact {
     pub plastic_area: f64,
     /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
     pub mean_gap: f64,
-    /// Mean gap \[m\] with plastic pixels counted as 0.
-    pub mean_open_gap: f64,
+    /// Volume of the gap over the area of the map \[m\]: the mean gap with plastic pixels counted
+    /// as 0.
+    pub gap_volume: f64,
     /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\].
     pub unloading_stiffness: f64,
     /// Number of pixels of every contact patch, largest first.
@@ -263,11 +264,11 @@ impl<'a> Light<'a> {
         let (count, force) = (self.pixels.len(), self.pressures.iter().sum::<f64>());
         LightContact {
             mean_pressure: force / pixels,
-            area: corrected_area(count, edges, force, self.setup.cap()) / pixels,
+            area: corrected_area(count, edges).max(force / self.setup.cap()) / pixels,
             pixel_area: count as f64 / pixels,
             plastic_area: plastic as f64 / pixels,
             mean_gap,
-            mean_open_gap: mean_gap + depth,
+            gap_volume: mean_gap + depth,
             unloading_stiffness,
             patches,
             pressures: self.pixels.iter().copied().zip(self.pressures.iter().copied()).collect(),

@@ -32,7 +32,7 @@ impl BoundaryElements {
     /// those pressures, [`BemError::Slope`] where the gap does not fall, and those of
     /// [`solve`](Self::solve).
     pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
-        let found = self.pixels_of(solution)?;
+        self.pixels_of(solution)?;
         if solution.pressures.iter().all(|pressure| *pressure > 0.0) {
             return Err(BemError::FullContact);
         }
@@ -50,7 +50,7 @@ impl BoundaryElements {
             let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;
             match fields.pressures.iter().all(|pressure| *pressure > 0.0) {
                 true => Err(BemError::FullContactBeside { pressure: middle, neighbour: pressure }),
-                false => Ok(fields.gaps.iter().sum::<f64>() / found as f64),
+                false => Ok(fields.mean_gap()),
             }
         };
         let (less, more) = (gap(heavier)?, gap(lighter)?);

@@ -10,9 +10,8 @@ use asperity_core::{
     Validity,
 };
 
-use crate::continuation::{repeated, taken_part};
 use crate::summary::{ContactSummary, known, refused};
-use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
+use crate::{BemError, BemOptions, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
 /// Loads with a smaller relative difference are equal within rounding.
 const SAME: f64 = 1e-12;
@@ -26,7 +25,7 @@ pub struct Bem {
     map: HeightMap,
     continuation: Continuation,
     elastic: bool,
-    /// What the default continuation does at the edges, where they do not match.
+    /// Why the default continuation is used, where edges do not match.
     note: Option<Finding>,
 }
 
@@ -37,17 +36,12 @@ impl Bem {
     /// Names and source of the method.
     pub const SOURCE: Citation = SOURCE;
 
-    /// `elastic` leaves the hardness of scenes out. Without a continuation the map is repeated, and
-    /// its [periodic component](HeightMap::periodic_part) is used where its edges do not match,
-    /// with a [note](Self::note), as where only its slopes do not.
+    /// A map with its options; a default [continuation](Continuation::of) other than repetition has
+    /// a [note](Self::note).
     #[must_use]
-    pub fn new(map: HeightMap, continuation: Option<Continuation>, elastic: bool) -> Self {
-        let note = match continuation.is_none().then(|| Continuation::of(&map)) {
-            Some(Continuation::PeriodicPart) => Some(taken_part(map.seam_step())),
-            Some(_) => repeated(map.seam_kink()),
-            None => None,
-        };
-        let continuation = continuation.unwrap_or_else(|| Continuation::of(&map));
+    pub fn new(map: HeightMap, BemOptions { boundary, elastic }: BemOptions) -> Self {
+        let continuation = boundary.unwrap_or_else(|| Continuation::of(&map));
+        let note = boundary.is_none().then(|| continuation.note(&map)).flatten();
         Self { map: continuation.applied(map), continuation, elastic, note }
     }
 
@@ -63,7 +57,8 @@ impl Bem {
         self.continuation
     }
 
-    /// A note where the edges of the scan do not match and no continuation is declared.
+    /// A note where the edges of the scan do not match, in height or slope, and no continuation is
+    /// declared.
     #[must_use]
     pub fn note(&self) -> Option<Finding> {
         self.note.clone()

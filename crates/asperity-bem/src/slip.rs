@@ -14,10 +14,6 @@ use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::parallel::{inside, sum};
 use crate::{BemError, BoundaryElements, LoadCase, Progress, Solution};
 
-/// Error of a separation over the rms height; a mean gap is solved to the same error.
-const TOLERANCE: f64 = 1e-7;
-/// Trials for a separation: one if the map is periodic, a few if it is free.
-const MOST_TRIALS: usize = 20;
 /// Relative difference of shifts that are the same.
 const SAME: f64 = 1e-9;
 /// Relative distance from the limit within which a traction slides: the error of pressures.
@@ -41,8 +37,6 @@ pub struct ContactSlip {
 #[derive(Debug, Clone, Copy, Default)]
 struct Normal {
     pressure: f64,
-    mean_gap: f64,
-    /// Of the rigid surface from the half-space far below.
     separation: f64,
     /// Elastic energy \[J/m²\].
     energy: f64,
@@ -150,34 +144,15 @@ impl ContactSlip {
     pub fn solve(
         &self,
         shift: f64,
-        mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
+        progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<(), BemError> {
-        let retreat = self.retreat_per_shift * shift;
-        let (highest, rms) = (self.elements.map().highest(), self.elements.map().rms_height());
-        let wanted = self.closest.separation + retreat;
-        if retreat <= 0.0 || wanted >= highest {
-            return Ok(());
+        let separation = self.closest.separation + self.retreat_per_shift * shift;
+        if shift > 0.0 && separation < self.elements.map().highest() {
+            let given = [LoadCase::Separation(separation)];
+            let found = self.elements.solve_all(&given, progress).remove(0)?;
+            self.keep(shift, normal(&self.elements, &found));
         }
-        // Mean gap and separation are equal where the highest point parts; with a free boundary
-        // they differ by the mean deflection before.
-        let (from, separation) = (self.closest.mean_gap, self.closest.separation);
-        let (mut slope, mut last) = ((highest - from) / (highest - separation), [from, separation]);
-        let mut gap = from + slope * retreat;
-        for _ in 0..MOST_TRIALS {
-            let found =
-                self.elements.solve_all(&[LoadCase::MeanGap(gap)], &mut progress).remove(0)?;
-            let found = normal(&self.elements, &found);
-            let off = wanted - found.separation;
-            if off.abs() <= TOLERANCE * rms {
-                self.keep(shift, found);
-                return Ok(());
-            }
-            slope = (gap - last[0]) / (found.separation - last[1]);
-            last = [gap, found.separation];
-            gap = (gap + slope * off).min(0.5 * (gap + highest));
-        }
-        let (field, required) = ("shift", "one whose contact is found in 20 trials");
-        Err(BemError::OutOfRange { field, found: shift, required })
+        Ok(())
     }
 
     fn keep(&self, shift: f64, normal: Normal) {
@@ -195,7 +170,7 @@ impl ContactSlip {
         }
         let separation = self.closest.separation + self.retreat_per_shift * shift;
         if separation >= self.elements.map().highest() {
-            return Ok(Normal { mean_gap: separation, separation, ..Normal::default() });
+            return Ok(Normal { separation, ..Normal::default() });
         }
         let found = || {
             let known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -215,12 +190,11 @@ fn normal(elements: &BoundaryElements, solution: &Solution) -> Normal {
         HalfSpace::new(elements.map(), elements.modulus(), elements.boundary_condition());
     let mut deflections = solution.pressures.clone();
     inside(|| space.apply(Filter::Deflect, &mut deflections));
-    let [deflection, work] = sum([&deflections, &solution.pressures], |[u, p]| [u, p * u]);
+    let [work] = sum([&deflections, &solution.pressures], |[u, p]| [p * u]);
     let pixels = deflections.len() as f64;
     Normal {
         pressure: solution.mean_pressure,
-        mean_gap: solution.mean_gap,
-        separation: solution.mean_gap - deflection / pixels,
+        separation: solution.separation,
         energy: 0.5 * work / pixels,
         touching: solution.pressures.iter().filter(|pressure| **pressure > 0.0).count(),
     }

@@ -33,8 +33,15 @@ pub struct Solution {
     /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces. In plastic
     /// pixels the gap is less than 0 by the plastic depth.
     pub mean_gap: f64,
-    /// Mean gap \[m\] with plastic pixels counted as 0.
-    pub mean_open_gap: f64,
+    /// Mean gap \[m\] of the pixels out of contact; `None` where every pixel touches.
+    pub mean_open_gap: Option<f64>,
+    /// Volume of the gap over the area of the map \[m\]: the mean gap with plastic pixels counted
+    /// as 0.
+    pub gap_volume: f64,
+    /// Separation \[m\]: height of the mean plane of the rough surface above the half-space far
+    /// from the map. With a free boundary the mean gap exceeds it by the mean deflection under the
+    /// map; if periodic they are equal.
+    pub separation: f64,
     /// Number of pixels of every contact patch, largest first. Pixels touch over edges.
     pub patches: Vec<usize>,
     /// Pressures \[Pa\], row after row.
@@ -48,25 +55,32 @@ pub struct Solution {
     pub residual: f64,
     /// Number of iterations, including all trials for a mean gap.
     pub iterations: usize,
-    /// Findings of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
+    /// Findings of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`; and of the
+    /// hardness: `least-area`, `imprint`.
     pub notes: Vec<Finding>,
 }
 
 /// Share of a pixel that a counted contact is too large by for every edge.
 pub const EDGE_SHARE: f64 = (PI - 1.0 + LN_2) / 24.0;
 
-/// The area of a contact in pixels, corrected for its edges; `force` is the sum of the pressures of
-/// its `pixels`.
-pub(crate) fn corrected_area(pixels: usize, edges: usize, force: f64, cap: f64) -> f64 {
-    (pixels as f64 - EDGE_SHARE * edges as f64).max(force / cap)
+/// The area of a contact in pixels, corrected for its edges.
+pub(crate) fn corrected_area(pixels: usize, edges: usize) -> f64 {
+    pixels as f64 - EDGE_SHARE * edges as f64
 }
 
 /// The result of the iteration.
 pub(crate) struct Fields {
     pub(crate) pressures: Vec<f64>,
     pub(crate) gaps: Vec<f64>,
+    pub(crate) separation: f64,
     pub(crate) residual: f64,
     pub(crate) iterations: usize,
+}
+
+impl Fields {
+    pub(crate) fn mean_gap(&self) -> f64 {
+        self.gaps.iter().sum::<f64>() / self.gaps.len() as f64
+    }
 }
 
 impl Solution {
@@ -78,7 +92,8 @@ impl Solution {
         fields: Fields,
         mut notes: Vec<Finding>,
     ) -> Self {
-        let Fields { pressures, gaps, residual, iterations } = fields;
+        let mean_gap = fields.mean_gap();
+        let Fields { pressures, gaps, separation, residual, iterations } = fields;
         let pixels = pressures.len() as f64;
         let touching: Vec<bool> = pressures.iter().map(|&pressure| pressure > 0.0).collect();
         let count = touching.iter().filter(|&&touches| touches).count();
@@ -86,25 +101,32 @@ impl Solution {
         let periodic = boundary == Boundary::Periodic;
         let edges = edges(&touching, map.shape(), periodic);
         let patches = patches(&touching, map.shape(), periodic);
-        let force = pressures.iter().sum::<f64>();
-        let mean_pressure = force / pixels;
+        let mean_pressure = pressures.iter().sum::<f64>() / pixels;
         let (carried, at) = match given {
             LoadCase::MeanPressure(pressure) => (pressure, At::Pressure(pressure)),
             LoadCase::Load(load) => (load / map.area(), At::Load(load)),
-            LoadCase::MeanGap(_) => (mean_pressure, At::Pressure(mean_pressure)),
+            LoadCase::MeanGap(_) | LoadCase::Separation(_) => {
+                (mean_pressure, At::Pressure(mean_pressure))
+            }
         };
+        // At least F/H to the last digit of the given load.
+        let (counted, least) = (corrected_area(count, edges) / pixels, carried / cap);
         notes.extend(note::of_contact(at, [count, pressures.len()], patches.len()));
+        notes.extend(note::of_hardness(at, [counted, least], mean_gap));
+        let open = gaps.iter().zip(&touching).filter(|(_, touches)| !**touches);
+        let open = open.map(|(gap, _)| gap).sum::<f64>() / (pixels - count as f64);
         Self {
             given,
             mean_pressure,
             load: mean_pressure * map.area(),
-            // At least F/H to the last digit of the given load.
-            area: (corrected_area(count, edges, force, cap) / pixels).max(carried / cap),
+            area: counted.max(least),
             pixel_area: count as f64 / pixels,
             plastic_area: plastic as f64 / pixels,
             edges,
-            mean_gap: gaps.iter().sum::<f64>() / pixels,
-            mean_open_gap: gaps.iter().map(|gap| gap.max(0.0)).sum::<f64>() / pixels,
+            mean_gap,
+            mean_open_gap: (count < pressures.len()).then_some(open),
+            gap_volume: gaps.iter().map(|gap| gap.max(0.0)).sum::<f64>() / pixels,
+            separation,
             patches,
             pressures,
             gaps,

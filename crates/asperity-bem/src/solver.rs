@@ -10,11 +10,11 @@ use crate::iteration::{Goal, Iteration, Problem, Reached, Watch};
 use crate::solution::Fields;
 use crate::{BemError, Boundary, HeightMap, Solution, note};
 
-/// Trials for a mean gap.
+/// Trials for a gap.
 const MOST_TRIALS: usize = 60;
 /// Largest mean pressure over the modulus: beyond, heights are lost in the rounding of deflections.
 const HIGHEST: f64 = 1e6;
-/// Error of a mean gap, in tolerances of the residual times Sq.
+/// Error of a gap, in tolerances of the residual times Sq.
 const GAP_ERROR: f64 = 10.0;
 
 /// A load case: the prescribed pressure, load or gap.
@@ -26,6 +26,8 @@ pub enum LoadCase {
     Load(f64),
     /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
     MeanGap(f64),
+    /// [Separation](Solution::separation) \[m\], of any sign.
+    Separation(f64),
 }
 
 /// The progress of a list of contacts.
@@ -206,7 +208,7 @@ impl BoundaryElements {
         match given {
             LoadCase::MeanPressure(pressure) => -pressure,
             LoadCase::Load(load) => -load / self.map.area(),
-            LoadCase::MeanGap(gap) => gap,
+            LoadCase::MeanGap(gap) | LoadCase::Separation(gap) => gap,
         }
     }
 }
@@ -242,7 +244,16 @@ impl<'a> Run<'a> {
                 self.press(positive("mean pressure", pressure)?, watch)
             }
             LoadCase::Load(load) => self.press(positive("load", load)? / area, watch),
-            LoadCase::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
+            LoadCase::MeanGap(gap) => {
+                self.approach(positive("mean gap", gap)?, Fields::mean_gap, watch)
+            }
+            LoadCase::Separation(separation) if separation.is_finite() => {
+                self.approach(separation, |fields| fields.separation, watch)
+            }
+            LoadCase::Separation(found) => {
+                let required = "a finite number";
+                Err(BemError::OutOfRange { field: "separation", found, required })
+            }
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
         Ok(Solution::new(
@@ -285,11 +296,21 @@ impl<'a> Run<'a> {
             *gap = problem.distance(*gap, *height) - offset;
         }
         self.last = Some((pressures.clone(), pressure));
-        Ok(Fields { pressures, gaps, residual, iterations })
+        let separation = match self.setup.boundary_condition() {
+            Boundary::Periodic => gaps.iter().sum::<f64>() / pixels,
+            Boundary::Free => highest - offset,
+        };
+        Ok(Fields { pressures, gaps, separation, residual, iterations })
     }
 
-    /// Contact at a mean gap: a secant on the logarithm of the pressure, kept between bounds.
-    fn approach(&mut self, target: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
+    /// Contact at a mean gap or separation: a secant on the logarithm of the pressure, kept between
+    /// bounds.
+    fn approach(
+        &mut self,
+        target: f64,
+        measure: fn(&Fields) -> f64,
+        watch: Watch<'_>,
+    ) -> Result<Fields, BemError> {
         let BoundaryElements { map, modulus, tolerance, .. } = self.setup;
         let highest = map.highest();
         if target >= highest {
@@ -308,7 +329,7 @@ impl<'a> Run<'a> {
             let mut fields =
                 self.press(logarithm.exp(), &mut |i, residual| watch(iterations + i, residual))?;
             iterations += fields.iterations;
-            let excess = fields.gaps.iter().sum::<f64>() / fields.gaps.len() as f64 - target;
+            let excess = measure(&fields) - target;
             if excess.abs() <= close {
                 fields.iterations = iterations;
                 return Ok(fields);

@@ -22,6 +22,10 @@ pub struct ContactSummary {
     pub area: f64,
     /// Mean gap \[m\].
     pub mean_gap: f64,
+    /// Mean gap \[m\] of the pixels out of contact; `None` where every pixel touches.
+    pub mean_open_gap: Option<f64>,
+    /// [Separation](Solution::separation) \[m\].
+    pub separation: f64,
     /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\]; `None` if no
     /// quantity needs it.
     pub stiffness: Option<Result<f64, BemError>>,
@@ -37,13 +41,22 @@ impl BoundaryElements {
     #[must_use]
     pub fn summary(&self, solution: &Solution, quantities: &[Quantity]) -> ContactSummary {
         let fixed = || self.fixed_contact(solution).map(|fixed| fixed.stiffness);
-        let Solution { mean_pressure, area, mean_gap, .. } = *solution;
+        let Solution { mean_pressure, area, mean_gap, mean_open_gap, separation, .. } = *solution;
         let stiffness = quantities.iter().any(|quantity| quantity.is_of_joint()).then(fixed);
         let loading = || self.loading_stiffness(solution);
         let loading_stiffness = quantities.iter().any(|quantity| is_slope(*quantity)).then(loading);
         let gap_map = || self.gap_map(solution);
         let gaps = hydraulic(quantities, gap_map);
-        ContactSummary { mean_pressure, area, mean_gap, stiffness, loading_stiffness, gaps }
+        ContactSummary {
+            mean_pressure,
+            area,
+            mean_gap,
+            mean_open_gap,
+            separation,
+            stiffness,
+            loading_stiffness,
+            gaps,
+        }
     }
 
     /// The numbers of surfaces that do not touch, apart by this mean gap \[m\].
@@ -101,9 +114,16 @@ pub(crate) fn refused(error: BemError) -> ContactError {
 impl ContactSummary {
     /// Surfaces apart by this mean gap \[m\].
     pub(crate) fn open(mean_gap: f64) -> Self {
-        let [stiffness, loading_stiffness] = [Some(Ok(0.0)), Some(Ok(0.0))];
-        let gaps = vec![];
-        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness, loading_stiffness, gaps }
+        Self {
+            mean_pressure: 0.0,
+            area: 0.0,
+            mean_gap,
+            mean_open_gap: Some(mean_gap),
+            separation: mean_gap,
+            stiffness: Some(Ok(0.0)),
+            loading_stiffness: Some(Ok(0.0)),
+            gaps: vec![],
+        }
     }
 
     /// Notes where no open path of pixels is left in a required direction.

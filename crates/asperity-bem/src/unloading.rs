@@ -61,7 +61,8 @@ impl BoundaryElements {
     /// mean gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
     ///
     /// Mean gaps count from the mean plane of the new heights, and that of `solution` becomes its
-    /// [`mean_open_gap`](Solution::mean_open_gap): the difference to it is the retreat. \[derived\]
+    /// [`gap_volume`](Solution::gap_volume): of a periodic map the difference to it is the retreat.
+    /// \[derived\]
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size.

@@ -13,8 +13,8 @@ pub struct UnloadingPath {
     /// The surface that yielding has left.
     flattened: BoundaryElements,
     closest: ContactSummary,
-    /// Mean gap of `closest` from the mean plane of the flattened surface \[m\].
-    open_gap: f64,
+    /// Separation of `closest` from the mean plane of the flattened surface \[m\].
+    separation: f64,
     notes: Vec<Finding>,
 }
 
@@ -28,7 +28,7 @@ impl BoundaryElements {
         Ok(UnloadingPath {
             flattened: self.flattened_by(&solution)?,
             closest: self.summary(&solution, &[Quantity::UnloadingStiffness]),
-            open_gap: solution.mean_open_gap,
+            separation: solution.separation + (solution.gap_volume - solution.mean_gap),
             notes: solution.notes,
         })
     }
@@ -50,12 +50,14 @@ impl UnloadingPath {
     /// The retreat at which the last pixel parts \[m\].
     #[must_use]
     pub fn last_contact(&self) -> f64 {
-        (self.flattened.map().highest() - self.open_gap).max(0.0)
+        (self.flattened.map().highest() - self.separation).max(0.0)
     }
 
     /// The contacts after retreats \[m\] from the greatest load, in their order: pressures, areas
-    /// and stiffnesses on the surface that yielding has left, and mean gaps from the mean plane of
-    /// the first surface. `progress` is called at every iteration and may stop the run.
+    /// and stiffnesses on the surface that yielding has left, and mean gaps and separations from
+    /// the mean plane of the first surface. Retreats are differences of
+    /// [separations](crate::Solution::separation). `progress` is called at every iteration and may
+    /// stop the run.
     ///
     /// # Errors
     /// Each contact has its own: [`BemError::OutOfRange`] for a retreat that is negative or no
@@ -74,9 +76,11 @@ impl UnloadingPath {
                     let required = "a number that is not negative";
                     Err(BemError::OutOfRange { field: "retreat", found: retreat, required })
                 }
-                _ if retreat >= self.last_contact() => Ok(ContactSummary::open(0.0)),
+                _ if retreat >= self.last_contact() => {
+                    Ok(ContactSummary::open(self.separation + retreat))
+                }
                 _ => {
-                    given.push(LoadCase::MeanGap(self.open_gap + retreat));
+                    given.push(LoadCase::Separation(self.separation + retreat));
                     places.push(found.len());
                     Err(BemError::Cancelled)
                 }
@@ -86,9 +90,11 @@ impl UnloadingPath {
             let of = |solution| self.flattened.summary(&solution, &[Quantity::UnloadingStiffness]);
             found[places[index]] = solution.map(of);
         });
-        for (retreat, found) in retreats.iter().zip(&mut found) {
+        for (retreat, found) in retreats.iter().zip(&mut found).filter(|(r, _)| **r > 0.0) {
             if let Ok(contact) = found {
-                contact.mean_gap = self.closest.mean_gap + retreat;
+                let deflection = contact.mean_gap - contact.separation;
+                contact.separation = self.closest.separation + retreat;
+                contact.mean_gap = contact.separation + deflection;
             }
         }
         found

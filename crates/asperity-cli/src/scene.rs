@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Error, Result};
+use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::{Findings, Severity, Tolerance};
 pub use asperity_answer::{ALL_MODELS, NamedModel};
 use asperity_answer::{
@@ -12,6 +13,10 @@ use asperity_inputs::SceneFile;
 
 use crate::input::destinations;
 use crate::output::{self, show};
+
+fn is_periodic(given: BemOptions) -> bool {
+    given.boundary == Some(Continuation::Periodic)
+}
 
 /// A scene file and its name.
 pub struct LoadedScene {
@@ -28,21 +33,33 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        if !use_asperities(ids) {
-            return Self::load_scan(path, false, false);
+        Self::load_pressing(path, ids, BemOptions::default())
+    }
+
+    /// The same with these options of boundary elements in front of those of the scene.
+    pub fn load_pressing(path: &Path, ids: &[String], given: BemOptions) -> Result<Self> {
+        let asperities = use_asperities(ids);
+        if !asperities || is_periodic(given) {
+            return Self::load_scan(path, given, asperities);
         }
         let scene = Self::open(path)?;
         scene.report_scene(true);
-        Ok(scene)
+        Ok(Self { file: scene.file.pressing(given), ..scene })
     }
 
-    /// Reads the file of a scan, which may have no asperities and is declared periodic or as the
-    /// file says; reports what is unusual, on its asperities if they are used.
-    pub fn load_scan(path: &Path, periodic: bool, asperities: bool) -> Result<Self> {
-        let file = asperity_inputs::load_scan(path, periodic)?;
+    /// Reads the file of a scan, which may have no asperities and, with a periodic boundary, is
+    /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
+    /// are used.
+    pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
+        let file = asperity_inputs::load_scan(path, is_periodic(given))?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept(path)?;
         scene.report_scene(asperities);
         Ok(scene)
+    }
+
+    /// The boundary elements of the scene's scan.
+    pub fn bem(&self) -> Result<Bem> {
+        self.file.bem().map_err(|error| Error::msg(format!("{}: {error}", self.name)))
     }
 
     /// The scene, whose files no output may overwrite, and which accepts what the command accepts.

@@ -222,6 +222,8 @@ keys! {
         jg_hardness("" "\"cosine\"")
         af_flow_pressure("" "\"H\"")
         friction_cut_off("" "of patir-cheng: the least gap that carries friction, over sigma")
+        boundary("" "of bem: \"periodic\", \"periodic-part\" or \"free\"")
+        elastic("" "of bem: true ignores the hardness")
         hurst_exponent("" "of a power-law spectrum for the gaps of persson: without a scan, or instead of it")
         asperities("" "")
     }
@@ -324,9 +326,12 @@ mod tests {
         let body = serde_json::to_value(Body::elastic(1e9, 0.3)).unwrap();
         declared("body", body, &["material"]);
         declared("interface", serde_json::to_value(Interface::new(1e9, 0.3, 1e9)).unwrap(), &[]);
-        let (hurst_exponent, friction_cut_off) = (Some(0.8), Some(0.01));
-        let options =
-            crate::ModelOptions { hurst_exponent, friction_cut_off, ..Default::default() };
+        let options = crate::ModelOptions {
+            hurst_exponent: Some(0.8),
+            friction_cut_off: Some(0.01),
+            boundary: Some(asperity_bem::Continuation::Free),
+            ..Default::default()
+        };
         declared("options", serde_json::to_value(options).unwrap(), &[]);
     }
 

@@ -17,8 +17,7 @@ pub struct LeftOut {
 
 impl SceneFile {
     /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
-    /// the scene's scan, repeated and with the hardness. The gaps of `persson` follow
-    /// from the spectrum of that scan.
+    /// the scene's scan. The gaps of `persson` follow from the spectrum of that scan.
     ///
     /// # Errors
     /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; those of
@@ -35,7 +34,7 @@ impl SceneFile {
         self.need_known()?;
         match id.trim().to_lowercase().as_str() {
             FLOW => Ok(Model::known(self.flow(options)?)),
-            Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
+            Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;
                 match self.no_asperities_for(&model) {

@@ -1,5 +1,6 @@
 //! Options of the models for scene files, keywords and command lines.
 
+use asperity::bem::{BemOptions, Continuation};
 use asperity::film::friction_factor;
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Displacement,
@@ -58,6 +59,12 @@ pub struct ModelOptions {
     /// for fluid in its friction factor; 0.01 by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction_cut_off: Option<f64>,
+    /// What lies beyond the edges of the scan that `bem` presses; by default as
+    /// [`Continuation::of`] says, and repetition of a scan that is declared periodic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<Continuation>,
+    /// Whether `bem` ignores the hardness.
+    pub elastic: bool,
     /// The asperities for which ids stand (those of `ke-random` and `ke-pairs` are fixed); a scene
     /// file may also have this key in `[surface]`.
     pub asperities: Asperities,
@@ -99,6 +106,12 @@ impl ModelOptions {
         let [all, defaults] =
             [*self, Self::default()].map(|options| Table::try_from(options).unwrap_or_default());
         all.into_iter().filter(|(name, value)| defaults.get(name) != Some(value)).collect()
+    }
+
+    /// How boundary elements press a scan.
+    #[must_use]
+    pub fn bem(&self) -> BemOptions {
+        BemOptions { boundary: self.boundary, elastic: self.elastic }
     }
 
     fn lateral(&self) -> LateralOptions {

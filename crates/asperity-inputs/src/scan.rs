@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity::{Finding, Spectrum};
-use asperity_bem::{Bem, BemError, Continuation, HeightMap};
+use asperity_bem::{Bem, BemError, BemOptions, Continuation, HeightMap};
 use asperity_topography::Topography;
 
 use crate::{Place, SceneError, SceneFile};
@@ -34,17 +34,27 @@ pub fn open_seam(scan: &Topography) -> Option<Finding> {
 }
 
 impl SceneFile {
-    /// The boundary-element model of the scene's scan, levelled and filtered; see [`Bem::new`].
-    /// Without a continuation, a scan with `periodic = true` is repeated as it is.
+    /// The boundary-element model of the scene's scan, levelled and filtered, with the options of
+    /// the scene: see [`Bem::new`]. Unless they name a boundary, a scan with `periodic = true` is
+    /// repeated as it is.
     ///
     /// # Errors
     /// [`SceneError::Missing`] without a scan or with two that are not aligned;
     /// [`SceneError::Refused`] for a profile and for missing points.
-    pub fn bem(
-        &self,
-        continuation: Option<Continuation>,
-        elastic: bool,
-    ) -> Result<Bem, SceneError> {
+    pub fn bem(&self) -> Result<Bem, SceneError> {
+        self.pressed(self.options.bem())
+    }
+
+    /// The scene with these options of boundary elements in front of its own.
+    #[must_use]
+    pub fn pressing(mut self, given: BemOptions) -> Self {
+        self.options.boundary = given.boundary.or(self.options.boundary);
+        self.options.elastic |= given.elastic;
+        self
+    }
+
+    /// [`bem`](Self::bem) with these options instead of the scene's.
+    pub(crate) fn pressed(&self, options: BemOptions) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
             let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";
@@ -52,7 +62,8 @@ impl SceneFile {
         };
         let map = whole_map(scan, "boundary elements need");
         let map = map.map_err(|reason| SceneError::Refused { at, reason })?;
-        Ok(Bem::new(map, continuation.or(declared(scan)), elastic))
+        let boundary = options.boundary.or(declared(scan));
+        Ok(Bem::new(map, BemOptions { boundary, ..options }))
     }
 
     /// The spectrum of the scene's scan, continued periodically, or the reason why it has none;
@@ -98,6 +109,8 @@ mod tests {
     use asperity::ContactModel;
 
     use super::*;
+
+    const FREE: BemOptions = BemOptions { boundary: Some(Continuation::Free), elastic: true };
 
     /// Waves of two lengths on a grid that is wider than high.
     fn scan() -> Topography {
@@ -224,11 +237,11 @@ mod tests {
         let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
              poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
         let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
-        let refused = read("").bem(Some(Continuation::Free), true).unwrap_err().to_string();
+        let refused = read("").pressing(FREE).bem().unwrap_err().to_string();
         let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all points: fill_missing = true in [surface] fills up to 5 %";
         assert_eq!(refused, wanted);
         let filled = read("fill_missing = true");
-        let bem = filled.bem(Some(Continuation::Free), true).unwrap();
+        let bem = filled.clone().pressing(FREE).bem().unwrap();
         let whole = scan().level(asperity_topography::Level::Plane).unwrap();
         let largest = whole.heights().iter().fold(0.0, |m: f64, z| m.max(z.abs()));
         let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
@@ -247,10 +260,33 @@ mod tests {
     }
 
     #[test]
+    fn a_scan_is_pressed_with_the_options_of_its_scene_and_those_given_in_front() {
+        let options = |text: &str| scene(&format!("file = \"scan.txt\"\n[options]\n{text}"));
+        let plain = options("");
+        let of = |bem: Bem, file: &SceneFile| {
+            (bem.continuation(), bem.hardness(&file.scene.interface).unwrap())
+        };
+        let usual = of(plain.bem().unwrap(), &plain);
+        assert_eq!(usual, (Continuation::PeriodicPart, Some(1e9)));
+        let own = options("boundary = \"free\"\nelastic = true");
+        for free in [&own, &plain.clone().pressing(FREE)] {
+            assert_eq!(of(free.bem().unwrap(), free), (Continuation::Free, None));
+        }
+        // Without options, the given ones change nothing; a boundary is replaced.
+        let periodic = BemOptions { boundary: Some(Continuation::Periodic), elastic: false };
+        for (given, boundary) in
+            [(BemOptions::default(), Continuation::Free), (periodic, Continuation::Periodic)]
+        {
+            let found = own.clone().pressing(given);
+            assert_eq!(of(found.bem().unwrap(), &found), (boundary, None));
+        }
+    }
+
+    #[test]
     fn the_scan_is_levelled_and_belongs_to_its_surface() {
         let file = scene("file = \"scan.txt\"");
         let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
-        let bem = file.bem(Some(Continuation::Free), true).unwrap();
+        let bem = file.clone().pressing(FREE).bem().unwrap();
         for (a, b) in bem.map().heights().iter().zip(levelled.heights()) {
             assert!((a - b).abs() < 1e-18);
         }
@@ -260,11 +296,11 @@ mod tests {
         harder.hardness = Some(2e9);
         rougher.asperity_height_std = 1e-6;
         let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
-        assert!(same.bem(None, false).is_ok());
+        assert!(same.bem().is_ok());
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for none in [other, two] {
-            let refused = none.bem(None, false).unwrap_err().to_string();
+            let refused = none.bem().unwrap_err().to_string();
             let wanted = "surface.file is missing: boundary elements (bem) need the scan of one";
             assert!(refused.starts_with(wanted), "{refused}");
         }

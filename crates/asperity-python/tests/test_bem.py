@@ -73,6 +73,9 @@ def test_maps_agree_with_the_numbers(boundary: asperity._bem.Boundary, elastic: 
     np.testing.assert_allclose(found.pressures.mean(axis=(2, 3)), given, rtol=1e-9)
     np.testing.assert_allclose(found.gaps.mean(axis=(2, 3)), found.mean_gap, rtol=1e-9)
     np.testing.assert_allclose((found.pressures > 0).mean(axis=(2, 3)), found.area_fraction_pixels)
+    for k in np.ndindex(2, 1):
+        opened = found.gaps[k][found.pressures[k] == 0].mean()
+        assert found.mean_open_gap[k] == pytest.approx(opened, rel=1e-9)
     np.testing.assert_allclose(found.load, given * SIDE**2)
     sq = rough().std()
     assert (np.abs(found.gaps[(found.pressures > 0) & (found.pressures < 2e9)]) < 1e-5 * sq).all()
@@ -400,6 +403,54 @@ def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
         asperity.bem_slip(scene, amplitude=1e-9, **given)
     with pytest.raises(ValueError, match="points is 1: 2 to 100000 were required"):
         asperity.bem_slip(elastic, amplitude=1e-9, points=1, **given)
+
+
+def test_a_ball_is_one_body_and_opens_and_slips_in_closed_form() -> None:
+    x = (np.arange(65) - 32) * 2.5e-6
+    radius, load = 2e-3, 10.0
+    heights = -(x[:, None] ** 2 + x**2) / (2 * radius)
+    bodies = [asperity.Body(210e9, 0.3, hardness=h) for h in (None, 1e9)]
+    steel, soft = (asperity.Interface.between(body, body) for body in bodies)
+    ball: dict[str, Any] = {"interface": steel, "pixel_size": 2.5e-6, "load": load}
+    modulus = 210e9 / (2 * (1 - 0.3**2))
+    # Hertz: the depth, and the stiffness 2 E a.
+    depth = (9 * load**2 / (16 * radius * modulus**2)) ** (1 / 3)
+    with pytest.warns(asperity.ContactWarning, match="single-body: "):
+        path = asperity.bem_unloading(heights, retreat=[0.0, 50e-9], **ball)
+    assert path.boundary == "free"
+    assert path.stiffness[0] == pytest.approx(2 * modulus * np.sqrt(radius * depth), rel=0.01)
+    assert path.load[1] == pytest.approx(load * (1 - 50e-9 / depth) ** 1.5, rel=2e-3)
+    assert path.last_contact == pytest.approx(depth, rel=5e-3)
+    # Cattaneo and Mindlin.
+    share = 150e-9 / (0.2 * depth * 1.7 / 1.4)
+    given: dict[str, Any] = ball | {"friction": 0.2, "amplitude": "150 nm", "points": 3}
+    with pytest.warns(asperity.ContactWarning, match="single-body: "):
+        slip = asperity.bem_slip(heights, **given)
+    assert slip.force[2] == pytest.approx(0.2 * load * (1 - (1 - share) ** 1.5), rel=5e-3)
+    again = asperity.bem_slip(heights, boundary="free", **given)
+    np.testing.assert_array_equal(again.force, slip.force)
+    assert asperity.bem_slip(heights, boundary="periodic", **given).force[2] > 1.3 * slip.force[2]
+    # Yielding is refused in slip, unless the hardness is ignored.
+    given["interface"] = soft
+    with pytest.raises(ValueError, match="slip of a scan is elastic"):
+        asperity.bem_slip(heights, **given)
+    elastic = asperity.bem_slip(heights, elastic=True, **given)
+    np.testing.assert_array_equal(elastic.force, slip.force)
+
+
+def test_a_scan_is_pressed_by_the_options_of_its_scene_unless_others_are_given(
+    scene: asperity.Scene, tmp_path: Path
+) -> None:
+    text = scene.to_toml() + '\n[options]\nboundary = "free"\nelastic = true\n'
+    free = asperity.Scene.parse(text, tmp_path)
+    given: dict[str, Any] = {"pressure": 2e8, "maps": False}
+    one = asperity.bem(free, **given)
+    two = asperity.bem(scene, boundary="free", elastic=True, **given)
+    assert (one.boundary, one.mean_gap, one.plastic_fraction) == ("free", two.mean_gap, 0)
+    assert asperity.bem(free, boundary="periodic", **given).boundary == "periodic"
+    model = asperity.model("bem", boundary="free", elastic=True)
+    curve = model.solve(scene, pressure=2e8, quantities=["area_fraction"])
+    assert float(curve.area_fraction) == pytest.approx(float(one.area_fraction), rel=1e-9)
 
 
 def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:

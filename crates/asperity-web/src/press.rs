@@ -20,10 +20,11 @@ use crate::shown::{interval, shown};
 use crate::span::Span;
 
 /// Columns of a solution that are no quantities of models: head, unit, label and meaning.
-const OWN: [[&str; 4]; 6] = [
+const OWN: [[&str; 4]; 7] = [
     ["load_N", "N", "load", ""],
     ["plastic_fraction", "", "plastic share", "Share of the pixels that carry the hardness."],
     ["mean_gap_m", "m", "mean gap", "Distance of the mean planes of the two deformed surfaces."],
+    ["mean_open_gap_m", "m", "mean open gap", "Mean gap of the pixels out of contact."],
     ["patches", "", "patches", "Number of connected contacts."],
     ["flow_x_m3_per_s", "m3/s", "flow along x", "From left to right through the scan's outline."],
     ["flow_y_m3_per_s", "m3/s", "flow along y", "From top to bottom through the scan's outline."],
@@ -54,7 +55,7 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
             "{} % of the points are missing, and boundary elements need all",
             short(100.0 * missing)
         )),
-        false => file.bem(None, false).err().map(|error| error.to_string()),
+        false => file.bem().err().map(|error| error.to_string()),
     };
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
@@ -74,7 +75,7 @@ pub(crate) fn press(
     leaks: bool,
     happened: impl FnMut(Value),
 ) -> Result<(), Refusal> {
-    let bem = file.bem(None, false)?;
+    let bem = file.bem()?;
     if let Some(refused) = scan(file).as_ref().and_then(|scan| scan["refused"].as_str()) {
         return Err(Refusal::at("surface.file", refused));
     }
@@ -203,7 +204,7 @@ pub(crate) fn flows(
     if gaps.is_empty() {
         return Ok(json!({ "head": [], "cells": [] }));
     }
-    let (leak, bem) = (Leak::new(viscosity, pressure_drop)?, file.bem(None, false)?);
+    let (leak, bem) = (Leak::new(viscosity, pressure_drop)?, file.bem()?);
     let columns: Vec<Column> = FLOWS.iter().filter_map(|(.., head)| column(head, file)).collect();
     let of = |gaps: &[f64; 2]| -> Value {
         let flow = |k: usize| leak.flow(gaps[k], bem.map(), FLOWS[k].1);
@@ -285,7 +286,7 @@ mod tests {
             }
         }
         assert!(iterations > 4, "{iterations}");
-        let elements = file.bem(None, false).unwrap().elements(&file.scene.interface).unwrap();
+        let elements = file.bem().unwrap().elements(&file.scene.interface).unwrap();
         // The first one alone, then the others.
         let mut wanted = vec![];
         for part in [&[1e8][..], &[4e8, 5e7]] {
@@ -339,7 +340,7 @@ mod tests {
     fn leaks_are_those_of_the_program() {
         let (file, events) = pressed(asperity_inputs::template(), &[3e8], true);
         let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
-        let bem = file.bem(None, false).unwrap();
+        let bem = file.bem().unwrap();
         let given = [LoadCase::MeanPressure(3e8)];
         let press = Press::new(&file, &bem, &given, &[Quantity::EffectiveMediumGap]);
         let press = Press { leak: Leak::new(1e-3, 1e5).ok(), ..press };

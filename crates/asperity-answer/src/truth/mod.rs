@@ -139,7 +139,7 @@ type Value = Result<Option<f64>, ContactError>;
 
 #[cfg(test)]
 mod tests {
-    use asperity::bem::{LoadCase, RandomSurface};
+    use asperity::bem::{BemOptions, LoadCase, RandomSurface};
     use asperity::{
         Asperities, Asperity, AsperityModel, Citation, GreenwoodWilliamson, Interface, Law,
         Surface, Tolerance,
@@ -160,7 +160,7 @@ mod tests {
         let rough = RandomSurface::new(2.0, 3.0, 12.0).unwrap().gradient(0.05).unwrap();
         let surface = Surface::from_moments(&rough.moments()).unwrap();
         let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), surface, 2.0);
-        (scene, Bem::new(rough.heights(96).unwrap(), None, false))
+        (scene, Bem::new(rough.heights(96).unwrap(), BemOptions::default()))
     }
 
     #[test]
@@ -180,7 +180,7 @@ mod tests {
             assert!(near(Stiffness, stiffness, 0.05), "{stiffness} {:?}", found.bem);
             let back = elements.flattened_by(&here).unwrap();
             let back = back.solve(LoadCase::MeanPressure(0.99 * found.pressure)).unwrap();
-            let stiffness = 0.01 * found.pressure * 2.0 / (back.mean_gap - here.mean_open_gap);
+            let stiffness = 0.01 * found.pressure * 2.0 / (back.mean_gap - here.gap_volume);
             assert!(near(UnloadingStiffness, stiffness, 0.01), "{stiffness} {:?}", found.bem);
             assert_eq!(found.notes, here.notes);
             assert!(found.deviation(&found.bem).values().all(|off| *off == 0.0));

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 
-use crate::{MODULUS, close};
+use crate::{MODULUS, close, paraboloid};
 
 /// Westergaard 1939 \[recalled\]: a wave A cos(2πx/λ) is touched on sin²(πa/λ) = p/p*,
 /// p* = π E A/λ, half-width a, by p(x) = 2p cos(πx/λ)/sin²(πa/λ) √(sin²(πa/λ) - sin²(πx/λ)).
@@ -47,9 +47,7 @@ fn hertzs_sphere_with_free_edges() {
     let mut errors = Vec::new();
     for n in [33, 65, 129] {
         let step = side / n as f64;
-        let at = |i: usize| (i as f64 - (n / 2) as f64) * step;
-        let heights = (0..n * n).map(|i| -(at(i / n).powi(2) + at(i % n).powi(2)) / (2.0 * radius));
-        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let map = paraboloid(n, step, radius);
         let area = map.area();
         let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
         let solution = solver.solve(LoadCase::Load(load)).unwrap();
@@ -57,7 +55,7 @@ fn hertzs_sphere_with_free_edges() {
         let middle = (n / 2) * n + n / 2;
         let exact_area = PI * contact.powi(2);
         // Outside, at the middle of an edge: Johnson, Contact Mechanics, section 3.4. [recalled]
-        let r = at(0).abs();
+        let r = (n / 2) as f64 * step;
         let share = contact / r;
         let deflection = (2.0 - share.powi(-2)) * share.asin() + (share.powi(-2) - 1.0).sqrt();
         let gap = contact.powi(2) / radius * (deflection / PI - 1.0) + r * r / (2.0 * radius);

@@ -21,7 +21,7 @@ mod surfaces;
 mod unloading;
 mod yielding;
 
-use asperity_bem::{HeightMap, RandomSurface};
+use asperity_bem::{BemOptions, Continuation, HeightMap, RandomSurface};
 
 /// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
 fn is_long() -> bool {
@@ -32,6 +32,17 @@ fn is_long() -> bool {
 fn rough(n: usize, seed: u64) -> HeightMap {
     let surface = RandomSurface::new(2.0, 4.0, n as f64 / 8.0).unwrap();
     surface.gradient(0.1).unwrap().side(1e-4).unwrap().seed(seed).heights(n).unwrap()
+}
+
+/// n x n pixels around the top of a paraboloid of this radius \[m\], `step` \[m\] apart.
+fn paraboloid(n: usize, step: f64, radius: f64) -> HeightMap {
+    let at = |i: usize| (i as f64 - 0.5 * (n - 1) as f64) * step;
+    let heights = (0..n * n).map(|k| -(at(k / n).powi(2) + at(k % n).powi(2)) / (2.0 * radius));
+    HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap()
+}
+
+fn options(boundary: Option<Continuation>, elastic: bool) -> BemOptions {
+    BemOptions { boundary, elastic }
 }
 
 /// Equivalent modulus of the tests \[Pa\].

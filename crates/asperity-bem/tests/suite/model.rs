@@ -3,7 +3,7 @@
 use asperity_bem::{Bem, Continuation, LoadCase};
 use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface};
 
-use crate::{MODULUS, UNIT, close, rough};
+use crate::{MODULUS, UNIT, close, options, paraboloid, rough};
 
 const NOMINAL: f64 = 3e-6;
 
@@ -15,7 +15,7 @@ fn scene() -> Scene {
 #[test]
 fn answers_are_those_of_the_solver() {
     for elastic in [true, false] {
-        let bem = Bem::new(rough(64, 1), None, elastic);
+        let bem = Bem::new(rough(64, 1), options(None, elastic));
         let elements = bem.elements(&scene().interface).unwrap();
         let direct = elements.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
         assert_eq!(direct.plastic_area > 0.0, !elastic);
@@ -48,7 +48,7 @@ fn answers_are_those_of_the_solver() {
 
 #[test]
 fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
-    let bem = Bem::new(rough(64, 1), Some(Continuation::Free), false);
+    let bem = Bem::new(rough(64, 1), options(Some(Continuation::Free), false));
     let request = Request::new([Quantity::Area, Quantity::MeanPressure]);
     let contact = bem.compile(&scene(), &request).unwrap();
     let far: At = Separation::metres(1.0).from_surface_mean().into();
@@ -71,14 +71,14 @@ fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
 fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
     let cut = rough(64, 1).heights()[..64 * 40].to_vec();
     let cut = asperity_bem::HeightMap::new(cut, [40, 64], rough(64, 1).pixel()).unwrap();
-    let usual = Bem::new(cut.clone(), None, true);
+    let usual = Bem::new(cut.clone(), options(None, true));
     assert!(usual.note().is_some_and(|note| note.value > 3.0) && usual.map().edges_meet());
     assert_eq!(usual.continuation(), Continuation::PeriodicPart);
     assert_eq!(usual.half_grid().unwrap().map().shape(), [20, 32]);
-    let requested = Bem::new(cut.clone(), Some(Continuation::PeriodicPart), true);
+    let requested = Bem::new(cut.clone(), options(Some(Continuation::PeriodicPart), true));
     assert!(requested.note().is_none() && requested.map() == usual.map());
     for continuation in [Continuation::Periodic, Continuation::Free] {
-        let bem = Bem::new(cut.clone(), Some(continuation), true);
+        let bem = Bem::new(cut.clone(), options(Some(continuation), true));
         assert!(bem.note().is_none() && *bem.map() == cut);
         assert_eq!(bem.continuation(), continuation);
         // What is declared has no second warning.
@@ -86,7 +86,7 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
         let solved = solved.solve(LoadCase::MeanPressure(UNIT)).unwrap();
         assert!(solved.notes.iter().all(|note| note.code != "seam"), "{:?}", solved.notes);
     }
-    let whole = Bem::new(rough(64, 1), None, true);
+    let whole = Bem::new(rough(64, 1), options(None, true));
     assert_eq!((whole.continuation(), whole.note()), (Continuation::Periodic, None));
     for one in Continuation::ALL {
         assert_eq!(Continuation::from_name(&one.to_string()), Some(one));
@@ -97,7 +97,7 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
 /// Stiffness and tangent are the slope of first loading, at pressures and at gaps.
 #[test]
 fn the_tangent_is_the_slope_of_loading() {
-    let bem = Bem::new(rough(64, 1), None, false);
+    let bem = Bem::new(rough(64, 1), options(None, false));
     let elements = bem.elements(&scene().interface).unwrap();
     let solution = elements.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
     let slope = elements.loading_stiffness(&solution).unwrap() * NOMINAL;
@@ -113,25 +113,27 @@ fn the_tangent_is_the_slope_of_loading() {
     }
 }
 
-/// A body that fills the map is repeated unless a boundary is declared, with a note.
+/// A ball or a cylinder that fills the map is one body unless a boundary is declared, with a note.
 #[test]
-fn a_sphere_that_is_repeated_has_a_note() {
-    let at = |i: usize| (i as f64 - 32.0) * 1e-6;
-    let heights = (0..65 * 65).map(|k| -(at(k / 65).powi(2) + at(k % 65).powi(2)) / 2e-3);
-    let map = asperity_bem::HeightMap::new(heights.collect(), [65, 65], [1e-6; 2]).unwrap();
-    let usual = Bem::new(map.clone(), None, true);
-    assert_eq!(usual.continuation(), Continuation::Periodic);
+fn a_body_that_fills_the_map_is_free_by_default() {
+    let map = paraboloid(65, 1e-6, 1e-3);
+    let usual = Bem::new(map.clone(), options(None, true));
+    assert_eq!(usual.continuation(), Continuation::Free);
+    assert_eq!(usual.map(), &map);
     let note = usual.note().unwrap();
-    assert!(note.code == "repeated" && note.value > 30.0, "{note}");
+    assert!(note.code == "single-body" && note.value > 30.0, "{note}");
+    let cylinder = (0..65 * 65).map(|k| -((k % 65) as f64 - 32.0).powi(2)).collect();
+    let cylinder = asperity_bem::HeightMap::new(cylinder, [65, 65], [1e-6; 2]).unwrap();
+    assert_eq!(Bem::new(cylinder, options(None, true)).continuation(), Continuation::Free);
     for declared in Continuation::ALL {
-        assert_eq!(Bem::new(map.clone(), Some(declared), true).note(), None);
+        assert_eq!(Bem::new(map.clone(), options(Some(declared), true)).note(), None);
     }
 }
 
 /// Stiffnesses and conductances of joints are multiples of the stiffness at fixed contact.
 #[test]
 fn joints_have_the_stiffness_at_fixed_contact() {
-    let bem = Bem::new(rough(64, 1), None, false);
+    let bem = Bem::new(rough(64, 1), options(None, false));
     let mut scene = scene();
     let at = At::Pressure(0.02 * UNIT);
     let elements = bem.elements(&scene.interface).unwrap();

@@ -38,7 +38,7 @@ fn every_row_of_the_dense_solver() {
         assert_eq!(counted(found.plastic_area), count("plastic"), "{line}");
         assert_eq!(found.edges, count("edges"), "{line}");
         close(found.mean_gap, number("mean_gap"), 1e-9);
-        close(found.mean_open_gap, number("mean_open_gap"), 1e-8);
+        close(found.gap_volume, number("gap_volume"), 1e-8);
         let highest = found.pressures.iter().copied().fold(0.0, f64::max);
         close(highest, number("highest_pressure"), 1e-6);
         let square = found.pressures.iter().map(|p| p * p).sum::<f64>() / pixels as f64;

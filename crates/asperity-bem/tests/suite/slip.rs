@@ -1,8 +1,8 @@
 //! Partial slip of a scan against Cattaneo and Mindlin, and against itself.
 
-use asperity_bem::{BemError, Boundary, BoundaryElements, ContactSlip, HeightMap, LoadCase};
+use asperity_bem::{BemError, Boundary, BoundaryElements, ContactSlip, LoadCase};
 
-use crate::{MODULUS, UNIT, close, is_long, rough};
+use crate::{MODULUS, UNIT, close, is_long, paraboloid, rough};
 
 const FRICTION: f64 = 0.3;
 /// 4 G/E of like bodies with ν = 0.3.
@@ -14,9 +14,7 @@ fn a_sphere_slips_as_cattaneo_and_mindlin_found() {
     let (radius, load, n) = (1e-3, 2.0, 121);
     let contact = (3.0 * load * radius / (4.0 * MODULUS)).cbrt();
     let step = 3.0 * contact / n as f64;
-    let at = |i: usize| (i as f64 - (n / 2) as f64) * step;
-    let heights = (0..n * n).map(|k| -(at(k / n).powi(2) + at(k % n).powi(2)) / (2.0 * radius));
-    let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+    let map = paraboloid(n, step, radius);
     let area = map.area();
     let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
     let solution = solver.solve(LoadCase::Load(load)).unwrap();

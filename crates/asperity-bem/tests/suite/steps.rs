@@ -4,6 +4,8 @@
 use asperity_bem::{Bem, Continuation, HeightMap, LoadCase, Solution};
 use asperity_core::Interface;
 
+use crate::options;
+
 const STEPS: &str = include_str!("../../../../tests/reference/bem_steps.csv");
 const N: usize = 64;
 
@@ -15,7 +17,7 @@ fn map(line: &[f64], first: usize) -> HeightMap {
 }
 
 fn solve(map: HeightMap, modulus: f64, pressure: f64, tolerance: f64) -> Solution {
-    let bem = Bem::new(map, Some(Continuation::Periodic), true);
+    let bem = Bem::new(map, options(Some(Continuation::Periodic), true));
     let elements = bem.elements(&Interface::elastic(modulus, 0.3)).unwrap();
     elements.tolerance(tolerance).unwrap().solve(LoadCase::MeanPressure(pressure)).unwrap()
 }

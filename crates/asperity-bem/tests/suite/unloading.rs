@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use asperity_bem::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
-use crate::{MODULUS, UNIT, close, is_long, rough};
+use crate::{MODULUS, UNIT, close, is_long, paraboloid, rough};
 
 /// Flat punches of the radius 1 at these places [x, y], in a square of the side `side` of n x n
 /// pixels, pressed by a load that holds all of them down.
@@ -62,9 +62,7 @@ fn a_sphere() {
     let side = 3.0 * contact;
     fall([41, 81, 161].map(|n| {
         let step = side / n as f64;
-        let at = |i: usize| (i as f64 - (n / 2) as f64) * step;
-        let heights = (0..n * n).map(|k| -(at(k / n).powi(2) + at(k % n).powi(2)) / (2.0 * radius));
-        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let map = paraboloid(n, step, radius);
         let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
         let solution = solver.solve(LoadCase::Load(load)).unwrap();
         total(&solver, &solution, side * side) / (2.0 * MODULUS * contact) - 1.0
@@ -236,7 +234,7 @@ fn a_yielded_contact_unloads_along_its_own_path() {
     let pressed = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
     let flat = solver.flattened_by(&pressed).unwrap();
     let again = flat.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
-    close(again.mean_gap, pressed.mean_open_gap, 1e-8);
+    close(again.mean_gap, pressed.gap_volume, 1e-8);
     close(again.pixel_area, pressed.pixel_area, 2e-3);
     // Shorter steps come nearer to the stiffness.
     let stiffness = solver.fixed_contact(&pressed).unwrap().stiffness;
@@ -249,7 +247,7 @@ fn a_yielded_contact_unloads_along_its_own_path() {
     // On the way back the gap stays behind that of loading: energy is lost.
     let at =
         |solver: &BoundaryElements| solver.solve(LoadCase::MeanPressure(0.005 * UNIT)).unwrap();
-    let (loading, unloading) = (at(&solver).mean_open_gap, at(&flat));
+    let (loading, unloading) = (at(&solver).gap_volume, at(&flat));
     let retreat = unloading.mean_gap - again.mean_gap;
     assert!(retreat > 0.0 && retreat < loading - pressed.mean_gap, "{retreat:e}");
     assert!(unloading.plastic_area <= pressed.plastic_area);
@@ -282,7 +280,7 @@ fn retreats_follow_the_path_of_unloading() {
     let all: Vec<_> = found.into_iter().take(4).map(Result::unwrap).collect();
     close(all[1].mean_pressure, 0.02 * UNIT, 1e-12);
     for (at, contact) in [(0, &all[0]), (2, &all[2])] {
-        let gap = pressed.mean_open_gap + retreats[at];
+        let gap = pressed.gap_volume + retreats[at];
         let direct = flat.solve(LoadCase::MeanGap(gap)).unwrap();
         close(contact.mean_pressure, direct.mean_pressure, 1e-5);
         close(contact.mean_gap, pressed.mean_gap + retreats[at], 1e-12);
@@ -294,4 +292,46 @@ fn retreats_follow_the_path_of_unloading() {
         assert!(less.mean_pressure < more.mean_pressure && less.area < more.area);
     }
     assert!(all[3].mean_pressure <= 0.0);
+}
+
+/// Hertz: a sphere pressed in by d parts after the retreat d, with F (1 - r/d)^1.5 and 2 E a at r.
+/// Retreats are those of distant points, not of the mean gap.
+#[test]
+fn a_sphere_opens_as_it_was_pressed() {
+    let (radius, load) = (1e-3, 2.0);
+    let contact = (3.0 * load * radius / (4.0 * MODULUS)).cbrt();
+    let map = paraboloid(61, 3.0 * contact / 61.0, radius);
+    let area = map.area();
+    let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
+    let path = solver.unloading_from(LoadCase::Load(load)).unwrap();
+    let depth = contact * contact / radius;
+    close(path.last_contact(), depth, 2e-3);
+    let shares = [0.0, 0.04, 0.3, 0.7, 1.1];
+    let retreats = shares.map(|share| share * depth);
+    let found = path.at_retreats(&retreats, |_| std::ops::ControlFlow::Continue(()));
+    let found: Vec<_> = found.into_iter().map(Result::unwrap).collect();
+    for (contact_at, (share, retreat)) in found.iter().zip(shares.into_iter().zip(retreats)) {
+        let left = (1.0 - share).max(0.0);
+        close(contact_at.mean_pressure * area, load * left.powf(1.5), 5e-3);
+        let stiffness = contact_at.stiffness.clone().unwrap().unwrap() * area;
+        close(stiffness, 2.0 * MODULUS * contact * left.sqrt(), 0.02);
+        close(contact_at.separation - path.closest().separation, retreat, 1e-9);
+        let opened = contact_at.mean_gap - path.closest().mean_gap;
+        assert!(retreat <= 0.0 || opened < 0.8 * retreat, "{opened:e} {retreat:e}");
+        let solved = solver.solve(LoadCase::Separation(contact_at.separation));
+        assert_eq!(solved.is_err(), left <= 0.0);
+    }
+}
+
+/// Where a free contact has yielded, its first retreats still follow its stiffness.
+#[test]
+fn a_yielded_free_contact_opens_with_its_stiffness() {
+    let solver = BoundaryElements::new(rough(64, 4), MODULUS).unwrap().boundary(Boundary::Free);
+    let solver = solver.hardness(0.2 * UNIT).unwrap().tolerance(1e-11).unwrap();
+    let path = solver.unloading_from(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
+    let stiffness = path.closest().stiffness.clone().unwrap().unwrap();
+    let retreat = 0.01 * 0.05 * UNIT / stiffness;
+    let found = path.at_retreats(&[retreat], |_| std::ops::ControlFlow::Continue(()));
+    let left = found[0].as_ref().unwrap().mean_pressure;
+    close((0.05 * UNIT - left) / retreat, stiffness, 0.02);
 }

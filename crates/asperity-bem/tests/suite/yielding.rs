@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
 
-use crate::{MODULUS, UNIT, close, is_long};
+use crate::{MODULUS, UNIT, close, is_long, paraboloid, rough};
 
 /// Waves of at least 1/16 of the side, on n x n pixels.
 fn surface(n: usize) -> HeightMap {
@@ -80,9 +80,7 @@ fn a_soft_sphere_carries_the_hardness() {
         let contact = 1e-4;
         let n = 65;
         let step = contact / pixels;
-        let at = |i: usize| (i as f64 - 32.0) * step;
-        let heights = (0..n * n).map(|i| -(at(i / n).powi(2) + at(i % n).powi(2)) / (2.0 * radius));
-        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let map = paraboloid(n, step, radius);
         let nominal = map.area();
         let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
         let solver = solver.hardness(hardness).unwrap();
@@ -91,4 +89,31 @@ fn a_soft_sphere_carries_the_hardness() {
         carries(&solution, hardness);
         close(solution.area * nominal, load / hardness, within);
     }
+}
+
+/// Pixels out of contact have a gap above 0 also where the imprint makes the mean gap negative;
+/// notes tell of that, and of an area that is no more than F/H.
+#[test]
+fn gaps_are_told_apart_and_the_least_area_is_told() {
+    let elastic = BoundaryElements::new(rough(64, 3), MODULUS).unwrap();
+    let mut told = [0; 2];
+    for [hardness, share] in [[0.5, 0.02], [0.05, 0.1], [0.05, 0.5], [0.05, 0.99]] {
+        let hardness = hardness * UNIT;
+        let solver = elastic.clone().hardness(hardness).unwrap();
+        let solution = solver.solve(LoadCase::MeanPressure(share * hardness)).unwrap();
+        let pixels = solution.pressures.iter().zip(&solution.gaps);
+        let open: Vec<f64> = pixels.filter(|(p, _)| **p <= 0.0).map(|(_, gap)| *gap).collect();
+        let mean = open.iter().sum::<f64>() / open.len() as f64;
+        close(solution.mean_open_gap.unwrap(), mean, 1e-12);
+        assert!(mean > 0.0 && mean > solution.mean_gap);
+        let has = |code| solution.notes.iter().any(|note| note.code == code);
+        assert_eq!(has("imprint"), solution.mean_gap < 0.0, "{share}");
+        assert_eq!(has("least-area"), solution.area <= share, "{share}");
+        told[0] += usize::from(has("imprint"));
+        told[1] += usize::from(has("least-area"));
+    }
+    assert!(told.iter().all(|told| (1..4).contains(told)), "{told:?}");
+    let full = elastic.solve(LoadCase::MeanPressure(3.0 * UNIT)).unwrap();
+    assert_eq!((full.pixel_area >= 1.0, full.mean_open_gap), (true, None));
+    assert!(!full.notes.iter().any(|note| ["imprint", "least-area"].contains(&note.code)));
 }

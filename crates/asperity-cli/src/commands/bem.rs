@@ -2,16 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Error, Result, bail};
+use anyhow::{Error, Result};
 use asperity::Quantity;
-use asperity::bem::{Bem, Continuation, Leak, LoadCase, Solution};
+use asperity::bem::{Bem, Leak, LoadCase, Solution};
 use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, truth};
 use asperity_plot::{draw_map, map_png};
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{OutputArgs, file_ending, listed_model_id};
+use crate::input::args::{OutputArgs, PressArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, viscosity};
 use crate::input::usage_error;
@@ -38,14 +37,8 @@ pub struct BemCommand {
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
     #[arg(requires = "compare")]
     models: Vec<String>,
-    /// Ignore the hardness: elastic, with unlimited pressures
-    #[arg(long)]
-    elastic: bool,
-    /// Beyond the edges of the scan: periodic (repeated as it is, with steps), periodic-part (its
-    /// periodic component) or free [default: periodic if the scene says periodic = true or the
-    /// edges match, otherwise periodic-part]
-    #[arg(long, value_name = "WHAT", value_parser = continuation())]
-    boundary: Option<Continuation>,
+    #[command(flatten)]
+    press: PressArgs,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
@@ -102,12 +95,6 @@ struct Places {
     gaps: Vec<Numbers>,
 }
 
-/// The values of `--boundary`.
-fn continuation() -> impl TypedValueParser<Value = Continuation> {
-    let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
-    names.try_map(|name| Continuation::from_name(&name).ok_or("another name was required"))
-}
-
 impl Places {
     /// The loads and gaps in the order of the command line; the pressure on the scan is that on the
     /// nominal area.
@@ -124,7 +111,7 @@ impl Places {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_scan(&self.scene, self.periodic(), self.compare)?;
+        let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
             if path.is_some() && given.len() > 1 {
@@ -132,7 +119,8 @@ impl BemCommand {
                 usage_error("bem", ErrorKind::ArgumentConflict, &text);
             }
         }
-        let bem = self.bem(&scene)?;
+        let bem = scene.bem()?;
+        show(&bem.note());
         let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
             name,
@@ -202,21 +190,6 @@ impl BemCommand {
             draw(path, &contact_map::flow(bem, &elements, solution, &scene.name)?)?;
         }
         Ok(())
-    }
-
-    /// Whether the scan is declared periodic.
-    fn periodic(&self) -> bool {
-        self.boundary == Some(Continuation::Periodic)
-    }
-
-    /// The model of the scene's scan, with a note if its periodic component is used by default.
-    fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
-        let bem = match scene.file.bem(self.boundary, self.elastic) {
-            Ok(bem) => bem,
-            Err(error) => bail!("{}: {error}", scene.name),
-        };
-        show(&bem.note());
-        Ok(bem)
     }
 }
 

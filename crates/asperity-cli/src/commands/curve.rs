@@ -11,7 +11,7 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::{pull_off, work};
-use crate::input::args::{DrawnArgs, ModelArgs, model_id};
+use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
 use crate::output::plot;
@@ -57,12 +57,16 @@ pub struct Curve {
     #[arg(long, value_name = "W", value_parser = work)]
     work_of_adhesion: Option<f64>,
     #[command(flatten)]
+    press: PressArgs,
+    #[command(flatten)]
     output: DrawnArgs,
 }
 
 impl Curve {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
+        let named = [&self.asked.models[..], self.reference.as_slice()].concat();
+        let press = self.press.of_models(command, &named);
         if self.plan {
             return self.print_plan();
         }
@@ -82,7 +86,7 @@ impl Curve {
             usage_error(command, ErrorKind::MissingRequiredArgument, text);
         }
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
-        let scene = LoadedScene::load(&self.asked.scene, ids)?;
+        let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
         // Models of contact and of flow have other quantities.
         let flows = ids.iter().filter(|id| *id == FLOW).count();
         let flow = Quantity::ALL.into_iter().filter(|q| flows > 0 && q.is_flow_factor());

@@ -11,7 +11,9 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use super::{bem, joint_plots};
-use crate::input::args::{DrawnArgs, file_ending, loads, model_id, separation_unit, tolerance};
+use crate::input::args::{
+    DrawnArgs, PressArgs, file_ending, loads, model_id, separation_unit, tolerance,
+};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
@@ -63,6 +65,8 @@ pub struct Joint {
     #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
     #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png"))]
     stick_map: Option<PathBuf>,
+    #[command(flatten)]
+    press: PressArgs,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
@@ -139,7 +143,9 @@ impl Closed {
 impl Joint {
     /// Runs under the name of the command or of an alias.
     pub fn run(self, command: &str) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene, self.model.as_slice())?;
+        let ids = self.model.as_slice();
+        let press = self.press.of_models(command, ids);
+        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?;
         let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
@@ -202,7 +208,7 @@ impl Joint {
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
         let (sheet, states) = scene.answer(fill)?;
         if let Some(path) = &self.stick_map {
-            let scan = scene.file.bem(None, false)?;
+            let scan = scene.bem()?;
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
                 contact_map::write(path, &[&states], scan.map().shape())?;
             } else {

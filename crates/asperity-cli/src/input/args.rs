@@ -3,17 +3,19 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::bem::Bem;
+use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::recommended::{BEM, FLOW};
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
+use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
+use crate::input::usage_error;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
 use crate::scene::ALL_MODELS;
@@ -61,6 +63,43 @@ pub struct ModelArgs {
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     pub tolerance: Tolerance,
+}
+
+/// How boundary elements press a scan, in front of the options of the scene.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub struct PressArgs {
+    /// Beyond the edges of the scan that bem presses: periodic (repeated as it is, with steps),
+    /// periodic-part (its periodic component) or free (a single body) [default: periodic if the
+    /// scene says periodic = true; otherwise periodic-part if the edges do not match, free if they
+    /// do but the slopes there do not, as of a ball, and periodic if both do]
+    #[arg(long, value_name = "WHAT", value_parser = continuation())]
+    boundary: Option<Continuation>,
+    /// Press the scan by bem without the hardness: elastic, with unlimited pressures
+    #[arg(long)]
+    elastic: bool,
+}
+
+/// The values of `--boundary`.
+fn continuation() -> impl TypedValueParser<Value = Continuation> {
+    let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
+    names.try_map(|name| Continuation::from_name(&name).ok_or("another name was required"))
+}
+
+impl PressArgs {
+    /// The same as options of a scene.
+    pub fn options(self) -> BemOptions {
+        BemOptions { boundary: self.boundary, elastic: self.elastic }
+    }
+
+    /// The same, where one of these models is bem.
+    pub fn of_models(self, command: &str, ids: &[String]) -> BemOptions {
+        let options = self.options();
+        if options != BemOptions::default() && !ids.iter().any(|id| id == Bem::ID) {
+            let text = "--boundary and --elastic need --model bem";
+            usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
+        options
+    }
 }
 
 /// Format and destination of a result.

@@ -1,6 +1,6 @@
 //! `bem`: the scan of a scene, pixel by pixel.
 
-use asperity::bem::{Continuation, LoadCase};
+use asperity::bem::{BemOptions, Continuation, LoadCase};
 
 use crate::bench::{Bench, NO_SHEAR, cells, column};
 
@@ -98,17 +98,18 @@ fn rows_are_those_of_the_library() {
         let arguments = format!("bem scan.toml --pressure 1e7,2e9,1e8 {arguments} --format csv");
         let data = bench.data(&arguments);
         let file = bench.scene("scan.toml");
-        let elements =
-            file.bem(boundary, elastic).unwrap().elements(&file.scene.interface).unwrap();
+        let elements = file.clone().pressing(BemOptions { boundary, elastic }).bem().unwrap();
+        let elements = elements.elements(&file.scene.interface).unwrap();
         let given = [1e7, 2e9, 1e8].map(LoadCase::MeanPressure);
         let found = elements.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
         let found: Vec<_> = found.into_iter().map(Result::unwrap).collect();
         let of = |of: &dyn Fn(&asperity::bem::Solution) -> f64| found.iter().map(of).collect();
-        let required: [(&str, Vec<f64>); 8] = [
+        let required: [(&str, Vec<f64>); 9] = [
             ("area_fraction", of(&|s| s.area)),
             ("area_fraction_pixels", of(&|s| s.pixel_area)),
             ("plastic_fraction", of(&|s| s.plastic_area)),
             ("mean_gap_m", of(&|s| s.mean_gap)),
+            ("mean_open_gap_m", of(&|s| s.mean_open_gap.unwrap())),
             ("patches", of(&|s| s.patches.len() as f64)),
             ("iterations", of(&|s| s.iterations as f64)),
             ("residual", of(&|s| s.residual)),

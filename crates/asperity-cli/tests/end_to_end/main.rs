@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
 
 mod adhesion;
+mod ball;
 mod bem;
 mod bem_boundary;
 mod bench;

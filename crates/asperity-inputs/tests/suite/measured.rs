@@ -143,7 +143,7 @@ fn a_periodic_scan_keeps_its_moments_by_default() {
         tilted.warnings
     );
     // Boundary elements use the same scan.
-    let bem = usual.bem(None, true).unwrap();
+    let bem = usual.bem().unwrap();
     assert!(bem.note().is_none());
     assert_eq!(bem.continuation(), asperity_bem::Continuation::Periodic);
 }

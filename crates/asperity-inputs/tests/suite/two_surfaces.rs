@@ -120,7 +120,7 @@ fn a_scan_and_a_set_add() {
         scene(folder.path(), &format!("{set}\n[surface.counterface]\nfile = \"a.txt\"\n{READ}"));
     let turned = turned.unwrap();
     is(&turned.scene.surface, asperities([own.m0 + 1e-14, own.m2 + 5e-4, own.m4 + 1e9]));
-    let refused = sum.bem(None, true).unwrap_err().to_string();
+    let refused = sum.bem().unwrap_err().to_string();
     assert!(refused.contains("scans of both with aligned = true"), "{refused}");
     // The path of the second scan is absolute, so that the text is valid in any folder.
     let again = parse(&turned.to_toml(&[]).unwrap(), Path::new("/")).unwrap();

@@ -73,9 +73,8 @@ _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
 _Rows: TypeAlias = Any
 # A scan, and how it is pressed.
-_Pressed: TypeAlias = tuple[
-    Topography | Scene, Interface | None, str | None, bool, str | None
-]
+_Pressing: TypeAlias = tuple[str | None, bool]
+_Pressed: TypeAlias = tuple[Topography | Scene, Interface | None, str | None, _Pressing]
 # A model, rows, quantities and the relative tolerance.
 _Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
@@ -402,12 +401,12 @@ def bem_unloading(
     points: int,
 ) -> _Fields: ...
 def bem_slip(
-    scene: Scene, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
+    pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
 ) -> tuple[_Fields, list[int]]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
-    elastic_and_boundary: tuple[bool, str | None],
+    pressing: _Pressing,
     engines: Sequence[Engine] | None,
     quantities: str | Iterable[str],
     refine_and_mask: tuple[bool, bool],

@@ -39,6 +39,8 @@ class BemContacts:
     plastic_fraction: Floats
     #: Distance between the mean planes of the two deformed surfaces [m].
     mean_gap: Floats
+    #: Mean gap of the pixels out of contact [m]; NaN where every pixel touches.
+    mean_open_gap: Floats
     #: Number of contact patches: pixels connected over edges.
     patches: npt.NDArray[np.int64]
     #: Iterations.
@@ -100,9 +102,11 @@ def bem(
         Ignores the hardness: pressures are unlimited.
     boundary : "periodic", "periodic-part" or "free"
         Beyond its edges the scan is repeated as it is, with its steps; or its periodic component is
-        repeated, without steps; or there is a free half-space. By default a scan declared periodic
-        is repeated as it is. So is another one if its edges match; if not, its periodic component
-        is used, with a warning. ``BemContacts.boundary`` names the choice.
+        repeated, without steps; or there is a free half-space. By default it is that of the options
+        of the scene, and a scan declared periodic is repeated as it is. So is another one if its
+        edges match. If they do not, its periodic component is used; if they do and the slopes there
+        do not, as of a ball or a cylinder, it is a single body, free; both with a warning.
+        ``BemContacts.boundary`` names the choice.
     quantities : sequence of str
         By the names that models have: "tangent" (or "stiffness"), the slope of first loading
         against the mean gap, and quantities of joints, "unloading-stiffness",
@@ -179,12 +183,12 @@ def _pressed(
     level: str | None,
     elastic: bool,
     boundary: Boundary | None,
-) -> tuple[Any, Interface | None, str | None, bool, str | None]:
+) -> tuple[Any, Interface | None, str | None, tuple[str | None, bool]]:
     """The scan, also of heights [m] in an array, and how it is pressed."""
     if isinstance(surface, Topography | Scene):
         if pixel_size is not None:
             raise TypeError("pixel_size was given beside a Topography or a Scene, which has its own")
-        return surface, interface, level, elastic, boundary
+        return surface, interface, level, (boundary, elastic)
     if np.ndim(surface) != 2:
         raise TypeError(
             f"surface has {np.ndim(surface)} dimensions: a Topography, a Scene or heights in two "
@@ -197,14 +201,15 @@ def _pressed(
         raise TypeError("pixel_size must be a length or two, along a row and along a column")
     along_row, along_column = np.broadcast_to(size, 2).tolist()
     scan = Topography(surface, (along_row, along_column), "m")
-    return scan, interface, level or "none", elastic, boundary
+    return scan, interface, level or "none", (boundary, elastic)
 
 
 @dataclass(frozen=True)
 class BemUnloading:
     """The opening of a scan from its greatest load; made by ``bem_unloading``."""
 
-    #: Retreats from the greatest load [m].
+    #: Retreats of distant points from the greatest load [m]; unless the boundary is free, the mean
+    #: gap grows by them.
     retreat: Floats
     #: Load on the nominal area [N].
     load: Floats
@@ -214,6 +219,8 @@ class BemUnloading:
     area_fraction: Floats
     #: Mean gap from the mean plane of the first surface [m].
     mean_gap: Floats
+    #: Mean gap of the pixels out of contact [m]; NaN where every pixel touches.
+    mean_open_gap: Floats
     #: Stiffness of the contact held as it is [N/m].
     stiffness: Floats
     #: The retreat at which the last pixel parts [m].
@@ -363,7 +370,7 @@ def truth(
     if name == "load":
         pressures = pressures / scene.nominal_area
     engines = None if models is None else as_models(models)
-    how, refine_and_mask = (elastic, boundary), (refine, checked_errors(errors) == "mask")
+    how, refine_and_mask = (boundary, elastic), (refine, checked_errors(errors) == "mask")
     heads, found, (nearest, beside), refused, failures, used = _asperity.truth(
         scene, pressures.tolist(), how, engines, quantities, refine_and_mask
     )

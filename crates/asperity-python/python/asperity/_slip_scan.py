@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy.typing as npt
+
 from asperity import _asperity
-from asperity._arguments import Floats, in_si, one_number, one_scene, place
-from asperity._asperity import Scene
+from asperity._arguments import Floats, in_si, one_number, place
+from asperity._asperity import Scene, Topography
+from asperity._bem import Boundary, _pressed
+from asperity._records import Interface
 
 
 @dataclass(frozen=True)
@@ -36,13 +40,18 @@ class BemSlip:
 
 
 def bem_slip(
-    scene: Scene,
+    surface: Topography | Scene | npt.ArrayLike,
     *,
     friction: float,
     amplitude: float | str,
     load: float | str | None = None,
     pressure: float | str | None = None,
     points: int = 21,
+    interface: Interface | None = None,
+    pixel_size: float | str | tuple[float, float] | None = None,
+    level: str | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
 ) -> BemSlip:
     """Partial slip of a scan under a constant load, by boundary elements.
 
@@ -51,8 +60,6 @@ def bem_slip(
 
     Parameters
     ----------
-    scene : Scene
-        A scene whose file names a scan, with its bodies or an equivalent_shear_modulus.
     friction : float
         The coefficient of friction.
     amplitude : float or str
@@ -61,13 +68,16 @@ def bem_slip(
         The constant load [N] on the nominal area, or pressure on it [Pa]; one of them.
     points : int
         The number of shifts.
+    surface, interface, pixel_size, level, elastic, boundary
+        As in ``bem``; with two bodies or an equivalent_shear_modulus.
     """
     if not 2 <= points <= 100_000:
         raise ValueError(f"points is {points}: 2 to 100000 were required")
     axis, number = place(None, load, pressure, "m")
     given = axis, one_number(axis, number)
     cycle = one_number("amplitude", in_si(amplitude, "m")), points
-    found, pixels = _asperity.bem_slip(one_scene(scene, "bem_slip"), given, friction, cycle)
+    scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
+    found, pixels = _asperity.bem_slip(scan, given, friction, cycle)
     states = found.pop("states").reshape(pixels)
     units = ("_m", "_N", "_N", "_N", "_J", "")
     own = zip(list(BemSlip.__dataclass_fields__)[:6], units, strict=True)

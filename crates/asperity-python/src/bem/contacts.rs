@@ -11,7 +11,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::scan::{Arguments, Pressed, load_cases};
+use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
 use crate::convert::{
@@ -46,14 +46,14 @@ pub(crate) fn bem<'py>(
     let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
     let leak = leak.map_err(value_error)?;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
-    let Pressed { bem, scene, accept } = Pressed::new(pressed)?;
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let scene = &file.scene;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let (area, pixels) = (scene.nominal_area, bem.map().heights().len());
     // Refuses what boundary elements or the interface lack before anything is solved.
     let request = Request::new(quantities.iter().copied());
-    bem.compile(&scene, &request).map_err(refused)?;
+    bem.compile(scene, &request).map_err(refused)?;
     let all = load_cases(given, area);
-    let file = scene.into();
     let press = Press { leak, ..Press::new(&file, &bem, &all, &quantities) };
     let heads = press.heads();
     let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
@@ -93,7 +93,7 @@ pub(crate) fn bem<'py>(
         return Err(error);
     }
     notes.extend(leak.and_then(|leak| leak.finding()));
-    notes.iter().try_for_each(|note| warn_unless(py, &accept, note, 1))?;
+    notes.iter().try_for_each(|note| warn_unless(py, &file.accept, note, 1))?;
     let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
     fields.set_item("failures", failures)?;
     fields.set_item("boundary", bem.continuation().name())?;
@@ -112,7 +112,8 @@ pub(crate) fn bem_unloading<'py>(
     retreats: Option<Vec<f64>>,
     points: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let Pressed { bem, scene, .. } = Pressed::new(pressed)?;
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let scene = &file.scene;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_cases(given, area).remove(0);
@@ -132,12 +133,14 @@ pub(crate) fn bem_unloading<'py>(
         Some(Err(error)) => Err(value_error(error)),
         None => Ok(f64::NAN),
     });
+    let open = found.iter().map(|contact| contact.mean_open_gap.unwrap_or(f64::NAN));
     let columns = [
         ("retreat", retreats),
         ("load", found.iter().map(|contact| contact.mean_pressure * area).collect()),
         ("pressure", found.iter().map(|contact| contact.mean_pressure).collect()),
         ("area_fraction", found.iter().map(|contact| contact.area).collect()),
         ("mean_gap", found.iter().map(|contact| contact.mean_gap).collect()),
+        ("mean_open_gap", open.collect()),
         ("stiffness", stiffness.collect::<PyResult<_>>()?),
     ];
     let fields = arrays(py, columns)?;
@@ -166,14 +169,13 @@ pub(crate) fn truth<'py>(
     py: Python<'py>,
     scene: &SceneFile,
     pressures: Vec<f64>,
-    elastic_and_boundary: (bool, Option<String>),
+    pressing: Pressing,
     engines: Engines,
     quantities: Quantities,
     refine_and_mask: (bool, bool),
 ) -> PyResult<TruthFields<'py>> {
-    let (scene, (elastic, boundary), (refine, mask)) =
-        (&*scene.0, elastic_and_boundary, refine_and_mask);
-    let Pressed { bem, .. } = Pressed::of_scene(py, scene, boundary.as_deref(), elastic)?;
+    let (scene, (refine, mask)) = (&*scene.0, refine_and_mask);
+    let Pressed { bem, .. } = Pressed::of_scene(py, scene.clone(), options(pressing)?)?;
     let quantities = compared(&quantities.0).map_err(value_error)?;
     let (models, left_out) = models_among(scene, &engines)?;
     let found = run_interruptible(py, None, |stop| {

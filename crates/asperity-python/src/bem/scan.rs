@@ -1,6 +1,6 @@
 //! What boundary elements press: the scan of a scene, or a topography between two bodies.
 
-use asperity::bem::{Bem, Continuation, LoadCase};
+use asperity::bem::{Bem, BemOptions, Continuation, LoadCase};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
@@ -12,27 +12,23 @@ use crate::topography::Topography;
 /// A scan as it is pressed.
 pub(super) struct Pressed {
     pub(super) bem: Bem,
-    /// The two bodies, and the area of the loads: the nominal area of a scene, or that of a
-    /// topography.
-    pub(super) scene: asperity::Scene,
-    /// Codes of findings that the scene accepts.
-    pub(super) accept: Vec<String>,
+    /// The scene of the scan, or one of a topography between two bodies, with its area.
+    pub(super) file: asperity_inputs::SceneFile,
 }
 
-/// A surface, the two bodies of a topography, the form to remove, whether the hardness is ignored,
-/// and what lies beyond the edges.
-pub(super) type Arguments<'py> =
-    (Object<'py>, Option<Object<'py>>, Option<String>, bool, Option<String>);
+/// A surface, the two bodies of a topography, the form to remove, and how the scan is pressed.
+pub(super) type Arguments<'py> = (Object<'py>, Option<Object<'py>>, Option<String>, Pressing);
+
+/// What lies beyond the edges, and whether the hardness is ignored.
+pub(crate) type Pressing = (Option<String>, bool);
 
 impl Pressed {
     /// The scan of a scene, or a topography with the two bodies and the form to remove.
-    pub(super) fn new(
-        (surface, interface, level, elastic, boundary): Arguments<'_>,
-    ) -> PyResult<Self> {
-        let boundary = boundary.as_deref();
+    pub(super) fn new((surface, interface, level, pressing): Arguments<'_>) -> PyResult<Self> {
+        let given = options(pressing)?;
         if let Ok(scene) = surface.cast::<SceneFile>() {
             return match interface {
-                None => Self::of_scene(surface.py(), &scene.get().0, boundary, elastic),
+                None => Self::of_scene(surface.py(), (*scene.get().0).clone(), given),
                 Some(_) => Err(PyTypeError::new_err(
                     "interface was given beside a scene, which has its own",
                 )),
@@ -48,12 +44,10 @@ impl Pressed {
             return Err(PyTypeError::new_err(format!("interface is missing: {needed}")));
         };
         let interface = instance("interface", &interface)?;
-        let (boundary, topography) = (continuation(boundary)?, topography.get());
+        let topography = topography.get();
         let level = topography.form(surface.py(), level.as_deref(), 1)?;
         // A plane taken from a periodic surface would add steps.
-        let declared = topography.0.is_periodic().then_some(Continuation::Periodic);
-        let boundary = boundary.or(declared);
-        let periodic = [boundary, declared].contains(&Some(Continuation::Periodic));
+        let periodic = topography.0.is_periodic() || given.boundary == Some(Continuation::Periodic);
         let scan = topography.0.clone().with_periodic(periodic);
         let levelled = scan.levelled(level).map_err(value_error)?;
         let map = asperity_inputs::height_map(&levelled).map_err(|error| {
@@ -62,37 +56,36 @@ impl Pressed {
                 false => value_error(error),
             }
         })?;
-        let bem = Bem::new(map, boundary, elastic);
         // Boundary elements use no asperities.
         let none = asperity::Surface::new(1.0, 1.0, 1.0);
-        let scene = asperity::Scene::new(interface, none, bem.map().area());
-        Self::noted(surface.py(), Self { bem, scene, accept: vec![] })
+        let mut file: asperity_inputs::SceneFile =
+            asperity::Scene::new(interface, none, map.area()).into();
+        file.scan = Some(levelled.into());
+        Self::of_scene(surface.py(), file, given)
     }
 
+    /// The scan of a scene with these options in front of its own; warns of edges that do not
+    /// match.
     pub(super) fn of_scene(
         py: Python<'_>,
-        file: &asperity_inputs::SceneFile,
-        boundary: Option<&str>,
-        elastic: bool,
+        file: asperity_inputs::SceneFile,
+        given: BemOptions,
     ) -> PyResult<Self> {
-        let bem = file.bem(continuation(boundary)?, elastic).map_err(value_error)?;
-        Self::noted(py, Self { bem, scene: file.scene.clone(), accept: file.accept.clone() })
-    }
-
-    /// Warns of edges that do not match.
-    fn noted(py: Python<'_>, pressed: Self) -> PyResult<Self> {
-        pressed.bem.note().map_or(Ok(()), |note| warn_unless(py, &pressed.accept, &note, 1))?;
-        Ok(pressed)
+        let file = file.pressing(given);
+        let bem = file.bem().map_err(value_error)?;
+        bem.note().map_or(Ok(()), |note| warn_unless(py, &file.accept, &note, 1))?;
+        Ok(Self { bem, file })
     }
 }
 
-fn continuation(boundary: Option<&str>) -> PyResult<Option<Continuation>> {
-    let named = |name: &str| {
+/// Options by the names of their values.
+pub(super) fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
+    let named = |name: String| {
         let required = "\"periodic\", \"periodic-part\" or \"free\" was required";
         let unknown = || value_error(format!("boundary is {name:?}: {required}"));
-        Continuation::from_name(name).ok_or_else(unknown)
+        Continuation::from_name(&name).ok_or_else(unknown)
     };
-    boundary.map(named).transpose()
+    Ok(BemOptions { boundary: boundary.map(named).transpose()?, elastic })
 }
 
 /// Mean gaps \[m\], loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.

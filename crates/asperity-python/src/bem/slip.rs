@@ -2,33 +2,34 @@
 
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
-use asperity::{Severity, Tolerance};
+use asperity::{Model, Severity, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, Subject};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use super::scan::{Arguments, Pressed};
 use crate::ask::long::run_interruptible;
 use crate::convert::axis::Axis;
 use crate::convert::{value_error, warn_unless};
-use crate::scene::SceneFile;
 use crate::tables::columns;
 
-/// The loop of a cycle of this amplitude \[m\] on the scan of a scene under a load or pressure, and
+/// The loop of a cycle of this amplitude \[m\] on a scan under a load or pressure, and
 /// whether each pixel slips (1) or sticks (2) at the amplitude. The fields of the package's class,
 /// rows and columns.
 #[pyfunction]
 pub(crate) fn bem_slip<'py>(
     py: Python<'py>,
-    scene: &SceneFile,
+    pressed: Arguments<'py>,
     given: (Axis, f64),
     friction: f64,
     cycle: (f64, usize),
 ) -> PyResult<(Bound<'py, PyDict>, [usize; 2])> {
-    let (file, model) = (&*scene.0, scene.0.model(Bem::ID).map_err(value_error)?);
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let (pixels, model) = (bem.map().shape(), Model::new(bem));
     let ((axis, number), (amplitude, points)) = (given, cycle);
     let (at, tolerance) = (axis.at(number, file.separation_from), Tolerance::default());
-    let subject = Subject { file, name: "", id: Bem::ID, model: &model, tolerance };
+    let subject = Subject { file: &file, name: "", id: Bem::ID, model: &model, tolerance };
     let slip = Slip { subject, law: UnloadingLaw::Hertz, friction };
     let (mut sheet, cycle) = (Sheet::default(), [Amplitude::Shift(amplitude)]);
     let states =
@@ -38,5 +39,5 @@ pub(crate) fn bem_slip<'py>(
     warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
     let fields = columns(py, &sheet)?;
     fields.set_item("states", PyArray1::from_vec(py, states))?;
-    Ok((fields, file.bem(None, false).map_err(value_error)?.map().shape()))
+    Ok((fields, pixels))
 }
