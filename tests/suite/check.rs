@@ -227,6 +227,15 @@ fn derived_numbers_equal_their_formulas() {
     assert!((number("rms_gradient").powi(2) / (2.0 * surface.moments().m2) - 1.0).abs() < 1e-12);
 }
 
+/// Terms in brackets.
+struct Marked;
+
+impl asperity::Dialect for Marked {
+    fn term(&self, term: &str) -> String {
+        format!("[{term}]")
+    }
+}
+
 #[test]
 fn findings_at_a_load_report_depth_and_crowding() {
     let scene = named("at-paper");
@@ -239,6 +248,8 @@ fn findings_at_a_load_report_depth_and_crowding() {
     let advice =
         "gw ignores yielding, and its area is right only by chance; to describe it, use ke or jg";
     assert!(text.ends_with(advice), "{text}");
+    let marked = gw.findings[0].say(&Marked);
+    assert!(marked.ends_with("; to describe it, use [ke or jg]"), "{marked}");
     assert!(gw.number("yielding_share").unwrap() > 0.9);
     assert!(at("ke", At::from(2.5)).findings.is_empty());
     assert_eq!(codes(&at("ke", At::from(-1.0)))[0], "crowded");

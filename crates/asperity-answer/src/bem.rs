@@ -128,7 +128,7 @@ impl<'a> Press<'a> {
             let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
             let cells = numbers.chain(values).chain(flows.into_iter().flatten());
             let cells = cells.collect();
-            let notes = solution.notes.iter().cloned().chain(summary.sealed()).collect();
+            let notes = solution.notes.iter().cloned().chain(summary.findings()).collect();
             Pressed { cells, notes, solution }
         };
         elements.solve_each(self.given, progress, |index, solution| {
@@ -148,7 +148,7 @@ impl<'a> Press<'a> {
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
         sheet.heads = self.heads();
-        sheet.findings.extend(self.leak.and_then(|leak| leak.finding()));
+        sheet.findings.extend(self.leak.iter().flat_map(Leak::findings));
         // Refuses what boundary elements or the scene lack before anything is solved.
         let compiled = self.bem.compile(&self.file.scene, &Request::new(self.quantities()));
         compiled.map_err(|error| AnswerError::from(error).of_model(self.name))?;

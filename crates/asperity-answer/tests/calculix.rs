@@ -168,6 +168,81 @@ fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
     assert!(worst < table.errors.unwrap()[0] + PRINTED, "{worst} {}", table.errors.unwrap()[0]);
 }
 
+/// The same blocks of 3 x 3 x 1 elements under 10 MPa, joined node to node.
+fn loaded(interaction: &str) -> String {
+    const N: u32 = 3;
+    let node = |block: u32, x: u32, y: u32, z: u32| 1 + block * 100 + (z * 4 + y) * 4 + x;
+    let all = || (0..2).flat_map(|b| (0..=N).flat_map(move |x| (0..=N).map(move |y| (b, x, y))));
+    let side = |k: u32| 10.0 * f64::from(k) / f64::from(N);
+    let nodes = all().flat_map(|(b, x, y)| [(b, x, y, 0), (b, x, y, 1)]);
+    let nodes: String = nodes
+        .map(|(b, x, y, z)| {
+            format!("{}, {:.9}, {:.9}, {}\n", node(b, x, y, z), side(x), side(y), 10 * (b + z))
+        })
+        .collect();
+    let elements: String = all()
+        .filter(|(_, x, y)| *x < N && *y < N)
+        .map(|(b, x, y)| {
+            let square =
+                |z| [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(|(x, y)| node(b, x, y, z));
+            let corners: Vec<String> =
+                square(0).into_iter().chain(square(1)).map(|k| k.to_string()).collect();
+            format!("{}, {}\n", 1 + b * 100 + y * N + x, corners.join(", "))
+        })
+        .collect();
+    format!(
+        "*NODE, NSET=ALL
+{nodes}*ELEMENT, TYPE=C3D8, ELSET=BLOCKS
+{elements}*ELSET, ELSET=LOWER, GENERATE
+1, 9, 1
+*ELSET, ELSET=UPPER, GENERATE
+101, 109, 1
+*NSET, NSET=LOWEST, GENERATE
+1, 16, 1
+*SURFACE, NAME=ABOVE, TYPE=ELEMENT
+UPPER, S1
+*SURFACE, NAME=BELOW, TYPE=ELEMENT
+LOWER, S2
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210000., 0.
+*SOLID SECTION, ELSET=BLOCKS, MATERIAL=STEEL
+*SURFACE INTERACTION, NAME=ROUGH
+{interaction}*CONTACT PAIR, INTERACTION=ROUGH, TYPE=NODE TO SURFACE
+ABOVE, BELOW
+*BOUNDARY
+LOWEST, 3, 3
+ALL, 1, 2
+*STEP, NLGEOM
+*STATIC
+0.1, 1.
+*DLOAD
+UPPER, P2, 10.
+*EL PRINT, ELSET=BLOCKS
+S
+*END STEP
+"
+    )
+}
+
+#[test]
+fn faces_pass_a_uniform_pressure() {
+    let (model, scene) = ("ke".parse().unwrap(), scene());
+    let table = exported(&model, &scene, 1e-2, None);
+    assert!(table.text.contains("TYPE=ELEMENT"));
+    let Some(results) = solved("loaded", &loaded(&table.text)) else { return };
+    let last = results.rsplit("stresses").next().unwrap();
+    let numbers = |line: &str| -> Vec<f64> {
+        line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+    };
+    // Element, integration point, xx, yy, zz, ...
+    let rows: Vec<Vec<f64>> = last.lines().map(numbers).filter(|row| row.len() == 8).collect();
+    assert_eq!(rows.len(), 2 * 9 * 8);
+    for row in rows {
+        assert!((row[4] + 10.0).abs() < 0.01, "{row:?}");
+    }
+}
+
 #[test]
 fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
     let (model, scene): (Model, _) = ("ke".parse().unwrap(), scene());
@@ -175,16 +250,16 @@ fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
     let conductance = &text[text.find("** thermal conductance").unwrap()..];
     let bound = conductance.split("largest relative error ").nth(1).unwrap();
     let bound: f64 = bound.split(',').next().unwrap().parse().unwrap();
-    // The pressure rises by 10 MPa per um of overclosure.
-    let interaction = format!("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n{conductance}");
+    let line = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n";
+    let stiffness: f64 = text.split(line).nth(1).unwrap().lines().next().unwrap().parse().unwrap();
     let procedure = "COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE, DIRECT\n1., 1.";
-    let Some(results) = solved("heated", &deck(&interaction, "SURFACE TO SURFACE", procedure))
-    else {
+    let Some(results) = solved("heated", &deck(&text, "SURFACE TO SURFACE", procedure)) else {
         return;
     };
     let heads =
         ["total force", "heat generation", "temperatures for set L", "temperatures for set U"];
     let [force, heat, lower, upper] = heads.map(|head| ends(&results, head));
+    let closed = ["(vx,vy,vz) for set L", "(vx,vy,vz) for set U"].map(|head| ends(&results, head));
     let mut worst = 0.0_f64;
     for k in 0..STEPS.len() {
         let pressure = -force[k] / 100.0;
@@ -193,6 +268,8 @@ fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
         let wanted = value(&model, &scene, Quantity::ThermalConductancePerArea, at);
         worst = worst.max((found / wanted - 1.0).abs());
         println!("{pressure} MPa: {found} W/(m2 K), off by {:e}", found / wanted - 1.0);
+        let overclosure = closed[0][k] - closed[1][k];
+        assert!((pressure / (stiffness * overclosure) - 1.0).abs() < 1e-4, "{pressure}");
     }
     assert!(worst < bound + 4.0 * PRINTED, "{worst} {bound}");
 }

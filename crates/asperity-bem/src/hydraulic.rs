@@ -22,6 +22,8 @@ const BALANCE: f64 = 1e-6;
 
 /// Usual viscosities \[Pa s\], from hydrogen to thick oils and greases.
 const USUAL: [f64; 2] = [5e-6, 10.0];
+/// Usual falls of the pressure \[Pa\], from a head of 1 cm of water to the strongest pumps.
+const USUAL_DROP: [f64; 2] = [100.0, 1e9];
 
 /// A direction of flow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,14 +62,18 @@ impl Leak {
         Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
     }
 
-    /// A warning of a viscosity that no usual fluid has, most often one in mm²/s.
-    #[must_use]
-    pub fn finding(&self) -> Option<Finding> {
-        let found = Finding::warning("likely-unit", "viscosity", self.viscosity).unit("Pa s");
-        let found = found
+    /// Warnings of a viscosity that no usual fluid has, most often one in mm²/s, and of a fall of
+    /// the pressure that is most often one in bar.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + use<> {
+        let viscosity = Finding::warning("likely-unit", "viscosity", self.viscosity)
+            .unit("Pa s")
             .usual(USUAL)
             .advice("oil of 46 mm2/s (ISO VG 46) has about 0.04 Pa s, water 0.001 and air 2e-5");
-        (found.excess() > 1.0).then_some(found)
+        let drop = Finding::warning("likely-unit", "pressure_drop", self.pressure_drop)
+            .unit("Pa")
+            .usual(USUAL_DROP)
+            .advice("1 bar is 1e5 Pa and 1 MPa 1e6 Pa; write the unit with the number");
+        [viscosity, drop].into_iter().filter(|found| found.excess() > 1.0)
     }
 
     /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ)

@@ -139,7 +139,7 @@ impl ContactModel for Bem {
         let all: Vec<Solved> =
             all.map(|(given, solution)| (given, contact.summary(solution))).collect();
         notes.extend(
-            all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::sealed)),
+            all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::findings)),
         );
         contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         contact.keep(all);

@@ -1,6 +1,6 @@
 //! The quantities of a solved contact, by the names that all models share.
 
-use asperity_core::{At, ContactError, Evaluation, Finding, Quantity, Scene};
+use asperity_core::{ATOMIC_DISTANCE, At, ContactError, Evaluation, Finding, Quantity, Scene};
 
 use crate::Bem;
 use crate::hydraulic::GapMap;
@@ -126,8 +126,25 @@ impl ContactSummary {
         }
     }
 
-    /// Notes where no open path of pixels is left in a required direction.
-    pub fn sealed(&self) -> impl Iterator<Item = Finding> + '_ {
+    /// Notes where no open path of pixels is left in a required direction, and of a gap smaller
+    /// than an atom.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        self.sealed().chain(self.atomic())
+    }
+
+    /// A note of the smallest gap, if it is open and smaller than an atom.
+    fn atomic(&self) -> Option<Finding> {
+        let gaps =
+            self.gaps.iter().filter_map(|(of, gap)| Some((of.to_string(), *gap.as_ref().ok()?)));
+        let gaps = gaps.chain([("mean-gap".into(), self.mean_gap)]);
+        let small = gaps.filter(|(_, gap)| *gap > 0.0 && *gap < ATOMIC_DISTANCE);
+        let (name, gap) = small.min_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        let found = Finding::note("atomic", name, gap).usual([ATOMIC_DISTANCE, f64::INFINITY]);
+        let advice = "a gap below the distance of two atoms (0.3 nm) is closed to any fluid";
+        Some(found.unit("m").at(At::Pressure(self.mean_pressure)).advice(advice))
+    }
+
+    fn sealed(&self) -> impl Iterator<Item = Finding> + '_ {
         let closed = self.gaps.iter().filter(|(_, gap)| *gap == Ok(0.0));
         closed.filter_map(|(quantity, _)| {
             let (direction, percent) = (direction(*quantity)?, 100.0 * self.area);
@@ -175,5 +192,28 @@ impl ContactSummary {
                 Ok(Evaluation::of_totals(quantity, totals, nominal, ERROR))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_gap_below_an_atom_has_a_note() {
+        let contact = |gaps: [f64; 3]| ContactSummary {
+            gaps: vec![
+                (Quantity::HydraulicGapX, Ok(gaps[0])),
+                (Quantity::EffectiveMediumGap, Ok(gaps[1])),
+            ],
+            ..ContactSummary::open(gaps[2])
+        };
+        let found: Vec<Finding> = contact([1.6e-10, 4e-10, 2e-10]).findings().collect();
+        let [note] = &found[..] else { panic!("{found:?}") };
+        assert_eq!((note.code, &*note.field), ("atomic", "hydraulic-gap-x"));
+        assert!((note.value / 1.6e-10 - 1.0).abs() < 1e-15);
+        // A hardness leaves mean gaps below 0, and a closed gap has its own note.
+        let codes = |gaps| contact(gaps).findings().map(|found| found.code).collect::<Vec<_>>();
+        assert_eq!(codes([0.0, 4e-10, -2e-10]), ["sealed"]);
     }
 }

@@ -35,7 +35,7 @@ pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
 #[doc(hidden)]
 pub use check::likely_unit;
-pub use check::{Check, DerivedNumber};
+pub use check::{ATOMIC_DISTANCE, Check, DerivedNumber};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 #[doc(hidden)]
@@ -67,7 +67,8 @@ pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::Scene;
 pub use scene::asperity::Asperity;
-pub use scene::body::{Body, HARDNESS_OVER_YIELD, hardness_of_vickers};
+pub use scene::body::{Body, HARDNESS_OVER_YIELD};
+pub use scene::hardness::{hardness_of_vickers, vickers_of_brinell, vickers_of_rockwell_c};
 pub use scene::interface::Interface;
 pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};

@@ -48,9 +48,9 @@ impl SceneFile {
             );
             return Err(ContactError::NoEvidence { reason });
         }
-        let along = statistics.moments.along_rows[0];
-        let across = statistics.moments.along_columns.map_or(along, |[m2, _]| m2);
-        let shape = SurfaceShape::new(ssk, [along, across].map(f64::sqrt));
+        let slopes = statistics.moments.texture();
+        let slopes = slopes.map_or([1.0; 2], |lay| [lay.slope_along, lay.slope_across]);
+        let shape = SurfaceShape::new(ssk, slopes);
         let shape = shape.with_slope_skewness(statistics.moments.slope_skewness());
         Ok(Some(shape.with_hurst(self.hurst())))
     }
@@ -108,7 +108,7 @@ mod tests {
         let plain = basis(summary(&scan(1.0)));
         assert!(plain.contains("boundary elements on") && !plain.contains("slopes"), "{plain}");
         let lay = basis(summary(&scan(3.0)));
-        assert!(lay.contains(", slopes 2.6:1; boundary elements on"), "{lay}");
+        assert!(lay.contains(", slopes 2.7:1; boundary elements on"), "{lay}");
         let long = basis(summary(&scan(12.0)));
         let wanted = "no boundary-element solution is close: the ratio of slopes = ";
         assert!(long.starts_with(wanted), "{long}");

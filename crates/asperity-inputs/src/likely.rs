@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use asperity::{Finding, plain_unit as plain, short};
+use asperity::{Finding, plain_unit as plain, short, vickers_of_rockwell_c};
 
 use crate::Key;
 use crate::scaled::{leading, scale};
@@ -65,7 +65,16 @@ pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     if is_number(text) {
         let typed = Key::find("", key).filter(|key| !key.unit.is_empty());
         let unit = typed.and_then(|key| key.form[1].split_once(' '));
+        let number = text.trim().parse::<f64>().unwrap_or_default();
         return Some(match unit {
+            Some(_) if key == "hardness" && number >= TESTED => {
+                let scales = match vickers_of_rockwell_c(number) {
+                    Some(_) => &["HRC", "HV"][..],
+                    None => &["HV"],
+                };
+                let each = scales.iter().map(|scale| format!("\"{} {scale}\"", text.trim()));
+                format!("has no unit; write {}, for example", each.collect::<Vec<_>>().join(" or "))
+            }
             Some((_, unit)) => {
                 format!("has no unit; write \"{} {unit}\", for example", text.trim())
             }
@@ -79,13 +88,19 @@ pub(crate) fn number_hint(key: &str, text: &str) -> Option<String> {
     Some(notation_hint(text)? + if is_plain { " without quotes" } else { "" })
 }
 
-/// The Vickers number of a text: 120 of `120 HV`, `120 HV10` or `HV 120`.
-pub(crate) fn vickers(text: &str) -> Option<f64> {
+/// The number and the scale of a text that is the result of a hardness test: 120 and HV of
+/// `120 HV`, `120 HV10` or `HV 120`; also of HRC and HB (`200 HBW`).
+pub(crate) fn hardness_test(text: &str) -> Option<(f64, &'static str)> {
     let text = text.to_uppercase();
-    let (before, after) = text.trim().split_once("HV")?;
-    let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
-    number.filter(|value| value.is_finite())
+    ["HV", "HRC", "HBW", "HB"].into_iter().find_map(|scale| {
+        let (before, after) = text.trim().split_once(scale)?;
+        let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
+        number.filter(|value| value.is_finite()).map(|number| (number, scale))
+    })
 }
+
+/// Least number of a hardness in quotes without a unit that is none in GPa: only diamond is harder.
+const TESTED: f64 = 20.0;
 
 /// The gradient above which it is probably in degrees or per cent: 45 degrees.
 const STEEP: f64 = 1.0;

@@ -75,9 +75,14 @@ impl SceneFile {
         let listed = |body: &Body| materials().iter().find(|material| material.body == *body);
         let is_needed =
             |key: &&Field<Body>| quantities.iter().any(|q| q.property() == Some(key.name));
+        let needed: Vec<&Field<Body>> = BODY.iter().filter(is_needed).collect();
+        // The table is read only where it is needed.
+        if needed.is_empty() {
+            return Findings::default();
+        }
         let mut found: Vec<Finding> = vec![];
         for material in self.bodies.iter().filter_map(listed) {
-            for new in BODY.iter().filter(is_needed).filter_map(|key| material.conduction(key)) {
+            for new in needed.iter().filter_map(|key| material.conduction(key)) {
                 if found.iter().all(|known| known.message() != new.message()) {
                     found.push(new);
                 }

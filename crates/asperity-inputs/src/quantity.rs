@@ -2,10 +2,11 @@
 
 use asperity::{
     OTHER_UNITS, UNITS, Units, hardness_of_vickers, nearest_hint, plain_unit as plain, short,
+    vickers_of_brinell, vickers_of_rockwell_c,
 };
 
 use crate::keys::Key;
-use crate::likely::{notation_hint, vickers};
+use crate::likely::{hardness_test, notation_hint};
 use crate::scaled::{leading, scale};
 use crate::sides;
 
@@ -47,7 +48,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
 /// keys without a unit.
 ///
 /// # Errors
-/// Those of [`quantity`]; of the keys, only `hardness` takes `120 HV`.
+/// Those of [`quantity`]; of the keys, only `hardness` takes `120 HV`, `58 HRC` and `200 HB`.
 pub fn quantity_of(key: &str, text: &str) -> Result<f64, String> {
     match unit_of(key) {
         Some(si) => number_in(text, si, key).map_err(|hint| format!("{text:?} {hint}")),
@@ -79,13 +80,13 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     if let Some(value) = read(text, units).or_else(other) {
         return Ok(value);
     }
-    let is_hardness = key == "yield_strength" && vickers(text).is_some();
+    let is_hardness = key == "yield_strength" && hardness_test(text).is_some();
     let strength = "is a hardness, not a yield strength: give hardness instead";
     let is_kinematic =
         si == "Pa s" && leading(text).is_some_and(|(_, unit)| KINEMATIC.contains(&&*plain(&unit)));
     let other_scale = |scale: &str| key == "hardness" && text.to_uppercase().contains(scale);
     let is_other = ["HB", "HR", "SHORE"].into_iter().any(other_scale);
-    let of_table = "is on another scale of hardness: convert it to HV by a table";
+    let of_table = "is a hardness outside the tables for steel (20 to 65 HRC, up to 450 HB): convert it to HV or GPa";
     let hint = is_hardness.then_some(strength).or(is_kinematic.then_some(TIMES_DENSITY));
     let hint = hint.or(is_other.then_some(of_table));
     Err(hint.map(String::from).or_else(|| notation_hint(text)).unwrap_or_else(|| {
@@ -100,11 +101,21 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
     }))
 }
 
+/// The Vickers number of a hardness test, and the table by which it was found from another scale.
+fn vickers(text: &str) -> Option<(f64, Option<&'static str>)> {
+    let (number, scale) = hardness_test(text)?;
+    Some(match scale {
+        "HV" => (number, None),
+        "HRC" => (vickers_of_rockwell_c(number)?, Some("by a table for steel, 20 to 65 HRC")),
+        _ => (vickers_of_brinell(number)?, Some("HB/0.95, for steel up to 450 HB")),
+    })
+}
+
 /// A number of a key in one of [`OTHER_UNITS`], or a hardness such as `120 HV`, as a value in a
 /// decimal unit.
 fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)> {
-    if let Some(number) = vickers(text).filter(|_| key == "hardness") {
-        return Some((1e-9 * hardness_of_vickers(number), "GPa"));
+    if let Some((vickers, _)) = vickers(text).filter(|_| key == "hardness") {
+        return Some((1e-9 * hardness_of_vickers(vickers), "GPa"));
     }
     let (number, rest) = leading(text)?;
     let unit = plain(&rest);
@@ -114,7 +125,7 @@ fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)>
 }
 
 /// A number of a key, or of any with an empty one, that has a unit outside of the decimal ones, in
-/// one of these.
+/// one of these; of a hardness on another scale than Vickers, with its table.
 ///
 /// ```
 /// assert_eq!(asperity_inputs::converted("5 kN/cm2", "", "Pa").as_deref(), Some("50 MPa"));
@@ -123,7 +134,11 @@ fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)>
 /// ```
 #[must_use]
 pub fn converted(text: &str, key: &str, si: &str) -> Option<String> {
-    in_known_unit(text, key, si).map(|(value, unit)| format!("{} {unit}", short(value)))
+    let (value, unit) = in_known_unit(text, key, si)?;
+    let table = vickers(text).filter(|_| key == "hardness").and_then(|(vickers, table)| {
+        Some(format!(" ({vickers:.0} HV {}; tables differ by some per cent)", table?))
+    });
+    Some(format!("{} {unit}{}", short(value), table.unwrap_or_default()))
 }
 
 /// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
@@ -241,6 +256,24 @@ mod tests {
         for text in ["120 HV", "120HV10", "HV 120", "120 hv"] {
             let found = quantity_of("hardness", text).unwrap();
             assert!((found / 1.269217e9 - 1.0).abs() < 1e-5, "{text}: {found}");
+        }
+        for (text, pascals) in [
+            ("58 HRC", 6.907e9),
+            ("HRC 40", 4.146e9),
+            ("190 HBW10/3000", 2.115e9),
+            ("190 HB", 2.115e9),
+        ] {
+            let found = quantity_of("hardness", text).unwrap();
+            assert!((found / pascals - 1.0).abs() < 5e-4, "{text}: {found}");
+        }
+        let note =
+            "6.907 GPa (653 HV by a table for steel, 20 to 65 HRC; tables differ by some per cent)";
+        assert_eq!(converted("58 HRC", "hardness", "Pa").as_deref(), Some(note));
+        for text in ["70 HRC", "500 HB", "90 HRB", "60 Shore A"] {
+            assert!(
+                quantity_of("hardness", text).unwrap_err().contains("tables for steel"),
+                "{text}"
+            );
         }
         let error = quantity_of("yield_strength", "120 HV").unwrap_err();
         assert!(error.contains("is a hardness, not a yield strength"), "{error}");

@@ -209,7 +209,12 @@ def test_the_check_finds_undeclared_kinks_and_wrong_areas(scene: asperity.Scene)
 
     assert asperity.model(KogutEtsion).check(scene) == []
     findings = asperity.model(Wrong).check(scene)
-    assert any("undeclared kink" in finding for finding in findings)
+    kinks = [finding for finding in findings if "undeclared kink" in finding]
+    critical = scene.asperity.critical_interference
+    for finding in kinks:
+        place = float(finding.split("(w = ")[1].split(" m)")[0])
+        assert any(place == pytest.approx(k * critical, rel=2e-3) for k in (1.0, 6.0, 68.0, 110.0))
+    assert kinks
     assert any(finding.startswith("the law of area ") for finding in findings)
 
 

@@ -281,6 +281,11 @@ pub(crate) fn refuse(
 }
 
 /// A file that is cut short or overwritten, or has a wrong name.
+pub(crate) fn incomplete(format: &'static str, part: &str) -> TopographyError {
+    damaged(format, format!("{part} is incomplete or changed; copy or export the file again"))
+}
+
+/// A file that is not in the format that it seems to have.
 pub(crate) fn damaged(format: &'static str, reason: impl Display) -> TopographyError {
     TopographyError::Damaged { format, reason: excerpt(&reason.to_string()) }
 }

@@ -82,7 +82,7 @@ impl Glance {
     ) -> Result<Self, TopographyError> {
         let parameters = surface.parameters()?;
         let ([tilt_x, tilt_y], form_height) = raw.removed(level)?;
-        let texture = surface.texture();
+        let texture = surface.moments()?.texture();
         let spectra = surface.spectra();
         let power_law = match &spectra {
             Ok(Spectra { radial: Some(radial), .. }) => PowerLaw::fit(radial),

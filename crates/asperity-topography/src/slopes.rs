@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::Topography;
+use crate::{Moments, Topography};
 
 /// Principal slopes and the direction of the lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,31 +27,24 @@ impl Texture {
     }
 }
 
-impl Topography {
-    /// The principal axes of the tensor ⟨z_x z_x⟩, ⟨z_x z_y⟩, ⟨z_y z_y⟩ of the slopes in the middle
-    /// of every square of four measured points; `None` without such squares or slopes.
+impl Moments {
+    /// The principal axes of the [tensor of the slopes](Self::slope_tensor); `None` for a profile
+    /// and without slopes.
     #[must_use]
     pub fn texture(&self) -> Option<Texture> {
-        let [mut xx, mut xy, mut yy, mut n] = [0.0; 4];
-        let [dx, dy] = self.pixel_size();
-        self.squares(|[[a, b], [c, d]]| {
-            let x = 0.5 * (b - a + d - c) / dx;
-            let y = 0.5 * (c - a + d - b) / dy;
-            xx += x * x;
-            xy += x * y;
-            yy += y * y;
-            n += 1.0;
-        });
-        let (mean, half) = (0.5 * (xx + yy) / n, (0.5 * (xx - yy)).hypot(xy) / n);
+        let [xx, xy, yy] = self.slope_tensor?;
+        let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
         let across = mean + half;
         // The difference would cancel.
-        let along = (xx * yy - xy * xy).max(0.0) / (n * n) / across;
+        let along = (xx * yy - xy * xy).max(0.0) / across;
         let turned = 0.5 * xy.atan2(0.5 * (xx - yy)).to_degrees();
         let direction = if turned > 0.0 { turned - 90.0 } else { turned + 90.0 };
         let found = Texture { slope_along: along.sqrt(), slope_across: across.sqrt(), direction };
         (across > 0.0).then_some(found)
     }
+}
 
+impl Topography {
     /// Calls `each` with the heights of every square of four measured points; around the edges of
     /// a periodic surface.
     pub(crate) fn squares(&self, mut each: impl FnMut([[f64; 2]; 2])) {
@@ -158,7 +151,7 @@ mod tests {
             across * (y * cos - x * sin).cos() + along * (x * cos + y * sin).cos()
         };
         let surface = Topography::new((0..n * n).map(height).collect(), n, [0.2, 0.2]).unwrap();
-        surface.texture().unwrap()
+        surface.moments().unwrap().texture().unwrap()
     }
 
     #[test]
@@ -177,10 +170,13 @@ mod tests {
     fn grooves_have_no_ratio_and_flat_surfaces_no_texture() {
         let groove = |k: usize| (TAU * (k % 32) as f64 / 32.0).sin();
         let grooves = Topography::new((0..1024).map(groove).collect(), 32, [1.0; 2]).unwrap();
-        let found = grooves.texture().unwrap();
+        let found = grooves.moments().unwrap().texture().unwrap();
         assert!(found.ratio().is_none() && (found.direction - 90.0).abs() < 1e-9, "{found:?}");
-        assert!(Topography::new(vec![0.0; 16], 4, [1.0; 2]).unwrap().texture().is_none());
-        assert!(Topography::new(vec![0.0, 1.0], 2, [1.0; 2]).unwrap().texture().is_none());
+        let texture = |heights: Vec<f64>| {
+            Topography::new(heights, 4, [1.0; 2]).unwrap().moments().unwrap().texture()
+        };
+        assert!(texture(vec![0.0; 16]).is_none());
+        assert!(texture(vec![0.0, 1.0, 3.0, 2.0]).is_none());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use asperity_core::{Finding, Surface};
 
 use crate::outliers::MATTERS;
-use crate::{Level, Moments, Outliers, Statistics, Topography, TopographyError};
+use crate::{Level, Moments, Outliers, Statistics, Texture, Topography, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -141,13 +141,15 @@ pub(crate) fn no_asperities(reason: &str) -> Finding {
         .advice(format!("{reason}; boundary elements (bem) need none"))
 }
 
-/// A warning if the rms slopes along rows and columns differ.
+/// A warning if the rms slopes along and across the lay differ.
 pub(crate) fn anisotropic(moments: &Moments) -> Option<Finding> {
-    let [slope_x, slope_y] = [moments.along_rows[0].sqrt(), moments.along_columns?[0].sqrt()];
-    let ratio = ratio(slope_x, slope_y);
+    let Texture { slope_along, slope_across, direction } = moments.texture()?;
+    let (ratio, turned) = (slope_across / slope_along, direction.round() + 0.0);
     let found = Finding::warning("anisotropic", "slope_ratio", ratio)
         .usual([1.0, APART])
-        .fact(format!("the rms slope is {slope_x:.4e} along rows and {slope_y:.4e} along columns"))
+        .fact(format!(
+            "the rms slope is {slope_along:.4e} along the lay, {turned} degrees from the rows, and {slope_across:.4e} across it"
+        ))
         .advice("models assume isotropic asperities; compare with boundary elements (bem)");
     (ratio > APART).then_some(found)
 }

@@ -132,6 +132,9 @@ pub(crate) fn symbols(text: &str) -> String {
         let word = piece.trim_end_matches(ends);
         let (letter, index) = word.split_once('_').map_or((word, ""), |(a, b)| (a, b));
         let greek = SYMBOLS.iter().find(|(latin, _)| *latin == letter && index.len() < 2);
+        // After a number, psi is the unit.
+        let is_unit = word == "psi" && made.trim_end().ends_with(|c: char| c.is_ascii_digit());
+        let greek = greek.filter(|_| !is_unit);
         match (greek, word) {
             (Some((latin, greek)), _) => made += &word.replacen(latin, greek, 1),
             (None, "2" | "3") if made.ends_with('^') => {
@@ -191,6 +194,7 @@ mod tests {
             ("`body[1].youngs_modulus` is 210 Pa", "Young's modulus of body 1 is 210 Pa"),
             ("`body[2]` has none", "body 2 has none"),
             ("psi = sqrt(sigma_z/w_c), by Chang", "ψ = √(σ_z/w_c), by Chang"),
+            ("30e6 psi is 206.8 GPa", "30e6 psi is 206.8 GPa"),
             ("w_c = (pi S H/(2 E))^2 R", "w_c = (π S H/(2 E))² R"),
             ("theta = E sigma_z^1.5/(w_a sqrt(R))", "θ = E σ_z^1.5/(w_a √(R))"),
             ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),

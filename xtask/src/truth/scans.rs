@@ -105,8 +105,8 @@ fn scans(surface: &RandomSurface, [waves, hurst]: [f64; 2], seed: u64) -> Result
     let map = surface.seed(seed).heights(PIXELS)?;
     let topography = Topography::new(map.heights().to_vec(), map.shape()[1], map.pixel())?;
     let found = topography.with_periodic(true).statistics(Estimator::Moments)?;
-    let across = found.moments.along_columns.map_or(found.m2, |[m2, _]| m2);
-    let slopes = [found.moments.along_rows[0], across].map(f64::sqrt);
+    let slopes =
+        found.moments.texture().map_or([1.0; 2], |lay| [lay.slope_along, lay.slope_across]);
     let gradient = (2.0 * found.m2).sqrt();
     let mut all = vec![];
     for index in INDICES {

@@ -18,9 +18,11 @@ impl ContactTable {
     /// comments.
     pub(crate) fn text(&self, export: &Export<'_>, title: &str) -> Outcome<String> {
         let (units, scene) = (export.units.units(), &export.subject.file.scene);
+        let heat = export.conductance.is_some();
         let (form, sign) = match export.format {
             TableFormat::Csv | TableFormat::Film => (include_str!("forms/csv.txt"), "#"),
             TableFormat::Abaqus => (include_str!("forms/abaqus.txt"), "**"),
+            TableFormat::Calculix if heat => (include_str!("forms/calculix_heat.txt"), "**"),
             TableFormat::Calculix => (include_str!("forms/calculix.txt"), "**"),
             TableFormat::Ansys => (include_str!("forms/ansys.txt"), "!"),
         };
@@ -30,7 +32,7 @@ impl ContactTable {
             _ => {}
         }
         let lines = self.lines(export)?;
-        let begins = lines[0].0;
+        let ((begins, _), (last, pressure)) = (lines[0], lines[lines.len() - 1]);
         let area = scene.nominal_area * units.per_metre.powi(2);
         let mut text = filled(
             form,
@@ -44,6 +46,7 @@ impl ContactTable {
                 ("length", units.length),
                 ("stress", units.pressure),
                 ("begins", &format!("{begins:.9e}")),
+                ("stiffness", &format!("{:.9e}", pressure / (begins - last))),
                 ("area", &format!("{area:e}")),
             ],
         );
@@ -58,9 +61,12 @@ impl ContactTable {
             }
             // Numbers of at most 20 characters: the limit of Abaqus (recalled) and CalculiX.
             TableFormat::Abaqus | TableFormat::Calculix => {
-                let onset = if export.format == TableFormat::Abaqus { 0.0 } else { begins };
+                let (onset, comment) = match export.format {
+                    TableFormat::Abaqus => (0.0, ""),
+                    _ => (begins, if heat { "** " } else { "" }),
+                };
                 for (clearance, pressure) in lines {
-                    text += &format!("{pressure:.9e}, {:.9e}\n", onset - clearance);
+                    text += &format!("{comment}{pressure:.9e}, {:.9e}\n", onset - clearance);
                 }
             }
             // Deflections and forces, from compression to tension, where there is no force; a point

@@ -9,7 +9,7 @@ use asperity_topography::Topography;
 use clap::Args;
 
 use crate::input::args::file_ending;
-use crate::input::lists::all;
+use crate::input::lists::sizes;
 use crate::input::numbers::{length, number, positive_number, whole};
 use crate::input::valid;
 use crate::output::{self, contact_map};
@@ -36,7 +36,7 @@ pub struct Generate {
     #[arg(long, value_name = "NXxNY", value_parser = size)]
     size: [usize; 2],
     /// Distance between neighbouring points along a row (and along a column), in m or with a unit
-    #[arg(long, value_name = "DX[,DY]", value_parser = pixel)]
+    #[arg(long, value_name = "DX[xDY]", value_parser = pixel)]
     pixel: [f64; 2],
     /// Sq, the standard deviation of the heights, in m or with a unit
     #[arg(long, value_name = "LENGTH", value_parser = length, required_unless_present = "gradient")]
@@ -109,7 +109,7 @@ impl Generate {
             return output::write(Some(&self.output), |out| out.write_all(&bytes));
         }
         contact_map::write(&self.output, &[map.heights()], shape)?;
-        let text = format!("read it with --unit m --pixel-size {dx:e},{dy:e} --periodic");
+        let text = format!("read it with --unit m --pixel-size {dx:e}x{dy:e} --periodic");
         output::note(
             "heights-in-metres",
             format!("{}: heights in m; {text}", self.output.display()),
@@ -144,9 +144,5 @@ fn size(text: &str) -> Result<[usize; 2], String> {
 }
 
 fn pixel(text: &str) -> Result<[f64; 2], String> {
-    match all(length)(text)?.0[..] {
-        [both] => Ok([both; 2]),
-        [across, down] => Ok([across, down]),
-        ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
-    }
+    sizes(text, length)
 }

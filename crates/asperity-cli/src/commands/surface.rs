@@ -19,7 +19,7 @@ use toml::Value;
 
 use crate::commands::scales::{self, Scales};
 use crate::input::args::DrawnArgs;
-use crate::input::lists::have_units;
+use crate::input::lists::sizes;
 use crate::input::numbers::{length, share};
 use crate::output::table::Format;
 use crate::output::{self, progress};
@@ -41,7 +41,7 @@ pub struct Surface {
     unit: Option<LengthUnit>,
     /// Distance between neighbouring points, along a row and along a column, in the unit of the
     /// heights or with a unit: 10nm
-    #[arg(long, value_name = "DX[,DY]", value_parser = pixel_size)]
+    #[arg(long, value_name = "DX[xDY]", value_parser = pixel_size)]
     pixel_size: Option<[Distance; 2]>,
     /// Surface of a file with several (.gwy, .sur): its name or its number, from 1 [default: the
     /// first one with heights]
@@ -95,13 +95,7 @@ pub struct Surface {
 }
 
 fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
-    have_units(text, length)?;
-    let sizes = text.split(',').map(str::parse).collect::<Result<Vec<Distance>, _>>();
-    match sizes.map_err(|error| error.to_string())?[..] {
-        [both] => Ok([both; 2]),
-        [across, down] => Ok([across, down]),
-        ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
-    }
+    sizes(text, |size| size.parse().map_err(|error: TopographyError| error.to_string()))
 }
 
 /// All numbers of a scan; of two scans their statistics alone.

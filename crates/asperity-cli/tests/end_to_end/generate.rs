@@ -13,7 +13,7 @@ const LINE: &str = "generate --hurst 0.7 --long 40um --roll-off 20um --short 2um
 fn both_files_hold_the_heights_of_the_library() {
     let bench = Bench::new();
     let npy = bench.run(&format!("{LINE} s.npy"));
-    let note = "note[heights-in-metres]: s.npy: heights in m; read it with --unit m --pixel-size 5e-7,4e-7 --periodic";
+    let note = "note[heights-in-metres]: s.npy: heights in m; read it with --unit m --pixel-size 5e-7x4e-7 --periodic";
     assert_eq!((npy.code, npy.messages.trim()), (Some(0), note));
     assert_eq!(bench.run(&format!("{LINE} s.x3p")).code, Some(0));
     let size = [128.0 * 0.5e-6, 96.0 * 0.4e-6];

@@ -83,6 +83,9 @@ fn models_without_a_gap_map_refuse_with_the_reason() {
     let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 46 --pressure-drop 1e5");
     let odd = "warning[likely-unit]: viscosity is 46 Pa s (usual: 5e-6 to 10): oil of 46 mm2/s";
     assert!(run.code == Some(0) && run.messages.contains(odd), "{}", run.messages);
+    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 0.04 --pressure-drop 20");
+    let odd = "warning[likely-unit]: pressure_drop is 20 Pa (usual: 100 to 1e9): 1 bar is 1e5 Pa";
+    assert!(run.code == Some(0) && run.messages.contains(odd), "{}", run.messages);
     for (arguments, why) in [
         ("--viscosity 1e-3", "--pressure-drop <VALUE>"),
         ("--viscosity 0 --pressure-drop 1e5", "0 is not above 0"),

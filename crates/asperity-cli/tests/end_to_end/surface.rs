@@ -214,7 +214,8 @@ fn missing_and_invalid_input_is_refused() {
         ("nowhere.txt --unit um --pixel-size 1", 1, "nowhere.txt"),
         ("scan.txt --unit furlong --pixel-size 1", 2, "m, cm, mm, um, nm"),
         ("scan.txt --unit um --pixel-size 0", 2, "a length above 0 in the unit"),
-        ("scan.txt --unit um --pixel-size 1,2,3", 2, "DX or DX,DY"),
+        ("scan.txt --unit um --pixel-size 1x2x3", 2, "DX or DXxDY"),
+        ("scan.txt --unit um --pixel-size 1,5", 2, "write 1.5 for square pixels, or 1x5 for"),
         ("scan.txt --unit um --pixel-size 1 --max-missing 2", 2, "2 means 200 %; write 2% or"),
         ("scan.txt scan.txt scan.txt --unit um", 2, "error"),
         (

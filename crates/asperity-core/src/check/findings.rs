@@ -64,7 +64,7 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         true => format!(
             "; no model has both yielding and adhesion; use `{YIELDING}` if `adhesion_parameter` is above {HIDDEN}"
         ),
-        false => format!("`; to describe it, use {YIELDING}`"),
+        false => format!("; to describe it, use `{YIELDING}`"),
     };
     let carriers = match model.validity().asperities {
         true => "yielding asperities",
@@ -140,7 +140,7 @@ pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Op
     let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
         .fact(format!("the mean pressure on the real area is {} times the hardness", short(ratio)))
-        .advice(format!("the contacts would yield, and the real area is larger`; use {YIELDING}`"));
+        .advice(format!("the contacts would yield, and the real area is larger; use `{YIELDING}`"));
     (ratio > PLASTIC).then_some(found)
 }
 

@@ -8,16 +8,17 @@ use crate::{Body, Finding, Findings, Interface};
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
 /// From surfaces in a liquid to cold-welding metals.
-const ADHESION: Input = Input::new("work_of_adhesion", [1e-3, 5.0], "J/m2", &[("mJ/m2", 1e-3)]);
+const ADHESION: Input<'static> =
+    Input::new("work_of_adhesion", [1e-3, 5.0], "J/m2", &[("mJ/m2", 1e-3)]);
 /// From aerogels to diamond.
-const CONDUCTIVITY: Input = Input::new(
+const CONDUCTIVITY: Input<'static> = Input::new(
     "thermal_conductivity",
     [0.01, 3000.0],
     "W/(m K)",
     &[("mW/(m K)", 1e-3), ("W/(mm K)", 1e3)],
 );
 /// Of conductors, from cold copper to carbon and composites.
-const RESISTIVITY: Input = Input::new(
+const RESISTIVITY: Input<'static> = Input::new(
     "electrical_resistivity",
     [1e-9, 1e-2],
     "ohm m",
@@ -26,7 +27,7 @@ const RESISTIVITY: Input = Input::new(
 /// From carbon to cold copper \[S/m\]: a resistivity of these is a conductivity.
 const OF_CONDUCTORS: [f64; 2] = [1e4, 1e9];
 /// S = 0.454 + 0.41 ν.
-const PRESSURE_FACTOR: Input = Input::new("pressure_factor", [0.2, 1.2], "", &[]);
+const PRESSURE_FACTOR: Input<'static> = Input::new("pressure_factor", [0.2, 1.2], "", &[]);
 
 impl Body {
     /// Findings of numbers outside the range of any material.
@@ -56,7 +57,7 @@ impl Interface {
             found.extend(input.finding(shear).map(|found| found.advice(advice)));
         }
         let work = self.work_of_adhesion.filter(|work| *work > 0.0);
-        let found_of = |input: Input, value: Option<f64>, advice| {
+        let found_of = |input: Input<'_>, value: Option<f64>, advice| {
             value.and_then(|value| input.finding(value)).map(|found| found.advice(advice))
         };
         found.extend(found_of(ADHESION, work, "clean surfaces in air have about 0.05"));

@@ -102,9 +102,9 @@ impl Check {
 const LEAST_TABOR: f64 = 0.1;
 const MOST_TABOR: f64 = 5.0;
 
-/// Distance of two atoms \[m\]; asperities with a smaller w_c are plastic from the onset of
-/// contact.
-const ATOM: f64 = 3e-10;
+/// Distance of two atoms \[m\]: asperities with a smaller w_c are plastic from the onset of contact,
+/// and smaller gaps are closed.
+pub const ATOMIC_DISTANCE: f64 = 3e-10;
 
 impl Scene {
     /// Derived numbers and findings of the scene. Usual ranges cover engineering materials and
@@ -228,11 +228,11 @@ impl Scene {
         found.extend(surface.into_iter().chain(area));
         let critical = self.asperity().and_then(|asperity| asperity.critical_interference());
         if let (true, Ok(w)) = (found.is_empty(), critical)
-            && w < ATOM
+            && w < ATOMIC_DISTANCE
         {
             let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the onset of contact";
             let atomic = Finding::note("atomic", "critical_interference", w);
-            found.push(atomic.usual([ATOM, f64::INFINITY]).unit("m").advice(advice));
+            found.push(atomic.usual([ATOMIC_DISTANCE, f64::INFINITY]).unit("m").advice(advice));
         }
         found.extend(self.which_adhesion());
         found

@@ -2,7 +2,7 @@
 
 use super::usual::{CHECK_UNIT, Input, PRESSURES, Unit, implausible, in_other_units, within};
 use crate::finding::short;
-use crate::{Findings, HARDNESS_OVER_YIELD};
+use crate::{Findings, HARDNESS_OVER_YIELD, hardness_of_vickers, vickers_of_rockwell_c};
 
 /// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -25,7 +25,12 @@ const PLASTIC_RATIO: f64 = 0.02;
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
 /// Units of hardnesses: 1 HV is 1 kgf/mm² over sin 68°.
 const HARDNESSES: &[Unit] =
-    &[("HV", 9.806_65e6 / 0.927_183_854_566_787_4), PRESSURES[0], PRESSURES[1]];
+    &[(HV, 9.806_65e6 / 0.927_183_854_566_787_4), PRESSURES[0], PRESSURES[1]];
+const HV: &str = "HV";
+const HRC: &str = "HRC";
+/// Moduli of steels \[Pa\], also against a rigid body, which are tested by Rockwell C: no steel is
+/// as soft as 65 HV.
+const STEEL: [f64; 2] = [1.8e11, 2.4e11];
 /// The greatest H/E of what is tested by Vickers: glass has 1/12. \[recalled\]
 const HARDEST: f64 = 0.1;
 
@@ -36,8 +41,14 @@ pub(super) fn findings(
     hardness: Option<f64>,
     yield_strength: Option<f64>,
 ) -> Findings {
+    // The size of 1 HRC depends on the number.
+    let rockwell = hardness.and_then(|value| {
+        let vickers = vickers_of_rockwell_c(value)?;
+        Some((HRC, hardness_of_vickers(vickers) / value))
+    });
+    let units: Vec<Unit> = rockwell.into_iter().chain(HARDNESSES.iter().copied()).collect();
     let strength = match (hardness, yield_strength) {
-        (Some(value), _) => Some((Input::new("hardness", HARDNESS, "Pa", HARDNESSES), value)),
+        (Some(value), _) => Some((Input::new("hardness", HARDNESS, "Pa", &units), value)),
         (_, Some(value)) => Some((Input::new("yield_strength", HARDNESS, "Pa", PRESSURES), value)),
         _ => None,
     };
@@ -57,7 +68,7 @@ pub(super) fn findings(
 }
 
 /// Findings of a modulus and a strength.
-fn together(modulus: (Input, f64), (input, strength): (Input, f64)) -> Findings {
+fn together(modulus: (Input<'_>, f64), (input, strength): (Input<'_>, f64)) -> Findings {
     let ratios = |modulus| ratios(modulus, input.field == "hardness");
     let is_usual =
         |[e, h]: [f64; 2]| within(e, MODULUS) && within(h, HARDNESS) && within(h / e, ratios(e));
@@ -69,9 +80,13 @@ fn together(modulus: (Input, f64), (input, strength): (Input, f64)) -> Findings 
     let is_far =
         implausible(strength / e, ratios(e)) || !within(e, MODULUS) || !within(strength, HARDNESS);
     let cost = |values: &[f64], units: &[Option<Unit>]| {
-        let is_vickers = units[1].is_some_and(|(name, _)| name == "HV");
-        let is_metal = !is_vickers || values[1] <= HARDEST * values[0];
-        (is_metal && is_usual([values[0], values[1]])).then_some(0.0)
+        let [modulus, strength] = [values[0], values[1]];
+        let is_tested = match units[1] {
+            Some((HRC, _)) => within(modulus, STEEL),
+            Some((HV, _)) => strength <= HARDEST * modulus,
+            _ => true,
+        };
+        (is_tested && is_usual([modulus, strength])).then_some(0.0)
     };
     let numbers = [modulus, (input, strength)];
     let ratio = ratios(e).map(short);
@@ -115,7 +130,7 @@ fn ratios(modulus: f64, is_hardness: bool) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Finding, hardness_of_vickers};
+    use crate::{Body, Finding};
 
     /// The finding for a hardness beside a modulus.
     fn of_hardness(modulus: f64, hardness: f64) -> Option<Finding> {
@@ -159,7 +174,8 @@ mod tests {
     fn units_are_those_that_are_plausible_beside_the_modulus() {
         for (modulus, hardness, wanted) in [
             (210e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
-            (210e9, 60.0, "60 looks like HV; 60 HV is 6.346e8 Pa"),
+            (210e9, 58.0, "58 looks like HRC; 58 HRC is 6.907e9 Pa"),
+            (120e9, 60.0, "60 looks like HV; 60 HV is 6.346e8 Pa"),
             (70e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
             (210e9, 2.0, "2 looks like GPa; 2 GPa is 2e9 Pa"),
             (72e9, 5.74, "5.74 looks like GPa; 5.74 GPa is 5.74e9 Pa"),

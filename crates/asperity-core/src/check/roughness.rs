@@ -5,7 +5,7 @@ use crate::finding::{FEW_ASPERITIES, short};
 use crate::{Finding, Findings, Scene, Severity, Surface};
 
 /// A_n from the tip of an instrument to a large flange.
-const AREA: Input = Input::new(
+const AREA: Input<'static> = Input::new(
     "nominal_area",
     [1e-16, 0.03],
     "m2",
@@ -40,7 +40,7 @@ impl Surface {
         };
         // Another unit is off by orders of magnitude. Two numbers outside their ranges have the
         // same cause; fine but wide waves have them, too.
-        let is_odd = |(input, value, _): &(Input, f64, _)| !within(*value, input.usual);
+        let is_odd = |(input, value, _): &(Input<'_>, f64, _)| !within(*value, input.usual);
         let odd = self.criteria()[..3].iter().filter(|number| is_odd(number)).count();
         let is_coarse = odd > 1 && self.asperity_height_std > COARSE;
         if is_within(self, 10.0) && !is_coarse {
@@ -72,7 +72,7 @@ impl Surface {
     }
 
     /// Criteria, with the values of this surface and the advice where they are unusual.
-    fn criteria(&self) -> [(Input, f64, &'static str); 6] {
+    fn criteria(&self) -> [(Input<'static>, f64, &'static str); 6] {
         let derived = |field, usual| Input::new(field, usual, "", &[]);
         let [std, radius, density, ..] = SURFACE;
         [
@@ -102,7 +102,7 @@ impl Surface {
     #[must_use]
     pub fn plain_findings(&self) -> Findings {
         let odd = self.criteria().into_iter().filter(|(input, x, _)| !within(*x, input.usual));
-        let found = |(input, value, advice): (Input, f64, &'static str)| {
+        let found = |(input, value, advice): (Input<'_>, f64, &'static str)| {
             let found = input.in_unit(value, None).advice(advice);
             match input.field {
                 // Below that factor the laws remain valid.

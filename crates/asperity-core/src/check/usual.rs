@@ -19,18 +19,18 @@ pub(super) const CHECK_UNIT: &str = "check the number and its unit";
 /// A number of a scene: name, usual range, SI unit, and the units in which it may be given by
 /// mistake, the likeliest first.
 #[derive(Clone, Copy)]
-pub(super) struct Input {
+pub(super) struct Input<'u> {
     pub(super) field: &'static str,
     pub(super) usual: [f64; 2],
     pub(super) si: &'static str,
-    pub(super) units: &'static [Unit],
+    pub(super) units: &'u [Unit],
 }
 
 /// From cleaved mica to the texture of asphalt.
 pub(super) const HEIGHT: [f64; 2] = [3e-11, 2e-3];
 /// Numbers of a surface: R from a sharp tip to a lens, η from the stones of asphalt, a centimetre
 /// apart, to atomic corrugation.
-pub(super) const SURFACE: [Input; 11] = [
+pub(super) const SURFACE: [Input<'static>; 11] = [
     Input::new("asperity_height_std", HEIGHT, "m", HEIGHTS),
     Input::new("asperity_radius", [2e-9, 5e-2], "m", &[("mm", 1e-3), ("um", 1e-6)]),
     Input::new("asperity_density", [5e3, 1e16], "1/m2", DENSITIES),
@@ -54,12 +54,12 @@ pub fn likely_unit(key: &str, value: f64) -> Option<String> {
     Some(input.looks_like(value, input.unit(value)?))
 }
 
-impl Input {
+impl<'u> Input<'u> {
     pub(super) const fn new(
         field: &'static str,
         usual: [f64; 2],
         si: &'static str,
-        units: &'static [Unit],
+        units: &'u [Unit],
     ) -> Self {
         Self { field, usual, si, units }
     }
@@ -97,7 +97,7 @@ impl Input {
 /// Findings of the numbers that in other units, the fewest and likeliest, go with the others; none
 /// where no units explain them. `cost` is that of the values in these units, if they go together.
 pub(super) fn in_other_units(
-    numbers: &[(Input, f64)],
+    numbers: &[(Input<'_>, f64)],
     cost: impl Fn(&[f64], &[Option<Unit>]) -> Option<f64>,
 ) -> Vec<Finding> {
     let mut choices: Vec<Vec<Option<Unit>>> = vec![vec![]];

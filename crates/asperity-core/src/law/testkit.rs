@@ -53,8 +53,8 @@ pub fn check(
             vanishes(quantity, &law, &mut findings);
         }
         for part in &law.parts {
-            bad_values(quantity, part, &mut findings);
-            undeclared_kinks(quantity, part, &mut findings);
+            bad_values(quantity, &law, part, &mut findings);
+            undeclared_kinks(quantity, &law, part, &mut findings);
         }
         if quantity == Quantity::Force {
             validity(model, asperity, &law, &mut findings);
@@ -87,16 +87,16 @@ fn vanishes(quantity: Quantity, law: &Law, findings: &mut Findings) {
     }
 }
 
-fn bad_values(quantity: Quantity, part: &Part, findings: &mut Findings) {
+fn bad_values(quantity: Quantity, law: &Law, part: &Part, findings: &mut Findings) {
     for at in grid().filter(|x| part.range.contains(x)) {
         let mut value = [f64::NAN];
         let refused = part.form.sample(&[at], &mut value).is_err();
         if refused || !(value[0] >= 0.0 && value[0].is_finite()) {
             let fact = format!(
-                "the {} part of {quantity} is {} at x = {}",
+                "the {} part of {quantity} is {} at {}",
                 part.name,
                 short(value[0]),
-                short(at)
+                place(law, at)
             );
             let found =
                 fault("bad-value", "value", value[0], quantity).of_law(part.name.to_string());
@@ -141,13 +141,19 @@ fn falls(law: &Law, claimed: bool) -> Option<Finding> {
             Finding::note("not-monotone", "x", at).advice("several separations may carry one load")
         }
     };
-    let fact = format!("force falls at x = {} as the interference grows", short(at));
+    let fact = format!("force falls at {} as the interference grows", place(law, at));
     Some(found.of_quantity(Quantity::Force).fact(fact))
+}
+
+/// An interference of a law, in its unit and in metres.
+fn place(law: &Law, x: f64) -> String {
+    let metres = (x + law.onset) * law.interference_unit;
+    format!("x = {} (w = {} m)", short(x), short(metres))
 }
 
 /// Between declared kinks, a part must be resolved by polynomials in ln x on ever smaller pieces;
 /// only at a declared end may that fail (a fractional power of the distance to it).
-fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Findings) {
+fn undeclared_kinks(quantity: Quantity, law: &Law, part: &Part, findings: &mut Findings) {
     let mut ends: Vec<f64> = part.kinks.clone();
     ends.extend([part.range.start.max(RANGE.0), part.range.end.min(RANGE.1)]);
     ends.sort_by(f64::total_cmp);
@@ -163,8 +169,9 @@ fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Findings) {
                     .of_quantity(quantity)
                     .of_law(part.name.to_string())
                     .fact(format!(
-                        "the {} part of {quantity} has an undeclared kink near x = {at:.6}",
-                        part.name
+                        "the {} part of {quantity} has an undeclared kink near {}",
+                        part.name,
+                        place(law, at)
                     ))
                     .advice("declare it; results remain correct but take longer");
                 findings.push(found);
@@ -240,7 +247,7 @@ mod tests {
     fn a_good_law_passes_and_each_defect_is_found() {
         assert_eq!(findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(2.0, 1.0)])), "");
         let falls = findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(0.9, 1.0)]));
-        assert!(falls.starts_with("force falls at x = 1 as"), "{falls}");
+        assert!(falls.starts_with("force falls at x = 1 (w = 1e-4 m) as"), "{falls}");
         let kinked = findings(|| {
             hertz().plastic(
                 1.0..f64::INFINITY,
@@ -248,7 +255,9 @@ mod tests {
             )
         });
         assert!(
-            kinked.contains("plastic part of force has an undeclared kink near x = 3.3"),
+            kinked.contains(
+                "plastic part of force has an undeclared kink near x = 3.3 (w = 3.3e-4 m)"
+            ),
             "{kinked}"
         );
         let soft = findings(|| Law::in_units(1.0, 1.0).elastic(0.0..1e9, [Power::new(0.5, 1.5)]));

@@ -9,20 +9,6 @@ use crate::error::{positive, require};
 /// papers use it). \[seen\]
 pub const HARDNESS_OVER_YIELD: f64 = 2.8;
 
-/// The contact hardness \[Pa\] of a Vickers hardness, the mean pressure on the projected area:
-/// 9.807 HV/sin 68° MPa, as the number is the load in kgf over the area in mm² of the facets of a
-/// pyramid of 136°. \[derived\]
-///
-/// ```
-/// let hardness = asperity_core::hardness_of_vickers(200.0);
-/// assert!((hardness / 2.115e9 - 1.0).abs() < 1e-3);
-/// ```
-#[must_use]
-pub fn hardness_of_vickers(vickers: f64) -> f64 {
-    // 1 kgf/mm² in Pa.
-    9.806_65e6 * vickers / 68f64.to_radians().sin()
-}
-
 /// One elastic-plastic body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -2,6 +2,7 @@
 
 pub(crate) mod asperity;
 pub(crate) mod body;
+pub(crate) mod hardness;
 pub(crate) mod interface;
 pub(crate) mod pair;
 pub(crate) mod surface;

@@ -5,6 +5,7 @@ mod examples;
 mod finishes;
 mod height_files;
 mod hostile;
+mod lay;
 mod measured;
 mod options;
 mod pairs;

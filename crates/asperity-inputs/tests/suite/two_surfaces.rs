@@ -172,7 +172,8 @@ fn aligned_scans_add_point_by_point_and_their_moments_within_the_sampling_error(
     // 128² points with 24 points in the longest wave: some tens of independent ones.
     near(both.m0, sum.m0, 0.15);
     near(both.m2, sum.m2, 0.05);
-    near(both.m4, sum.m4, 0.03);
+    // A share of m4 is of products of both directions, as few independent ones again.
+    near(both.m4, sum.m4, 0.05);
     assert!((both.m0 / sum.m0 - 1.0).abs() > 1e-6);
     assert!(independent.scan.is_none());
     let request = Request::new([Quantity::Area]).at([asperity::At::Pressure(1e8)]);

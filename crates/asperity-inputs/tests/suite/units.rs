@@ -333,3 +333,37 @@ fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
     ];
     assert_eq!(notes, wanted.map(|(field, text)| (field.to_string(), text.to_string())));
 }
+
+#[test]
+fn a_hardness_by_another_test_is_taken_with_its_table_and_a_bare_one_is_none_in_gpa() {
+    let scene = |hardness: &str| {
+        let text = format!(
+            "nominal_area = 1e-4\nrigid_counterface = true\n[[body]]\n{STEEL}\npoissons_ratio = 0.3\n\
+             hardness = {hardness}\n[surface]\n{GROUND}\n"
+        );
+        asperity_inputs::parse(&text, std::path::Path::new("."))
+    };
+    // 653 and 200 HV, in kgf/mm² over sin 68°.
+    for (text, pascals) in [("58 HRC", 6.9067e9), ("190 HB", 2.1154e9)] {
+        let file = scene(&format!("\"{text}\"")).unwrap();
+        let found = file.scene.interface.hardness.unwrap();
+        assert!((found / pascals - 1.0).abs() < 1e-4, "{text}: {found}");
+        let note = file.warnings.iter().find(|found| found.code == "other-unit").unwrap();
+        assert!(
+            note.field == "body[1].hardness" && note.to_string().contains(" for steel"),
+            "{note}"
+        );
+    }
+    for (text, units) in [
+        ("58", "write \"58 HRC\" or \"58 HV\", for example"),
+        ("200", "write \"200 HV\", for example"),
+        ("2", "write \"2 GPa\", for example"),
+    ] {
+        let refused = scene(&format!("\"{text}\"")).unwrap_err().to_string();
+        assert!(refused.contains(units), "{refused}");
+    }
+    // A bare number is in Pa: the warning has the unit that steel is tested in.
+    let found = scene("58").unwrap().findings();
+    let bare = found.iter().find(|found| found.field == "body[1].hardness").unwrap().to_string();
+    assert!(bare.ends_with("58 looks like HRC; 58 HRC is 6.907e9 Pa"), "{bare}");
+}

@@ -92,7 +92,7 @@ pub(crate) fn bem<'py>(
     if let Some(error) = failed {
         return Err(error);
     }
-    notes.extend(leak.and_then(|leak| leak.finding()));
+    notes.extend(leak.iter().flat_map(Leak::findings));
     notes.iter().try_for_each(|note| warn_unless(py, &file.accept, note, 1))?;
     let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
     fields.set_item("failures", failures)?;

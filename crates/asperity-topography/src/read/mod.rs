@@ -26,7 +26,7 @@ use flate2::read::MultiGzDecoder;
 pub use scan::ReadOptions;
 
 use self::format::Format;
-use crate::error::{at_most, damaged, refuse};
+use crate::error::{at_most, incomplete, refuse};
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -135,7 +135,7 @@ fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     MultiGzDecoder::new(packed)
         .take(limit as u64 + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| damaged("gzip", error))?;
+        .map_err(|_| incomplete("gzip", "its packed content"))?;
     if bytes.len() > limit {
         let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
         return Err(refuse(&"more", &required));

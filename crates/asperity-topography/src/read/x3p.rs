@@ -13,7 +13,7 @@ use super::profile::profile;
 use super::scan::{DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
-use crate::error::{damaged, refuse};
+use crate::error::{damaged, incomplete, refuse};
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
@@ -23,7 +23,8 @@ const MAX_XML: u64 = 1 << 20;
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged("x3p", error))?;
+    let mut archive =
+        ZipArchive::new(Cursor::new(bytes)).map_err(|_| incomplete("x3p", "its zip archive"))?;
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
@@ -111,12 +112,9 @@ fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyErr
     let folder = folders.min_by_key(String::len).unwrap_or_default();
     let entry = archive
         .by_name(&(folder.clone() + NAME))
-        .map_err(|error| damaged("x3p", format!("main.xml: {error}")))?;
+        .map_err(|_| damaged("x3p", "its archive has no readable main.xml"))?;
     let mut xml = Vec::new();
-    entry
-        .take(MAX_XML + 1)
-        .read_to_end(&mut xml)
-        .map_err(|error| damaged("x3p", format!("main.xml: {error}")))?;
+    entry.take(MAX_XML + 1).read_to_end(&mut xml).map_err(|_| incomplete("x3p", "its main.xml"))?;
     if xml.len() as u64 > MAX_XML {
         return Err(refuse("x3p main.xml", "more", format!("at most {MAX_XML} bytes")));
     }
@@ -138,14 +136,15 @@ fn unpack(
         refuse("x3p DataLink", format!("{name}: {found}"), required)
     };
     let mut entry =
-        archive.by_name(name).map_err(|error| refuse(&error, "an entry of this name"))?;
+        archive.by_name(name).map_err(|_| refuse(&"no readable entry", "an entry of this name"))?;
     let required = format!("{} bytes, by main.xml", n * size);
     let mut buffer = [0; 1 << 13];
     let whole = buffer.len() / size * size;
     let mut left = n * size;
     while left > 0 {
         let part = &mut buffer[..left.min(whole)];
-        entry.read_exact(part).map_err(|error| refuse(&error, &required))?;
+        let unread = |_| refuse(&"fewer bytes, or changed ones,", &required);
+        entry.read_exact(part).map_err(unread)?;
         part.chunks(size).for_each(&mut with);
         left -= part.len();
     }
@@ -153,6 +152,6 @@ fn unpack(
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
         Ok(_) => Err(refuse(&"more", &required)),
-        Err(error) => Err(damaged("x3p", format!("{name}: {error}"))),
+        Err(_) => Err(incomplete("x3p", name)),
     }
 }
