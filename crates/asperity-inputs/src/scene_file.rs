@@ -1,12 +1,11 @@
 //! Scene files.
 
-use std::f64::consts::SQRT_2;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Asperities, Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene,
-    Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
+    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Pair, Scene, Separation,
+    SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
 
@@ -16,6 +15,7 @@ use crate::interface::interface;
 use crate::kept::Read;
 use crate::keys::{COUNTERFACE, joined};
 use crate::measured::Asked;
+use crate::numbers::Written;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::text_file::read_text;
@@ -54,6 +54,9 @@ pub struct SceneFile {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub roughness: Option<Roughness>,
+    /// The numbers that were written of each surface, of which all are given by numbers without
+    /// ranges.
+    pub(crate) written: Vec<Written>,
     /// The rough surfaces whose numbers are known within ranges; their middles make
     /// `scene.surface`.
     pub(crate) faces: Vec<Face>,
@@ -190,24 +193,12 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         let needed = "one of the two: the offset follows from measured heights";
         return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
-    file.set_mean_plane_offset(mean_plane_offset.or(offset));
-    let measured = file.measured.as_ref().map(|found| found.statistics.sq);
-    let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
-    file.scene.surface_height_std = measured.or_else(given);
-    let is_alone = !document.has(COUNTERFACE) && !document.has("surface.files");
-    if let (Some(pair), Some(std)) = (&mut file.scene.pair, file.scene.surface_height_std) {
-        pair.surface_height_std = Some(if is_alone { SQRT_2 * std } else { std });
-    }
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.positive(section, "peklenik_number")?;
     }
-    // Two like surfaces, of which one is described.
-    if options.asperities == Asperities::Pairs && is_alone {
-        let both = file.scene.both_surfaces().surface_height_std();
-        file.counter_variance = 0.5 * both * both;
-        file.scene.surface_height_std = Some(both);
-        file.peklenik_numbers[1] = file.peklenik_numbers[0];
-    }
+    let is_alone = !document.has(COUNTERFACE) && !document.has("surface.files");
+    file.options = options;
+    file.set_heights(mean_plane_offset.or(offset), is_alone);
     let (scene, table) = (&file.scene, file.table.as_ref());
     scene.asperity().map_err(|error| {
         let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
@@ -228,9 +219,8 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             .advice("remove `hurst_exponent` to use the spectrum of the scan");
         notes.push(found.from_origin(at.to_string()));
     }
-    file.read = Some(Arc::new(Read::new(document, interface, scene.surface, table)));
+    file.read = Some(Arc::new(Read::new(document, (interface, &bodies), scene.surface, table)));
     Ok(SceneFile {
-        options,
         separation_from,
         bodies,
         warnings: notes.into_iter().collect::<Findings>().silenced(&accept),
@@ -274,6 +264,7 @@ impl From<Scene> for SceneFile {
             no_pair: None,
             follows_from: &[],
             roughness: None,
+            written: vec![],
             faces: vec![],
             odd_number: None,
             hardness_at: None,
