@@ -86,7 +86,7 @@ struct Numbers {
 
 enum Described {
     Known(Written),
-    Within(Face),
+    Within(Box<Face>),
 }
 
 impl Numbers {
@@ -94,7 +94,7 @@ impl Numbers {
     fn face(&self, section: &'static str) -> Face {
         match &self.described {
             Described::Known(_) => Face::known(section, &self.moments),
-            Described::Within(face) => face.clone(),
+            Described::Within(face) => (**face).clone(),
         }
     }
 
@@ -174,7 +174,10 @@ fn numbers(
         let (surface, _) =
             middle(std::slice::from_ref(&face)).map_err(document.refused(section))?;
         let moments = surface.moments();
-        return Ok(Some((Numbers { described: Described::Within(face), moments, odd }, key)));
+        return Ok(Some((
+            Numbers { described: Described::Within(Box::new(face)), moments, odd },
+            key,
+        )));
     }
     let Ok(keys) = <&[&str; 3]>::try_from(way) else { return Ok(None) };
     let is_asperities = keys == &WAYS[0];
