@@ -144,7 +144,7 @@ fn near_the_start(problem: &Problem<'_>, best: Minimum) -> Result<Minimum, FitEr
     let moved: Vec<f64> = best.coordinates.iter().zip(&idle).map(|(x, idle)| x - idle).collect();
     let inside = |(one, x): (&Parameter, &f64)| (one.range()[0]..=one.range()[1]).contains(x);
     let squares = squares(&problem.residuals(&moved)?);
-    let same = squares <= best.squares * (1.0 + 1e-6) + 1e-20 * problem.data.len() as f64;
+    let same = squares <= best.squares * (1.0 + 1e-6) + problem.met();
     match same && problem.parameters.iter().zip(&moved).all(inside) {
         true => Ok(Minimum { coordinates: moved, squares, ..best }),
         false => Ok(best),

@@ -1,14 +1,18 @@
 //! Predicted values: a model on a scene, as the rig reads it.
 
+use std::cell::OnceCell;
+
 use asperity_core::{
-    At, Case, ContactError, ContactModel, Quantity, Scene, Separation, SeparationUnit, Sweep,
-    Tolerance,
+    At, Case, Contact, ContactError, ContactModel, Quantity, Request, Scene, Separation,
+    SeparationUnit, Sweep, Tolerance,
 };
 
 use crate::{Data, Measured};
 
 /// Relative tolerance of predicted values, whose differences give the derivatives.
 const TOLERANCE: f64 = 1e-13;
+/// That of a model without laws of one asperity, which may compile tables for each scene.
+const COMPILED: f64 = 1e-7;
 
 /// What a test rig adds: a reading of a separation d under a load F is
 /// d + `separation_offset` - `series_compliance` F, and a stiffness K reads
@@ -52,8 +56,9 @@ pub fn predict(
 #[must_use]
 pub fn places(model: &dyn ContactModel, scene: &Scene, rig: Rig, data: &Data) -> Vec<At> {
     let Ok(forward) = Forward::new(model, data) else { return vec![] };
-    let places = forward.groups.iter().flat_map(|group| &group.places);
-    places.filter_map(|place| forward.place(scene, rig, place.at).ok()).collect()
+    let (on, groups) = (forward.on(scene), forward.groups.iter());
+    let places = groups.flat_map(|group| &group.places);
+    places.filter_map(|place| forward.place(&on, rig, place.at).ok()).collect()
 }
 
 /// A predicted value, or the reason why there is none.
@@ -68,6 +73,74 @@ pub(crate) struct Forward<'f> {
     groups: Vec<Group<'f>>,
     /// Force and tangent, for readings of separations.
     loads: Sweep<'f>,
+    /// What is asked of a model without laws of one asperity: it is compiled once for a scene.
+    compiled: Option<Request>,
+    /// Relative tolerance of the values.
+    pub(crate) tolerance: f64,
+}
+
+/// A model on one scene.
+struct OnScene<'s, 'f> {
+    forward: &'s Forward<'f>,
+    scene: &'s Scene,
+    contact: Option<Compiled>,
+    /// For force and tangent, where a rig needs them.
+    loads: OnceCell<Compiled>,
+}
+
+type Compiled = Result<Box<dyn Contact>, ContactError>;
+
+impl OnScene<'_, '_> {
+    /// The quantities of a group at some places.
+    fn values(&self, group: &Group<'_>, at: &[At]) -> Vec<Result<Vec<f64>, ContactError>> {
+        let Group { quantities, sweep, .. } = group;
+        if quantities.is_empty() {
+            return vec![Ok(vec![]); at.len()];
+        }
+        let Some(contact) = &self.contact else {
+            let cases: Vec<Case> = at.iter().map(|at| self.case(*at)).collect();
+            let found = sweep.evaluate_all(&cases).into_iter();
+            return found.map(|row| Ok(row?.iter().map(|one| one.value()).collect())).collect();
+        };
+        let value = |contact: &dyn Contact, quantity: &Quantity, at: At| {
+            contact.evaluate_at(*quantity, at).map(|found| found.value())
+        };
+        let row = |at: &At| match contact {
+            Ok(contact) => quantities.iter().map(|one| value(&**contact, one, *at)).collect(),
+            Err(error) => Err(error.clone()),
+        };
+        at.iter().map(row).collect()
+    }
+
+    /// The separation under a load.
+    fn separation(&self, at: At) -> Result<Separation, ContactError> {
+        match &self.contact {
+            Some(contact) => contact.as_ref().map_err(Clone::clone)?.separation(at),
+            None => {
+                let found = self.forward.loads.separations(&[self.case(at)]).pop();
+                found.unwrap_or(Err(ContactError::NoMeanPlane)).map(Separation::sigmas)
+            }
+        }
+    }
+
+    fn force_and_tangent(&self, at: At) -> Result<[f64; 2], ContactError> {
+        if let Some(request) = &self.forward.compiled {
+            let compile = || {
+                let mut request = request.clone();
+                request.quantities = vec![Quantity::Force, Quantity::Tangent];
+                self.forward.model.compile(self.scene, &request)
+            };
+            let contact = self.loads.get_or_init(compile).as_ref().map_err(Clone::clone)?;
+            let (force, tangent) = contact.force_and_tangent_at(at)?;
+            return Ok([force.value(), tangent.value()]);
+        }
+        let values = self.forward.loads.evaluate(&self.case(at))?;
+        Ok([0, 1].map(|k| values.get(k).map_or(0.0, |v| v.value())))
+    }
+
+    fn case(&self, at: At) -> Case {
+        Case::new(self.scene.clone(), at)
+    }
 }
 
 #[derive(Debug)]
@@ -87,7 +160,8 @@ struct PlaceValues {
 
 impl<'f> Forward<'f> {
     pub(crate) fn new(model: &'f dyn ContactModel, data: &'f Data) -> Result<Self, ContactError> {
-        let tolerance = Tolerance::new(TOLERANCE)?;
+        let is_compiled = model.asperity_model().is_none();
+        let tolerance = Tolerance::new(if is_compiled { COMPILED } else { TOLERANCE })?;
         let mut groups: Vec<Group<'_>> = vec![];
         let mut rest = 0..data.len();
         while let Some(first) = rest.next() {
@@ -116,18 +190,38 @@ impl<'f> Forward<'f> {
             }
         }
         let loads = Sweep::new(model, &[Quantity::Force, Quantity::Tangent], tolerance);
-        Ok(Self { model, data, groups, loads })
+        // A separation is read under the force.
+        let mut quantities = vec![Quantity::Force];
+        quantities.extend(groups.iter().flat_map(|group| group.quantities.iter().copied()));
+        quantities.sort_unstable();
+        quantities.dedup();
+        let at = data.iter().map(|one| one.at);
+        let request = Request::new(quantities).within(tolerance).at(at);
+        let compiled = is_compiled.then_some(request);
+        Ok(Self { model, data, groups, loads, compiled, tolerance: tolerance.relative() })
+    }
+
+    /// Whether each scene takes long.
+    pub(crate) fn is_slow(&self) -> bool {
+        self.compiled.is_some()
+    }
+
+    fn on<'s>(&'s self, scene: &'s Scene) -> OnScene<'s, 'f> {
+        let compile = |request| self.model.compile(scene, request);
+        let contact = self.compiled.as_ref().map(compile);
+        OnScene { forward: self, scene, contact, loads: OnceCell::new() }
     }
 
     /// The values on a scene, in the order of the data.
     pub(crate) fn predict(&self, scene: &Scene, rig: Rig) -> Vec<Predicted> {
         let mut found: Vec<Predicted> = vec![Err(ContactError::NoMeanPlane); self.data.len()];
+        let on = self.on(scene);
         for group in &self.groups {
-            let (mut cases, mut asked) = (vec![], vec![]);
+            let (mut places, mut asked) = (vec![], vec![]);
             for place in &group.places {
-                match self.place(scene, rig, place.at) {
+                match self.place(&on, rig, place.at) {
                     Ok(at) => {
-                        cases.push(Case::new(scene.clone(), at));
+                        places.push(at);
                         asked.push(place);
                     }
                     Err(error) => {
@@ -135,18 +229,14 @@ impl<'f> Forward<'f> {
                     }
                 }
             }
-            let answers = match group.quantities.is_empty() {
-                true => vec![Ok(vec![]); cases.len()],
-                false => group.sweep.evaluate_all(&cases),
-            };
-            for ((place, case), answer) in asked.into_iter().zip(&cases).zip(answers) {
+            let answers = on.values(group, &places);
+            for ((place, at), answer) in asked.into_iter().zip(places).zip(answers) {
                 for (k, column) in &place.values {
                     found[*k] = match (column, &answer) {
-                        (None, _) => self.separation(case, rig),
+                        (None, _) => self.separation(&on, rig, at),
                         (_, Err(error)) => Err(error.clone()),
                         (Some(column), Ok(values)) => {
-                            let quantity = group.quantities[*column];
-                            Ok(rig.reading(quantity, values[*column].value()))
+                            Ok(rig.reading(group.quantities[*column], values[*column]))
                         }
                     };
                 }
@@ -156,38 +246,35 @@ impl<'f> Forward<'f> {
     }
 
     /// The reading of the separation under a load.
-    fn separation(&self, case: &Case, rig: Rig) -> Predicted {
-        let sigmas = self.loads.separations(std::slice::from_ref(case)).pop();
-        let sigmas = sigmas.unwrap_or(Err(ContactError::NoMeanPlane))?;
+    fn separation(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Predicted {
         let (unit, from) = (SeparationUnit::Metres, self.data.datum());
-        let scene = self.model.averaged_over(&case.scene)?;
-        let separation = Separation::sigmas(sigmas).measured_in(unit, from, &scene)?;
-        let load = case.at.load(&case.scene).unwrap_or(0.0);
+        let scene = self.model.averaged_over(on.scene)?;
+        let separation = on.separation(at)?.measured_in(unit, from, &scene)?;
+        let load = at.load(on.scene).unwrap_or(0.0);
         Ok(separation.value + rig.separation_offset - rig.series_compliance * load)
     }
 
     /// Where the model is asked: a load as it is, a reading of a separation as the separation.
-    fn place(&self, scene: &Scene, rig: Rig, at: At) -> Result<At, ContactError> {
+    fn place(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Result<At, ContactError> {
         let At::Separation(reading) = at else { return Ok(at) };
-        let own = self.model.averaged_over(scene)?;
+        let own = self.model.averaged_over(on.scene)?;
         let reading = reading.measured_in(SeparationUnit::Metres, reading.from, &own)?;
         let unloaded = reading.value - rig.separation_offset;
-        let mut case = Case::new(scene.clone(), Separation { value: unloaded, ..reading });
+        let mut at = At::from(Separation { value: unloaded, ..reading });
         if rig.series_compliance == 0.0 {
-            return Ok(case.at);
+            return Ok(at);
         }
         // d - c F(d) rises, ever less steeply where the force is convex: Newton's method comes from
         // below.
         let mut separation = unloaded;
         for _ in 0..MOST_STEPS {
-            let values = self.loads.evaluate(&case)?;
-            let [force, tangent] = [0, 1].map(|k| values.get(k).map_or(0.0, |v| v.value()));
+            let [force, tangent] = on.force_and_tangent(at)?;
             let missing = separation - rig.series_compliance * force - unloaded;
             let step = -missing / (1.0 + rig.series_compliance * tangent);
             separation += step;
-            case.at = Separation { value: separation, ..reading }.into();
+            at = Separation { value: separation, ..reading }.into();
             if step.abs() <= 1e-15 * (own.surface.asperity_height_std + separation.abs()) {
-                return Ok(case.at);
+                return Ok(at);
             }
         }
         let reason = format!("no separation gives a reading of {:e} m", reading.value);

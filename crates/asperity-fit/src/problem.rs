@@ -12,9 +12,10 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::forward::{Forward, Rig};
 use crate::{Data, FitError, Observation, Parameter, Role};
 
-/// Step of the differences, as a coordinate: errors of 1e-10 from the third derivative and 1e-9
-/// from values good to 1e-14.
-const STEP: f64 = 2e-5;
+/// The coarse tolerance of angles, and of sums of squares, where each scene takes long.
+const COARSE: f64 = 1e-4;
+/// Least residual that is above the errors of the values.
+const MET: f64 = 1e-10;
 /// The residual of a value that the model does not have, larger than that of any start.
 pub(crate) const NO_VALUE: f64 = 1e10;
 
@@ -53,7 +54,36 @@ pub(crate) struct Minimum {
     pub(crate) converged: bool,
 }
 
+impl Minimum {
+    /// Whether a coordinate differs by more than `distance`.
+    pub(crate) fn is_far_from(&self, other: &Self, distance: f64) -> bool {
+        let mut both = self.coordinates.iter().zip(&other.coordinates);
+        both.any(|(a, b)| (a - b).abs() > distance)
+    }
+}
+
 impl Problem<'_> {
+    /// Relative accuracy of the values.
+    pub(crate) fn accuracy(&self) -> f64 {
+        self.forward.tolerance
+    }
+
+    /// Step of the differences, as a coordinate: errors from the third derivative go with its
+    /// square, those of the values, mostly a tenth of the accuracy, with its inverse.
+    fn step(&self) -> f64 {
+        (0.1 * self.accuracy()).cbrt()
+    }
+
+    /// Relative error of the derivatives.
+    pub(crate) fn slope_error(&self) -> f64 {
+        0.1 * self.accuracy() / self.step()
+    }
+
+    /// Sum of squares below which the data are met to the accuracy of the values.
+    pub(crate) fn met(&self) -> f64 {
+        MET.max(10.0 * self.accuracy()).powi(2) * self.data.len() as f64
+    }
+
     /// The coordinates from which the fit starts.
     pub(crate) fn start(&self) -> Vec<f64> {
         self.parameters.iter().map(|one| one.coordinate(one.start)).collect()
@@ -110,25 +140,39 @@ impl Problem<'_> {
         Ok(self.data.iter().zip(predicted).map(residual).collect())
     }
 
-    /// The derivatives of the residuals by coordinates, one column for each of `free`.
+    /// The derivatives of the residuals by coordinates, one column for each of `free`; one-sided
+    /// from the residuals `here`, if they are given, which do for a search.
     pub(crate) fn jacobian(
         &self,
         coordinates: &[f64],
         free: &[usize],
+        here: Option<&[f64]>,
     ) -> Result<DMatrix<f64>, FitError> {
-        let mut found = DMatrix::zeros(self.data.len(), free.len());
+        let missing = |residual: &f64| *residual >= NO_VALUE;
+        let (step, mut found) = (self.step(), DMatrix::zeros(self.data.len(), free.len()));
         for (column, place) in free.iter().enumerate() {
             let [low, high] = self.parameters[*place].range();
             // Both ends within the bounds.
             let middle = coordinates[*place];
-            let ends = [(middle - STEP).max(low), (middle + STEP).min(high)];
+            let ends = [(middle - step).max(low), (middle + step).min(high)];
             let mut moved = coordinates.to_vec();
             let mut at = |end: f64| {
                 moved[*place] = end;
                 self.residuals(&moved)
             };
+            if let Some(here) = here {
+                // Errors of the second derivative go with the step.
+                let aside = (0.1 * self.accuracy()).sqrt();
+                let aside = if middle + aside <= high { aside } else { -aside };
+                let there = at(middle + aside)?;
+                if !here.iter().chain(&there).any(missing) {
+                    for (row, (here, there)) in here.iter().zip(&there).enumerate() {
+                        found[(row, column)] = (there - here) / aside;
+                    }
+                    continue;
+                }
+            }
             let [below, above] = [at(ends[0])?, at(ends[1])?];
-            let missing = |residual: &f64| *residual >= NO_VALUE;
             let is_edge = below.iter().any(missing) != above.iter().any(missing);
             let here = if is_edge { Some(self.residuals(coordinates)?) } else { None };
             for (row, (below, above)) in below.iter().zip(&above).enumerate() {
@@ -148,15 +192,26 @@ impl Problem<'_> {
     /// The least squares of all parameters from a start.
     pub(crate) fn minimise_all(&self, start: &[f64], patience: usize) -> Result<Minimum, FitError> {
         let all: Vec<usize> = (0..start.len()).collect();
-        self.minimise(start, &all, patience)
+        self.minimise(start, &all, (patience, self.fine()))
     }
 
-    /// The least squares of the `free` parameters from a start; the others stay.
+    /// The tolerance of a search for a minimum: changes well below the accuracy of the values are
+    /// chance.
+    pub(crate) fn fine(&self) -> f64 {
+        (0.05 * self.accuracy()).max(30.0 * f64::EPSILON)
+    }
+
+    /// The tolerance where a minimum is only looked for, or its sum of squares is all that counts.
+    pub(crate) fn coarse(&self) -> f64 {
+        if self.forward.is_slow() { COARSE } else { self.fine() }
+    }
+
+    /// The least squares of the `free` parameters from a start, to a tolerance; the others stay.
     pub(crate) fn minimise(
         &self,
         start: &[f64],
         free: &[usize],
-        patience: usize,
+        (patience, tolerance): (usize, f64),
     ) -> Result<Minimum, FitError> {
         if free.is_empty() {
             let squares = squares(&self.residuals(start)?);
@@ -164,9 +219,10 @@ impl Problem<'_> {
         }
         let angles = free.iter().map(|place| self.angle(*place, start[*place]));
         let angles = DVector::from_iterator(free.len(), angles);
-        let inner = Inner { problem: self, start, free, angles, ended: RefCell::new(None) };
+        let (ended, last) = (RefCell::new(None), RefCell::new(None));
+        let inner = Inner { problem: self, start, free, angles, ended, last };
         let search = LevenbergMarquardt::new().with_patience(patience).with_stepbound(FIRST_STEP);
-        let (inner, report) = search.minimize(inner);
+        let (inner, report) = search.with_tol(tolerance).minimize(inner);
         if let Some(error) = inner.ended.take() {
             return Err(error);
         }
@@ -203,6 +259,8 @@ struct Inner<'a, 'f> {
     angles: DVector<f64>,
     /// The reason why the caller or the scene ended the search.
     ended: RefCell<Option<FitError>>,
+    /// The last residuals with their angles.
+    last: RefCell<Option<(DVector<f64>, Vec<f64>)>>,
 }
 
 impl Inner<'_, '_> {
@@ -234,11 +292,18 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, '_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        self.or_end(self.problem.residuals(&self.coordinates())).map(DVector::from_vec)
+        let found = self.or_end(self.problem.residuals(&self.coordinates()))?;
+        *self.last.borrow_mut() = Some((self.angles.clone(), found.clone()));
+        Some(DVector::from_vec(found))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let mut found = self.or_end(self.problem.jacobian(&self.coordinates(), self.free))?;
+        let last = self.last.borrow();
+        let is_here = |(angles, _): &&(DVector<f64>, Vec<f64>)| *angles == self.angles;
+        let here = last.as_ref().filter(is_here).map(|(_, residuals)| &residuals[..]);
+        let here = here.filter(|_| self.problem.forward.is_slow());
+        let found = self.problem.jacobian(&self.coordinates(), self.free, here);
+        let mut found = self.or_end(found)?;
         for (column, (place, angle)) in self.free.iter().zip(&self.angles).enumerate() {
             let [low, high] = self.problem.parameters[*place].range();
             found.column_mut(column).scale_mut(0.5 * (high - low) * (angle - MIDDLE).cos());

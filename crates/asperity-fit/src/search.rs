@@ -7,10 +7,10 @@ use crate::problem::{Counted, Minimum, Problem, squares};
 const SAMPLES: usize = 16;
 /// Evaluations for each free parameter before a search from one start gives up.
 pub(crate) const PATIENCE: usize = 150;
+/// Coordinates of a minimum and of a coarse search for it differ by less.
+const SAME: f64 = 0.01;
 /// Minima whose sums of squares differ by less fit the data equally well.
 const EQUAL: f64 = 1e-6;
-/// Sum of squares for each value below which the data are met to the accuracy of the values.
-const MET: f64 = 1e-20;
 
 /// The minimum with the least squares, and others that fit the data equally well.
 pub(crate) struct Found {
@@ -37,14 +37,20 @@ pub(crate) fn search(
         let _ = (problem.count)(Counted::Start);
         // A start without values leads nowhere.
         if problem.predicted(start).is_ok() {
-            minima.push(problem.minimise_all(start, patience)?);
+            let all: Vec<usize> = (0..start.len()).collect();
+            let found = problem.minimise(start, &all, (patience, problem.coarse()))?;
+            if !problem.forward.is_slow() {
+                minima.push(found);
+            } else if minima.iter().all(|known| known.is_far_from(&found, SAME)) {
+                minima.push(problem.minimise_all(&found.coordinates, patience)?);
+            }
         }
     }
     minima.retain(|minimum| problem.predicted(&minimum.coordinates).is_ok());
     // The first of equals, which is nearest to the start given.
     let best = minima.iter().map(|minimum| minimum.squares).fold(f64::INFINITY, f64::min);
-    let floor = MET * problem.data.len() as f64;
-    let mut equal = minima.into_iter().filter(|m| m.squares <= best * (1.0 + EQUAL) + floor);
+    let least = best * (1.0 + EQUAL) + problem.met();
+    let mut equal = minima.into_iter().filter(|m| m.squares <= least);
     let Some(best) = equal.next() else {
         let reason = problem.predicted(&given).err();
         let reason = reason.unwrap_or(asperity_core::ContactError::NoMeanPlane);
@@ -52,9 +58,7 @@ pub(crate) fn search(
     };
     let mut found = Found { best, others: vec![] };
     for other in equal {
-        let far = |one: &Minimum| {
-            one.coordinates.iter().zip(&other.coordinates).any(|(a, b)| (a - b).abs() > 1e-4)
-        };
+        let far = |one: &Minimum| one.is_far_from(&other, 1e-4);
         if other.converged && far(&found.best) && found.others.iter().all(far) {
             found.others.push(other);
         }
@@ -84,7 +88,9 @@ fn elastic(
         }
         problem.predicted(&start).is_ok().then_some(start)
     });
-    let found = start.map(|start| problem.minimise(&start, &others, patience)).transpose()?;
+    let found = start
+        .map(|start| problem.minimise(&start, &others, (patience, problem.coarse())))
+        .transpose()?;
     Ok(found.map(|minimum| minimum.coordinates))
 }
 

@@ -6,8 +6,10 @@ use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use crate::FitError;
 use crate::problem::{Minimum, NO_VALUE, Problem};
 
-/// Singular values below this share of the largest are 0 within the errors of the derivatives.
+/// Singular values below this share of the largest, or this many times the errors of the
+/// derivatives, are 0.
 const RANK: f64 = 1e-7;
+const ERRORS: f64 = 20.0;
 /// Derivatives beyond this are differences to missing values.
 const NO_SLOPE: f64 = 1e12;
 /// The coverage of an interval.
@@ -24,6 +26,8 @@ pub(crate) struct Spread {
     /// Orthonormal directions, those the data fix best first.
     directions: DMatrix<f64>,
     singular: DVector<f64>,
+    /// Smaller singular values are 0.
+    least: f64,
     /// Variance of the residuals; `None` where as many parameters as values leave it unknown.
     variance: Option<f64>,
     /// The quantile of the residuals' distribution.
@@ -39,7 +43,7 @@ impl Spread {
     pub(crate) fn new(problem: &Problem<'_>, minimum: &Minimum) -> Result<Option<Self>, FitError> {
         let count = problem.parameters.len();
         let all: Vec<usize> = (0..count).collect();
-        let jacobian = problem.jacobian(&minimum.coordinates, &all)?;
+        let jacobian = problem.jacobian(&minimum.coordinates, &all, None)?;
         // Missing values stand as huge residuals.
         if !jacobian.iter().all(|slope| slope.abs() < NO_SLOPE) {
             return Ok(None);
@@ -49,7 +53,8 @@ impl Spread {
         else {
             return Ok(None);
         };
-        let rank = singular.iter().filter(|s| **s > RANK * singular.max()).count();
+        let least = RANK.max(ERRORS * problem.slope_error()) * singular.max();
+        let rank = singular.iter().filter(|s| **s > least).count();
         let freedom = problem.data.len().saturating_sub(rank);
         let (variance, quantile) = if problem.data.has_std() {
             (Some(1.0), Normal::standard().inverse_cdf(0.5 + 0.5 * COVERAGE))
@@ -58,11 +63,12 @@ impl Spread {
             let quantile = student.map_or(f64::NAN, |t| t.inverse_cdf(0.5 + 0.5 * COVERAGE));
             ((freedom > 0).then(|| minimum.squares / freedom as f64), quantile)
         };
-        Ok(Some(Self { directions: directions.transpose(), singular, variance, quantile }))
+        let directions = directions.transpose();
+        Ok(Some(Self { directions, singular, least, variance, quantile }))
     }
 
     fn is_fixed(&self, direction: usize) -> bool {
-        self.singular[direction] > RANK * self.singular.max()
+        self.singular[direction] > self.least
     }
 
     /// The number of combinations of the parameters that the data fix.
@@ -123,7 +129,7 @@ impl Spread {
             return Ok([None, None]);
         }
         // Residuals at the accuracy of the values have no profile.
-        if half < 1e-7 {
+        if half < 1e-7f64.max(1e3 * problem.accuracy()) {
             return Ok([Some(middle - half), Some(middle + half)]);
         }
         let target = variance * self.quantile * self.quantile;
@@ -148,7 +154,7 @@ impl Profile<'_, '_> {
         let mut moved = start.to_vec();
         moved[self.place] = self.minimum.coordinates[self.place] + distance;
         let others: Vec<usize> = (0..moved.len()).filter(|k| *k != self.place).collect();
-        let found = self.problem.minimise(&moved, &others, PATIENCE)?;
+        let found = self.problem.minimise(&moved, &others, (PATIENCE, self.problem.coarse()))?;
         let rise = ((found.squares - self.minimum.squares).max(0.0) / self.target).sqrt();
         Ok((rise, found.coordinates))
     }

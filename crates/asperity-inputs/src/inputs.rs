@@ -1,11 +1,10 @@
 //! Numbers of a scene by their keys: to read and to replace.
 
-use std::borrow::Cow;
 use std::iter::once;
 
 use asperity::{
-    Body, ContactError, HeightDistribution, Interface, Scene, Surface, WeibullHeights,
-    nearest_hint, nearest_name,
+    Body, ContactError, Findings, HeightDistribution, Interface, WeibullHeights, nearest_hint,
+    nearest_name,
 };
 
 use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
@@ -18,23 +17,19 @@ pub struct SceneInput(Input);
 #[derive(Debug, Clone, Copy)]
 enum Input {
     Interface(Field<Interface>),
-    Surface(Field<Surface>),
     /// A number of one body, by its index.
     Body(usize, Field<Body>),
     /// A number of every body.
     Bodies(Field<Body>),
-    /// One of the numbers from which the asperities follow.
-    Roughness(usize),
+    /// A number of the first surface, by its key.
+    Surface(&'static str),
     NominalArea,
-    /// Radius and density follow from this and the next.
-    PlasticityIndex,
-    RoughnessParameter,
     MeanPlaneOffset,
     Skewness,
 }
 
-/// The number of this key that is the same in all bodies.
-const YOUNGS_MODULUS: &str = "youngs_modulus";
+/// The numbers of an interface that do not follow from its bodies.
+const OF_PAIR: [&str; 2] = ["work_of_adhesion", "pressure_factor"];
 
 /// The key in scene files of an input: `hardness` of `body1_hardness`.
 #[must_use]
@@ -43,45 +38,43 @@ pub fn key_of_input(name: &str) -> &str {
 }
 
 impl SceneFile {
-    /// Every number of this scene that can be replaced, by its name: the keys of the interface,
-    /// the surface and the nominal area, with bodies also `body1_hardness` and so on, and
-    /// `plasticity_index` and `roughness_parameter`, from which radius and density follow.
+    /// Every number of this scene that can be replaced, by its name: the keys of its file, of two
+    /// bodies for both of them and as `body1_hardness` and so on for one; and numbers that any
+    /// surface and interface have: the asperities of the surface, of two surfaces those of the
+    /// first, with `plasticity_index` and `roughness_parameter`, and the equivalent moduli.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
-        let keys = self.roughness.iter().flat_map(|roughness| roughness.way.keys().iter().zip(0..));
-        let described = keys.map(|(name, place)| (*name, Input::Roughness(place)));
+        let written = self.written.iter().take(1).flat_map(|first| first.keys.iter().copied());
+        let mut of_surface: Vec<&'static str> = vec![];
+        // None where numbers of a surface follow from ranges, or from the scans of two surfaces.
+        if self.first_written().is_some() {
+            let of_any = SURFACE.iter().map(|field| field.name);
+            let of_any = of_any.chain(["plasticity_index", "roughness_parameter"]);
+            for key in written.chain(of_any) {
+                if !of_surface.contains(&key) {
+                    of_surface.push(key);
+                }
+            }
+        }
         let of_body = |body: usize| {
             let name = move |key: &str| format!("body{}_{key}", body + 1);
             BODY.iter().map(move |field| (name(field.name), Input::Body(body, *field)))
         };
-        let modulus = |body: &Body| body.youngs_modulus.to_bits();
-        let alike = self.bodies.windows(2).all(|two| modulus(&two[0]) == modulus(&two[1]));
-        let of_all = BODY.iter().filter(|field| field.name == YOUNGS_MODULUS);
-        let of_all = of_all.filter(|_| alike && !self.bodies.is_empty());
+        let of_bodies = BODY.iter().filter(|_| !self.bodies.is_empty());
+        let of_bodies: Vec<_> = of_bodies.map(|of| (of.name, Input::Bodies(*of))).collect();
+        let is_own =
+            |field: &&Field<Interface>| of_bodies.iter().all(|(name, _)| *name != field.name);
+        let of_interface = INTERFACE.iter().filter(is_own);
         let skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
         let offset = self.mean_plane_offsets()[0].filter(|_| self.table.is_none());
-        // Numbers of a surface that is known within ranges follow from these.
-        let is_open = !self.spreads().is_empty();
-        let of_surface = |input: &(&str, Input)| {
-            let of_surface = matches!(
-                input.1,
-                Input::Surface(_) | Input::PlasticityIndex | Input::RoughnessParameter
-            );
-            !(of_surface && is_open)
-        };
-        // Radius and density beside the standard deviation of the surface heights come first.
-        described
-            .chain(INTERFACE.iter().map(|field| (field.name, Input::Interface(*field))))
-            .chain(SURFACE.iter().map(|field| (field.name, Input::Surface(*field))))
+        let of_surface = of_surface.into_iter().map(|key| (key, Input::Surface(key)));
+        of_interface
+            .map(|field| (field.name, Input::Interface(*field)))
+            .chain(of_bodies.iter().copied())
+            .chain(of_surface)
             .chain(once(("nominal_area", Input::NominalArea)))
-            .chain([
-                ("plasticity_index", Input::PlasticityIndex),
-                ("roughness_parameter", Input::RoughnessParameter),
-            ])
             .chain(offset.map(|_| ("mean_plane_offset", Input::MeanPlaneOffset)))
             .chain(skewed.then_some(("skewness", Input::Skewness)))
-            .chain(of_all.map(|field| (field.name, Input::Bodies(*field))))
-            .filter(of_surface)
             .map(|(name, input)| (name.to_string(), input))
             .chain((0..self.bodies.len()).flat_map(of_body))
             .map(|(name, input)| (name, SceneInput(input)))
@@ -91,8 +84,9 @@ impl SceneFile {
     /// The inputs of these names.
     ///
     /// # Errors
-    /// [`SceneError::Input`] for another name, and for a number beside another from which it
-    /// follows.
+    /// [`SceneError::Input`] for another name, for a number of both bodies beside that of one, for
+    /// an equivalent modulus beside the numbers of bodies from which it follows, and for numbers
+    /// that describe the surface in two ways.
     pub fn inputs<'n>(
         &self,
         names: impl IntoIterator<Item = &'n str>,
@@ -100,16 +94,35 @@ impl SceneFile {
         let known = self.all_inputs();
         let input = |name: &'n str| {
             let found = known.iter().find(|(other, _)| other == name);
-            found.map(|(_, input)| (name, *input)).ok_or_else(|| self.unknown(name, &known))
+            found.map(|(_, input)| (name, input.0)).ok_or_else(|| self.unknown(name, &known))
         };
         let found = names.into_iter().map(input).collect::<Result<Vec<_>, _>>()?;
-        for (name, follows) in &found {
-            let cause = found.iter().find(|(_, cause)| cause.0.determines(name, &follows.0));
-            if let Some((cause, _)) = cause {
-                return Err(determined(name, cause, &known));
-            }
+        let refused = |name: &str, reason| Err(SceneError::Input { name: name.into(), reason });
+        for (name, input) in &found {
+            let beside = |input: &Input| found.iter().find(|(_, other)| input.excludes(other));
+            let Some((other, cause)) = beside(input) else { continue };
+            let reason = match cause {
+                Input::Body(_, Field { name: key, .. }) if key == name => format!(
+                    "is that of all bodies and is given beside {other}: give {name} alone, or body1_{name} and body2_{name}"
+                ),
+                _ => format!("is given beside {other}, which determines it: leave {name} out"),
+            };
+            return refused(name, reason);
         }
-        Ok(found.into_iter().map(|(_, input)| input).collect())
+        let of_surface = found.iter().filter(|(_, input)| matches!(input, Input::Surface(_)));
+        let of_surface: Vec<&str> = of_surface.map(|(name, _)| *name).collect();
+        if let Some(first) = self.first_written().filter(|f| f.way_with(&of_surface).is_none()) {
+            let is_other = |name: &&&str| !first.keys.contains(*name);
+            let other = of_surface.iter().find(is_other).copied().unwrap_or_default();
+            let all = first.keys.join(", ");
+            let rest = of_surface.iter().filter(|name| **name != other);
+            let rest = rest.copied().collect::<Vec<_>>().join(" and ");
+            let reason = format!(
+                "is given beside {rest}, which describes the surface in another way: give numbers of one way; the surface is given by {all}"
+            );
+            return refused(other, reason);
+        }
+        Ok(found.into_iter().map(|(_, input)| SceneInput(input)).collect())
     }
 
     /// The error about a name that is no input of this scene.
@@ -135,19 +148,22 @@ impl SceneFile {
         SceneError::Input { name: name.into(), reason }
     }
 
-    /// The value of an input; `None` for a number that the scene does not give.
+    /// The value of an input; `None` for a number that the scene does not give, and for one in which
+    /// its bodies differ.
     #[must_use]
     pub fn value_of(&self, input: SceneInput) -> Option<f64> {
         let scene = &self.scene;
         match input.0 {
             Input::Interface(Field { get, .. }) => get(&scene.interface),
-            Input::Surface(Field { get, .. }) => get(&scene.surface),
             Input::Body(place, Field { get, .. }) => self.bodies.get(place).and_then(get),
-            Input::Bodies(Field { get, .. }) => self.bodies.first().and_then(get),
-            Input::Roughness(place) => self.roughness?.numbers.get(place).copied(),
+            Input::Bodies(Field { get, .. }) => {
+                let value = self.bodies.first().and_then(get);
+                let bits = |value: Option<f64>| value.map(f64::to_bits);
+                let is_same = |body: &Body| bits(get(body)) == bits(value);
+                value.filter(|_| self.bodies.iter().all(is_same))
+            }
+            Input::Surface(key) => self.first_written()?.number(key, &scene.interface),
             Input::NominalArea => Some(scene.nominal_area),
-            Input::PlasticityIndex => scene.plasticity_index().ok(),
-            Input::RoughnessParameter => Some(scene.surface.roughness_parameter()),
             Input::MeanPlaneOffset => self.mean_plane_offsets()[0],
             Input::Skewness => match &scene.heights {
                 HeightDistribution::Weibull(heights) => Some(heights.skewness()),
@@ -156,7 +172,10 @@ impl SceneFile {
         }
     }
 
-    /// The scene with other numbers.
+    /// The scene with other numbers, as its file with these numbers in the place of those written;
+    /// their order does not matter. Asperities of a surface that is written or measured otherwise
+    /// describe it from then on, together with the other asperities that it has, and the equivalent
+    /// moduli the interface of bodies.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
@@ -164,92 +183,51 @@ impl SceneFile {
         &self,
         numbers: impl IntoIterator<Item = (SceneInput, f64)>,
     ) -> Result<Self, ContactError> {
-        let (mut bodies, mut roughness) = (self.bodies.clone(), self.roughness);
-        let numbers: Vec<(SceneInput, f64)> = numbers.into_iter().collect();
-        for (SceneInput(input), value) in &numbers {
-            match input {
-                Input::Body(place, Field { set, .. }) => {
-                    bodies.get_mut(*place).into_iter().for_each(|body| set(body, *value));
-                }
-                Input::Bodies(Field { set, .. }) => {
-                    bodies.iter_mut().for_each(|body| set(body, *value))
-                }
-                Input::Roughness(place) => {
-                    let numbers = roughness.iter_mut().flat_map(|roughness| &mut roughness.numbers);
-                    numbers.skip(*place).take(1).for_each(|number| *number = *value);
-                }
-                _ => {}
-            }
-        }
-        let mut made = Cow::Borrowed(self);
-        let Scene { surface, nominal_area, .. } = self.scene;
-        if bodies != self.bodies {
-            let interface = self.with_pair(interface_of(&bodies)?);
-            let other = self.with_numbers(interface, surface, nominal_area)?;
-            made = Cow::Owned(Self { bodies, ..other });
-        }
-        if let Some(other) = roughness.filter(|_| roughness != self.roughness) {
-            let follows_from = other.way.keys();
-            let interface = made.scene.interface;
-            let of_surface = made.with_numbers(interface, other.surface()?, nominal_area)?;
-            made = Cow::Owned(Self { roughness, follows_from, ..of_surface });
-        }
-        let file = &*made;
-        let mut scene = file.scene.clone();
-        let (mut index, mut parameter, mut offset, mut skewness) = (None, None, None, None);
+        let mut file = self.clone();
+        // Findings about the file are those of its own numbers.
+        (file.warnings, file.stated) = (Findings::default(), vec![]);
+        let (mut of_interface, mut of_surface, mut offset) = (vec![], vec![], None);
         for (SceneInput(input), value) in numbers {
             match input {
-                Input::Body(..) | Input::Bodies(_) | Input::Roughness(_) => {}
-                Input::Interface(Field { set, .. }) => set(&mut scene.interface, value),
-                Input::Surface(Field { set, .. }) => set(&mut scene.surface, value),
-                Input::NominalArea => scene.nominal_area = value,
-                Input::PlasticityIndex => index = Some(value),
-                Input::RoughnessParameter => parameter = Some(value),
+                Input::Body(place, Field { set, .. }) => {
+                    file.bodies.get_mut(place).into_iter().for_each(|body| set(body, value));
+                }
+                Input::Bodies(Field { set, .. }) => {
+                    file.bodies.iter_mut().for_each(|body| set(body, value));
+                }
+                Input::Interface(Field { set, .. }) => of_interface.push((set, value)),
+                Input::Surface(key) => of_surface.push((key, value)),
+                Input::NominalArea => file.scene.nominal_area = value,
                 Input::MeanPlaneOffset => offset = Some(value),
-                Input::Skewness => skewness = Some(value),
+                Input::Skewness => {
+                    let heights = WeibullHeights::new(value)?;
+                    file.scene.heights = HeightDistribution::Weibull(heights);
+                }
             }
         }
-        if index.is_some() || parameter.is_some() {
-            let index = index.map_or_else(|| file.scene.plasticity_index(), Ok)?;
-            let parameter = parameter.unwrap_or_else(|| file.scene.surface.roughness_parameter());
-            let height_std = scene.surface.asperity_height_std;
-            scene.surface =
-                Surface::from_plasticity_index(index, parameter, height_std, &scene.interface)?;
+        if file.bodies != self.bodies {
+            file.scene.interface = file.with_pair(interface_of(&file.bodies)?);
         }
-        let mut made = file.with_numbers(scene.interface, scene.surface, scene.nominal_area)?;
-        if let Some(skewness) = skewness {
-            made.scene.heights = HeightDistribution::Weibull(WeibullHeights::new(skewness)?);
+        let of_bodies = file.scene.interface;
+        of_interface.into_iter().for_each(|(set, value)| set(&mut file.scene.interface, value));
+        if file.with_pair(of_bodies) != file.scene.interface {
+            file.bodies.clear();
         }
-        if offset.is_some() {
-            made.set_mean_plane_offsets([offset, made.mean_plane_offsets()[1]]);
-            made.scene.asperity()?;
-        }
-        Ok(made)
+        file = file.with_surface(&of_surface, offset)?;
+        file.scene.asperity()?;
+        Ok(file)
     }
 }
 
-/// The error about a number that another one replaces; a number of the interface that bodies have
-/// as well is given there.
-fn determined(name: &str, by: &str, known: &[(String, SceneInput)]) -> SceneError {
-    let own = format!("body1_{name}");
-    let has_own = known.iter().any(|(known, _)| *known == own) && !by.ends_with(name);
-    let instead = if has_own { format!(", or give {own}") } else { String::new() };
-    let reason = format!("is given beside {by}, which determines it: leave {name} out{instead}");
-    SceneError::Input { name: name.into(), reason }
-}
-
 impl Input {
-    /// Whether a number follows from this one, so that both together have no meaning.
-    fn determines(&self, name: &str, other: &Self) -> bool {
-        let of_pair = || matches!(name, "work_of_adhesion" | "pressure_factor");
+    /// Whether a number has no meaning beside another one.
+    fn excludes(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::PlasticityIndex | Self::RoughnessParameter, Self::Surface(_)) => {
-                name != "asperity_height_std"
+            (Self::Bodies(all), Self::Body(_, one)) => all.name == one.name,
+            (Self::Interface(own), Self::Body(_, body) | Self::Bodies(body)) => {
+                let is_elastic = ["youngs_modulus", "poissons_ratio"].contains(&body.name);
+                is_elastic && !OF_PAIR.contains(&own.name)
             }
-            (Self::PlasticityIndex | Self::RoughnessParameter, Self::Roughness(_))
-            | (Self::Roughness(_), Self::Surface(_)) => true,
-            (Self::Body(..) | Self::Bodies(_), Self::Interface(_)) => !of_pair(),
-            (Self::Bodies(_), Self::Body(..)) => name.ends_with(YOUNGS_MODULUS),
             _ => false,
         }
     }
@@ -305,12 +283,12 @@ mod tests {
         assert!(inverse.contains("(the nearest is \"electrical_resistivity\")"), "{inverse}");
         assert!(inverse.ends_with("; electrical_resistivity is 1/conductivity, in ohm m"));
         assert!(refused(&["m0"]).ends_with("; m0 needs a scene that is given by it"));
-        let wanted = "asperity_radius is given beside plasticity_index, which determines it: leave asperity_radius out";
-        assert_eq!(refused(&["plasticity_index", "asperity_radius"]), wanted);
-        let wanted = "hardness is given beside body1_youngs_modulus, which determines it: leave hardness out, or give body1_hardness";
-        assert_eq!(refused(&["hardness", "body1_youngs_modulus"]), wanted);
-        let wanted =
-            "hardness is given beside body1_hardness, which determines it: leave hardness out";
+        let two_ways = refused(&["plasticity_index", "asperity_radius"]);
+        assert!(two_ways.starts_with("plasticity_index is given beside asperity_radius,"));
+        let wanted = "equivalent_modulus is given beside body1_youngs_modulus, which determines it: leave equivalent_modulus out";
+        assert_eq!(refused(&["equivalent_modulus", "body1_youngs_modulus"]), wanted);
+        let wanted = "hardness is that of all bodies and is given beside body1_hardness: give hardness alone, or body1_hardness and body2_hardness";
         assert_eq!(refused(&["body1_hardness", "hardness"]), wanted);
+        assert!(file.inputs(["body1_youngs_modulus", "hardness"]).is_ok());
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{Interface, Surface, TabulatedHeights};
+use asperity::{Body, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::Document;
@@ -13,6 +13,7 @@ pub(crate) struct Read {
     /// The keys in SI units, with absolute paths of scans.
     pub(crate) table: Table,
     pub(crate) interface: Interface,
+    pub(crate) bodies: Vec<Body>,
     pub(crate) surface: Surface,
     /// The heights of the summits of a scan.
     pub(crate) summits: Option<TabulatedHeights>,
@@ -23,7 +24,7 @@ pub(crate) struct Read {
 impl Read {
     pub(crate) fn new(
         document: &Document<'_>,
-        interface: Interface,
+        (interface, bodies): (Interface, &[Body]),
         surface: Surface,
         heights: Option<&TabulatedHeights>,
     ) -> Self {
@@ -52,6 +53,6 @@ impl Read {
             }
         }
         table.remove("options");
-        Self { table, interface, surface, summits, files: named }
+        Self { table, interface, bodies: bodies.to_vec(), surface, summits, files: named }
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Asperities, Body, ContactError, Findings, Interface, Pair, ProfileMoments, Scene, Surface,
+    Asperities, Body, ContactError, Interface, Pair, ProfileMoments, Scene, Surface,
     TabulatedHeights, positive,
 };
 
@@ -105,45 +105,196 @@ fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
     Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd)
 }
 
-impl SceneFile {
-    /// The scene with other numbers and the same options, heights and plane of separations: a table
-    /// of heights stays in metres, and the mean plane follows the surface.
+/// What was written of one rough surface: three numbers by one of [`WAYS`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Written {
+    pub(crate) keys: &'static [&'static str; 3],
+    pub(crate) numbers: [f64; 3],
+}
+
+impl Written {
+    /// The ways by which any surface can be written.
+    const OF_ANY: [&'static [&'static str; 3]; 2] = [&WAYS[0], &WAYS[1]];
+
+    /// A surface by its asperities.
+    pub(crate) fn asperities(surface: &Surface) -> Self {
+        let Surface { asperity_radius: radius, asperity_density: density, .. } = *surface;
+        Self { keys: &WAYS[0], numbers: [radius, density, surface.asperity_height_std] }
+    }
+
+    /// The numbers as those from which asperities follow; `None` for asperities themselves, and for
+    /// numbers that need the interface.
+    pub(crate) fn roughness(&self) -> Option<Roughness> {
+        Way::of(*self.keys).map(|way| Roughness { way, numbers: self.numbers })
+    }
+
+    /// Whether the asperities follow from the interface as well.
+    pub(crate) fn needs_interface(&self) -> bool {
+        self.keys == &WAYS[1]
+    }
+
+    /// The asperities of the surface.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
-    pub fn with_numbers(
-        &self,
-        interface: Interface,
-        surface: Surface,
-        nominal_area: f64,
-    ) -> Result<Self, ContactError> {
-        let mut scene = Scene::new(interface, surface, nominal_area);
-        scene.asperity()?;
-        scene.heights = self.scene.heights.clone();
-        let same = surface == self.scene.surface;
-        // A measurement is valid for its own surface only.
-        let offset = self.scene.mean_plane_offset.filter(|_| same);
-        let pair = |pair: Pair| match same {
-            true => pair,
-            false => pair.scaled(&self.scene.surface, &surface),
+    pub(crate) fn surface(&self, interface: &Interface) -> Result<Surface, ContactError> {
+        let [a, b, c] = self.numbers;
+        let surface = match self.roughness() {
+            Some(roughness) => roughness.surface()?,
+            None if self.needs_interface() => Surface::from_plasticity_index(a, b, c, interface)?,
+            None => Surface::new(a, b, c),
         };
-        scene.pair = self.scene.pair.map(pair);
-        scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(offset);
-        scene.surface_height_std = self.scene.surface_height_std.filter(|_| same);
-        let keep_bodies = self.with_pair(interface) == self.scene.interface;
-        Ok(Self {
-            scene,
-            bodies: if keep_bodies { self.bodies.clone() } else { vec![] },
-            measured: self.measured.clone().filter(|_| same),
-            follows_from: if same { self.follows_from } else { &[] },
-            roughness: self.roughness.filter(|_| same),
-            odd_number: self.odd_number.clone().filter(|_| same),
-            stated: vec![],
-            warnings: Findings::default(),
-            scan: self.scan.clone().filter(|_| same),
-            faces: if same { self.faces.clone() } else { vec![] },
-            ..self.clone()
-        })
+        surface.check()?;
+        Ok(surface)
+    }
+
+    /// The spectral moments of profiles, those of an isotropic Gaussian surface if they are not
+    /// written.
+    ///
+    /// # Errors
+    /// Those of [`surface`](Self::surface).
+    pub(crate) fn moments(&self, interface: &Interface) -> Result<ProfileMoments, ContactError> {
+        match self.roughness() {
+            Some(roughness) => roughness.moments(),
+            None => Ok(self.surface(interface)?.moments()),
+        }
+    }
+
+    /// The way that has all of these keys: that of the surface, or else one of its asperities.
+    pub(crate) fn way_with(&self, keys: &[&str]) -> Option<&'static [&'static str; 3]> {
+        let ways = std::iter::once(self.keys).chain(Self::OF_ANY);
+        let has_all = |way: &&'static [&str; 3]| keys.iter().all(|key| way.contains(key));
+        ways.into_iter().find(has_all)
+    }
+
+    /// The same surface by the numbers of a way that [`way_with`](Self::way_with) gives.
+    fn by(
+        &self,
+        keys: &'static [&'static str; 3],
+        interface: &Interface,
+    ) -> Result<Self, ContactError> {
+        if self.keys == keys {
+            return Ok(*self);
+        }
+        let surface = self.surface(interface)?;
+        if keys == &WAYS[0] {
+            return Ok(Self::asperities(&surface));
+        }
+        let scene = Scene::new(*interface, surface, 1.0);
+        let (index, parameter) = (scene.plasticity_index()?, surface.roughness_parameter());
+        Ok(Self { keys, numbers: [index, parameter, surface.asperity_height_std] })
+    }
+
+    /// The number of a key, if any way of the surface has it.
+    pub(crate) fn number(&self, key: &str, interface: &Interface) -> Option<f64> {
+        let of = self.by(self.way_with(&[key])?, interface).ok()?;
+        of.keys.iter().zip(of.numbers).find(|(name, _)| **name == key).map(|(_, number)| number)
+    }
+
+    /// The surface with other numbers: those of its keys replace what was written; with others it
+    /// is described by its asperities, of which the remaining numbers stay.
+    ///
+    /// # Errors
+    /// Those of [`surface`](Self::surface).
+    pub(crate) fn with(
+        &self,
+        given: &[(&'static str, f64)],
+        interface: &Interface,
+    ) -> Result<Self, ContactError> {
+        let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+        let mut edited = self.by(self.way_with(&names).unwrap_or(self.keys), interface)?;
+        for (key, number) in edited.keys.iter().zip(&mut edited.numbers) {
+            let found = given.iter().find(|(name, _)| name == key);
+            *number = found.map_or(*number, |(_, value)| *value);
+        }
+        Ok(edited)
+    }
+}
+
+impl SceneFile {
+    /// Gives the scene the surface that was written, one or two rough surfaces together.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub(crate) fn describe(&mut self, written: Vec<Written>) -> Result<(), ContactError> {
+        let interface = &self.scene.interface;
+        match written[..] {
+            [first, second, ..] => {
+                let of_second = second.moments(interface)?;
+                let ProfileMoments { m0, m2, m4 } = first.moments(interface)?.plus(&of_second);
+                let sum = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
+                let pair = Pair::new(first.surface(interface)?, second.surface(interface)?);
+                (self.scene.surface, self.scene.pair) = (sum.surface()?, Some(pair));
+                (self.roughness, self.follows_from) = (Some(sum), sum.way.keys());
+            }
+            [only] => {
+                (self.scene.surface, self.scene.pair) = (only.surface(interface)?, None);
+                self.roughness = only.roughness();
+                self.follows_from = if only.keys == &WAYS[0] { &[] } else { only.keys };
+            }
+            [] => {}
+        }
+        self.counter_variance = 0.0;
+        self.written = written;
+        Ok(())
+    }
+
+    /// What was written of the first surface, or its asperities if these are those of one surface;
+    /// `None` of a surface with ranges, and of two that are not both described by numbers.
+    pub(crate) fn first_written(&self) -> Option<Written> {
+        let is_of_two = self.measured.is_some() && self.scan.is_none() || self.faces.len() > 1;
+        let is_known = self.spreads().is_empty() && !is_of_two;
+        let own = || is_known.then(|| Written::asperities(&self.scene.surface));
+        self.written.first().copied().or_else(own)
+    }
+
+    /// The scene with other numbers of its first surface and of its interface.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub(crate) fn with_surface(
+        mut self,
+        given: &[(&'static str, f64)],
+        offset: Option<f64>,
+    ) -> Result<Self, ContactError> {
+        let (interface, before) = (self.scene.interface, self.scene.surface);
+        let mut written = self.written.clone();
+        if let Some(first) = self.first_written().filter(|_| !given.is_empty()) {
+            let edited = first.with(given, &interface)?;
+            match written.first_mut() {
+                Some(first) => *first = edited,
+                // A scan stays where its numbers do.
+                None if edited.surface(&interface)? == before => {}
+                None => written.push(edited),
+            }
+        }
+        let [own, of_second] = self.mean_plane_offsets();
+        let mut offsets = [offset.or(own), of_second];
+        if written != self.written || written.iter().any(Written::needs_interface) {
+            if self.written.is_empty() {
+                // What was measured is valid for its own surface only.
+                offsets = [None; 2];
+                (self.measured, self.scan, self.faces) = (None, None, vec![]);
+            }
+            self.describe(written)?;
+            self.odd_number = self.odd_number.filter(|_| before == self.scene.surface);
+            self.set_heights(self.table.as_ref().map(TabulatedHeights::mean), offsets);
+        } else if offset.is_some() {
+            self.set_mean_plane_offsets(offsets);
+        }
+        Ok(self)
+    }
+
+    /// Sets mean planes and standard deviations of the heights: `measured`, the mean of the
+    /// asperities above the mean plane, or those that are given of each surface.
+    pub(crate) fn set_heights(&mut self, measured: Option<f64>, given: [Option<f64>; 2]) {
+        match measured {
+            Some(_) => self.scene.mean_plane_offset = measured,
+            None => self.set_mean_plane_offsets(given),
+        }
+        let measured = self.measured.as_ref().map(|found| found.statistics.sq);
+        let given = || Some(self.roughness?.moments().ok()?.m0.sqrt());
+        self.scene.surface_height_std = measured.or_else(given);
     }
 
     /// Sets the heights of the means of the asperities above the mean planes \[m\] of the surface

@@ -199,9 +199,8 @@ mod tests {
         let file = scene("file = \"scan.txt\"");
         let [first, again] = [&file, &file.clone()].map(|file| file.spectrum().unwrap().unwrap());
         assert!(Arc::ptr_eq(&first, &again));
-        let mut surface = file.scene.surface;
-        surface.asperity_height_std *= 2.0;
-        let other = file.with_numbers(file.scene.interface, surface, 1e-6).unwrap();
+        let std = file.inputs(["asperity_height_std"]).unwrap()[0];
+        let other = file.with_inputs([(std, 1e-6)]).unwrap();
         assert!(other.spectrum().is_none());
         let profile = Topography::new(scan().heights()[..48].to_vec(), 48, [1e-6; 2]).unwrap();
         let mut heights = scan().heights().to_vec();
@@ -291,13 +290,11 @@ mod tests {
             assert!((a - b).abs() < 1e-18);
         }
         assert_eq!(file.model("bem").unwrap().id(), "bem");
-        let asperity::Scene { interface, surface, nominal_area, .. } = file.scene;
-        let (mut harder, mut rougher) = (interface, surface);
-        harder.hardness = Some(2e9);
-        rougher.asperity_height_std = 1e-6;
-        let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
+        let names = ["hardness", "nominal_area", "asperity_height_std"];
+        let inputs = file.inputs(names).unwrap();
+        let same = file.with_inputs([(inputs[0], 2e9), (inputs[1], 2e-6)]).unwrap();
         assert!(same.bem().is_ok());
-        let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
+        let other = file.with_inputs([(inputs[2], 1e-6)]).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for none in [other, two] {
             let refused = none.bem().unwrap_err().to_string();

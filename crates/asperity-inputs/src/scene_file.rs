@@ -15,6 +15,7 @@ use crate::interface::interface;
 use crate::kept::Read;
 use crate::keys::{COUNTERFACE, joined};
 use crate::measured::Asked;
+use crate::numbers::Written;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::text_file::read_text;
@@ -53,6 +54,9 @@ pub struct SceneFile {
     pub(crate) follows_from: &'static [&'static str],
     /// The numbers from which the asperities follow, if they are not given directly or measured.
     pub roughness: Option<Roughness>,
+    /// The numbers that were written of each surface, of which all are given by numbers without
+    /// ranges.
+    pub(crate) written: Vec<Written>,
     /// The rough surfaces whose numbers are known within ranges; their middles make
     /// `scene.surface`.
     pub(crate) faces: Vec<Face>,
@@ -194,16 +198,11 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(document.conflict(&key, source, needed));
         }
     }
-    match offset {
-        Some(_) => file.scene.mean_plane_offset = offset,
-        None => file.set_mean_plane_offsets(given),
-    }
-    let measured = file.measured.as_ref().map(|found| found.statistics.sq);
-    let given = || Some(file.roughness?.moments().ok()?.m0.sqrt());
-    file.scene.surface_height_std = measured.or_else(given);
+    file.set_heights(offset, given);
     for (section, number) in ["surface", COUNTERFACE].iter().zip(&mut file.peklenik_numbers) {
         *number = document.positive(section, "peklenik_number")?;
     }
+    file.options = options;
     let (scene, table) = (&file.scene, file.table.as_ref());
     scene.asperity().map_err(|error| {
         let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
@@ -224,9 +223,8 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             .advice("remove `hurst_exponent` to use the spectrum of the scan");
         notes.push(found.from_origin(at.to_string()));
     }
-    file.read = Some(Arc::new(Read::new(document, interface, scene.surface, table)));
+    file.read = Some(Arc::new(Read::new(document, (interface, &bodies), scene.surface, table)));
     Ok(SceneFile {
-        options,
         separation_from,
         bodies,
         warnings: notes.into_iter().collect::<Findings>().silenced(&accept),
@@ -270,6 +268,7 @@ impl From<Scene> for SceneFile {
             no_pair: None,
             follows_from: &[],
             roughness: None,
+            written: vec![],
             faces: vec![],
             odd_number: None,
             hardness_at: None,

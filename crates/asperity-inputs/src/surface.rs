@@ -1,6 +1,6 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use asperity::{ContactError, Finding, Interface, Pair, ProfileMoments, Scene, Surface, short};
+use asperity::{ContactError, Finding, Interface, ProfileMoments, Scene, short};
 
 use crate::document::Document;
 use crate::finish::{FINISH, face};
@@ -8,9 +8,9 @@ use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
 use crate::likely::{in_other_unit, likely_angle, other_unit, too_steep};
 use crate::measured::{Asked, measured};
-use crate::numbers::WAYS;
+use crate::numbers::{WAYS, Written};
 use crate::unknowns::{Face, middle};
-use crate::{Roughness, SceneError, SceneFile, Way};
+use crate::{SceneError, SceneFile, Way};
 
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
@@ -78,33 +78,31 @@ fn way(
 
 /// A surface described by numbers.
 struct Numbers {
-    surface: Surface,
-    /// Each of the surfaces in contact; none of one alone.
-    pair: Option<Pair>,
-    /// The numbers from which the asperities follow, if they are not given directly.
-    roughness: Option<Roughness>,
-    follows_from: &'static [&'static str],
+    described: Described,
+    moments: ProfileMoments,
     /// The number that explains findings about the asperities.
     odd: Option<Finding>,
-    /// The surface, if its numbers are known within ranges.
-    face: Option<Face>,
+}
+
+enum Described {
+    Known(Written),
+    Within(Box<Face>),
 }
 
 impl Numbers {
-    /// The surface in the middle of the ranges of these, one or two rough surfaces together.
-    fn of_faces(faces: &[Face], odd: Option<Finding>) -> Result<Self, ContactError> {
-        let ((surface, pair), face) = (middle(faces)?, faces.first().cloned());
-        Ok(Self { surface, pair, roughness: None, follows_from: &FINISH[..1], odd, face })
-    }
-
     /// As a surface with ranges, which these numbers may have none of.
     fn face(&self, section: &'static str) -> Face {
-        self.face.clone().unwrap_or_else(|| Face::known(section, &self.moments()))
+        match &self.described {
+            Described::Known(_) => Face::known(section, &self.moments),
+            Described::Within(face) => (**face).clone(),
+        }
     }
 
-    fn moments(&self) -> ProfileMoments {
-        let given = self.roughness.and_then(|roughness| roughness.moments().ok());
-        given.unwrap_or_else(|| self.surface.moments())
+    fn written(&self) -> Option<Written> {
+        match self.described {
+            Described::Known(written) => Some(written),
+            Described::Within(_) => None,
+        }
     }
 }
 
@@ -127,45 +125,33 @@ pub(crate) fn surface(
         let needed = "a measured file, from which the heights are taken,";
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
-    let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
-    let has_ranges = [&first, &second].into_iter().flatten().any(|numbers| numbers.face.is_some());
-    let mut faces = vec![];
-    let numbers = match (first, second) {
-        (Some(first), Some(second)) if has_ranges => {
-            faces = vec![first.face("surface"), second.face(COUNTERFACE)];
-            let made = Numbers::of_faces(&faces, first.odd.or(second.odd));
-            made.map_err(document.refused("surface"))?
-        }
-        (Some(first), Some(second)) => {
-            let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
-            let roughness = Roughness { way: Way::Moments, numbers: [m0, m2, m4] };
-            let surface = roughness.surface().map_err(document.refused("surface"))?;
-            let follows_from = roughness.way.keys();
-            let odd = first.odd.or(second.odd);
-            let pair = Some(Pair::new(first.surface, second.surface));
-            Numbers { surface, pair, follows_from, roughness: Some(roughness), odd, face: None }
-        }
-        (Some(only), None) if !is_pair => {
-            faces.extend(only.face.clone());
-            only
-        }
-        (first, second) => {
-            if has_ranges {
-                let at = document.place(if first.is_some() { "surface" } else { COUNTERFACE });
-                let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
-                return Err(SceneError::Refused { at, reason: reason.into() });
-            }
-            let moments = first.or(second).map(|numbers| numbers.moments());
-            let (file, of_scan) = measured(document, heights, asked, pair, moments)?;
-            return Ok((file, [of_scan, notes].concat()));
-        }
-    };
+    let first_is_numbers = first.is_some();
+    let is_measured = first.is_none() || is_pair && second.is_none();
+    let of_numbers = first.into_iter().chain(second).map(|(numbers, _)| numbers);
+    let of_numbers: Vec<Numbers> = of_numbers.collect();
+    let has_ranges = of_numbers.iter().any(|numbers| numbers.written().is_none());
+    if is_measured && has_ranges {
+        let at = document.place(if first_is_numbers { "surface" } else { COUNTERFACE });
+        let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
+        return Err(SceneError::Refused { at, reason: reason.into() });
+    }
+    if is_measured {
+        let moments = of_numbers.first().map(|numbers| numbers.moments);
+        let (file, of_scan) = measured(document, heights, asked, pair, moments)?;
+        return Ok((file, [of_scan, notes].concat()));
+    }
     let mut file = SceneFile::from(pair);
-    (file.scene.surface, file.scene.pair) = (numbers.surface, numbers.pair);
-    file.follows_from = numbers.follows_from;
-    file.roughness = numbers.roughness;
-    file.odd_number = numbers.odd;
-    file.faces = faces;
+    let refused = document.refused("surface");
+    if has_ranges {
+        let sections = ["surface", COUNTERFACE];
+        file.faces = of_numbers.iter().zip(sections).map(|(one, at)| one.face(at)).collect();
+        (file.scene.surface, file.scene.pair) = middle(&file.faces).map_err(refused)?;
+        file.follows_from = &FINISH[..1];
+    } else {
+        let written = of_numbers.iter().filter_map(Numbers::written).collect();
+        file.describe(written).map_err(refused)?;
+    }
+    file.odd_number = of_numbers.into_iter().find_map(|numbers| numbers.odd);
     Ok((file, notes))
 }
 
@@ -183,11 +169,16 @@ fn numbers(
     if way == FINISH {
         let (face, odd, found) = face(document, section)?;
         notes.extend(found);
-        let numbers = Numbers::of_faces(&[face], odd).map_err(document.refused(section))?;
-        return Ok(Some((numbers, key)));
+        let (surface, _) =
+            middle(std::slice::from_ref(&face)).map_err(document.refused(section))?;
+        let moments = surface.moments();
+        return Ok(Some((
+            Numbers { described: Described::Within(Box::new(face)), moments, odd },
+            key,
+        )));
     }
-    let Ok(keys) = <[&str; 3]>::try_from(way) else { return Ok(None) };
-    let is_asperities = keys == WAYS[0];
+    let Ok(keys) = <&[&str; 3]>::try_from(way) else { return Ok(None) };
+    let is_asperities = keys == &WAYS[0];
     let mut values = [0.0; 3];
     for (key, value) in keys.iter().zip(&mut values) {
         let by_table = || measured_std.filter(|_| *key == STD);
@@ -199,21 +190,16 @@ fn numbers(
             document.missing(&at(key), how)
         })?;
     }
-    let roughness = Way::of(keys).map(|way| Roughness { way, numbers: values });
-    let refused = document.refused(section);
-    let made = |[a, b, c]: [f64; 3]| match roughness {
-        Some(roughness) => roughness.surface(),
-        None if is_asperities => Ok(Surface::new(a, b, c)),
-        None => Surface::from_plasticity_index(a, b, c, interface),
-    };
-    let given = keys.into_iter().zip(values);
+    let written = Written { keys, numbers: values };
+    let roughness = written.roughness();
+    let given = keys.iter().copied().zip(values);
     let slope = given.clone().find_map(|(key, value)| {
         likely_angle(key, value).filter(|_| ["sdq", "mean_slope"].contains(&key))
     });
     // Asperities are described by their own findings.
     let is_plain = is_asperities || slope.is_some() || values.iter().any(|value| *value <= 0.0);
     let odd = other_unit(document, section, given.filter(|_| !is_plain));
-    let surface = made(values).map_err(|error| {
+    let moments = written.moments(interface).map_err(|error| {
         let is_steep = matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. });
         let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_steep);
         let is_rough = |(_, slope, _): &(_, f64, _)| *slope > ROUGH;
@@ -221,13 +207,10 @@ fn numbers(
             Some((key, value, hint)) => {
                 SceneError::Notation { at: document.place(&at(key)), found: short(value), hint }
             }
-            None => refused(error),
+            None => document.refused(section)(error),
         }
     })?;
-    surface.check().map_err(&refused)?;
     let odd = odd.map(|odd| in_other_unit(document, section, odd));
-    let follows_from = if is_asperities { &[] } else { way };
-    let numbers = Numbers { surface, pair: None, roughness, follows_from, odd, face: None };
     // Of two surfaces, each finding has its place.
     if document.has(COUNTERFACE) {
         let place = |path: &str| document.place(path).to_string();
@@ -236,12 +219,12 @@ fn numbers(
             found.within(section).from_origin(place)
         }));
         if roughness.is_none_or(|roughness| roughness.way != Way::Moments) {
-            notes.push(gaussian_moments(section, &numbers.moments()).from_origin(place(section)));
+            notes.push(gaussian_moments(section, &moments).from_origin(place(section)));
         }
     } else {
         notes.extend(slope);
     }
-    Ok(Some((numbers, key)))
+    Ok(Some((Numbers { described: Described::Known(written), moments, odd }, key)))
 }
 
 /// The note on moments that follow from other numbers.

@@ -2,13 +2,16 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use asperity::{Datum, HeightDistribution, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::{Document, Files};
-use crate::keys::{Key, joined, keys_of};
+use crate::kept::Read;
+use crate::keys::{Key, Subject, joined, keys_of};
 use crate::measured::Asked;
+use crate::numbers::Written;
 use crate::scene_file::scene_file;
 use crate::{Place, SceneError, SceneFile, interface_of, parse, template, write_heights};
 
@@ -92,10 +95,15 @@ impl SceneFile {
         scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
     }
 
-    /// The keys of `[surface]` of a surface that is known within ranges.
+    /// The keys of `[surface]` of a surface that three numbers of its own do not describe: known
+    /// within ranges, beside a counterface, or given with a plasticity index.
     #[must_use]
-    pub fn keys_with_ranges(&self) -> Option<&Table> {
-        self.kept_surface().filter(|_| !self.faces.is_empty())
+    pub fn keys_beyond_numbers(&self) -> Option<Table> {
+        let is_written = !self.faces.is_empty()
+            || self.written.len() > 1
+            || self.written.first().is_some_and(Written::needs_interface);
+        let keys = || self.kept_surface().cloned().unwrap_or_else(|| self.changed_keys());
+        is_written.then(keys)
     }
 
     /// The text; a table of heights is in this file, or in the text.
@@ -128,7 +136,11 @@ impl SceneFile {
     /// the interface.
     fn interface_keys(&self) -> Table {
         let interface = self.scene.interface;
-        if let Some(read) = self.read.as_ref().filter(|read| read.interface == interface) {
+        // The harder of two bodies may change beside the same interface.
+        let is_same = |read: &&Arc<Read>| {
+            read.interface == interface && (read.bodies == self.bodies || self.bodies.is_empty())
+        };
+        if let Some(read) = self.read.as_ref().filter(is_same) {
             let names = ["rigid_counterface", "work_of_adhesion", "interface", "body"];
             let kept = read.table.iter().filter(|(name, _)| names.contains(&name.as_str()));
             return kept.map(|(name, value)| (name.clone(), value.clone())).collect();
@@ -155,9 +167,10 @@ impl SceneFile {
     fn kept_surface(&self) -> Option<&Table> {
         let read = self.read.as_ref().filter(|read| read.surface == self.scene.surface)?;
         let keys = read.table.get("surface")?.as_table()?;
-        let same_interface = read.interface == self.scene.interface;
-        // The plasticity index depends on the interface, too.
-        (same_interface || !keys.contains_key("plasticity_index")).then_some(keys)
+        // The plasticity index depends on the interface, too, and other numbers may take its place.
+        let is_written = self.written.first().is_some_and(|one| keys.contains_key(one.keys[0]));
+        let is_same = read.interface == self.scene.interface && is_written;
+        (is_same || !keys.contains_key("plasticity_index")).then_some(keys)
     }
 
     fn names_no_scan(&self) -> bool {
@@ -176,16 +189,30 @@ impl SceneFile {
             && summits.map(points) == self.table.as_ref().map(points)
     }
 
+    /// The keys that describe a surface whose numbers have changed since reading.
+    fn changed_keys(&self) -> Table {
+        let mut again = Self::from(self.scene.clone());
+        let is_written = again.describe(self.written.clone()).is_ok()
+            && again.scene.surface == self.scene.surface;
+        let Some(first) = self.written.first().filter(|_| is_written) else {
+            return Table::try_from(self.scene.surface).unwrap_or_default();
+        };
+        let read = self.read.as_ref().and_then(|read| read.table.get("surface")?.as_table());
+        let mut keys = read.cloned().unwrap_or_default();
+        keys.retain(|key, _| {
+            let subject = Key::find("surface", key).map(|key| key.subject);
+            !matches!(subject, Some(Subject::Roughness | Subject::Scan))
+        });
+        let numbers = first.keys.iter().zip(first.numbers);
+        keys.extend(numbers.map(|(key, number)| ((*key).into(), number.into())));
+        keys
+    }
+
     fn surface_keys(&self, heights_in: Option<&str>) -> Result<Table, SceneError> {
         let scene = &self.scene;
-        let mut keys = match (self.kept_surface(), self.roughness) {
-            (Some(keys), _) => keys.clone(),
-            // Other numbers of the same kind.
-            (None, Some(kind)) if kind.surface().is_ok_and(|made| made == scene.surface) => {
-                let numbers = kind.way.keys().iter().zip(kind.numbers);
-                numbers.map(|(key, number)| ((*key).into(), number.into())).collect()
-            }
-            (None, _) => Table::try_from(scene.surface).unwrap_or_default(),
+        let mut keys = match self.kept_surface() {
+            Some(keys) => keys.clone(),
+            None => self.changed_keys(),
         };
         let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
         let heights: Option<Value> = match (&scene.heights, &self.table, heights_in) {

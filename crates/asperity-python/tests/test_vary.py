@@ -75,6 +75,43 @@ def test_the_interface_is_made_again_from_its_bodies() -> None:
     assert scene.replace(youngs_modulus="105 GPa").interface == half
 
 
+def test_numbers_of_both_bodies_and_of_one_are_edits_of_the_file() -> None:
+    text = FILE.replace("yield_strength = \"400 MPa\"", "hardness = 2e9")
+    scene = asperity.Scene.parse(text)
+    both = scene.vary(hardness=[2e9, 2.2e9], youngs_modulus=[210e9, 200e9])[1]
+    edited = text.replace("hardness = 2e9", "hardness = 2.2e9").replace("210 GPa", "200 GPa")
+    assert both.interface == asperity.Scene.parse(edited).interface
+    # The softer body yields, whichever is varied.
+    assert scene.replace(body1_hardness=2.2e9).interface.hardness == 2e9
+    assert scene.replace(body1_hardness=1.8e9).interface.hardness == 1.8e9
+    one = scene.replace(hardness=2.2e9, body1_youngs_modulus=200e9)
+    assert one == scene.replace(body1_youngs_modulus=200e9, hardness=2.2e9)
+
+
+def test_a_plasticity_index_stays_where_it_was_written() -> None:
+    surface = "plasticity_index = 2.0\nroughness_parameter = 0.04\nasperity_height_std = {:e}\n"
+    head = FILE.partition("[surface]")[0] + "[surface]\n"
+    scene = asperity.Scene.parse(head + surface.format(1e-6))
+    kept = pickle.loads(pickle.dumps(scene))
+    for scene in (scene, kept, copy.deepcopy(scene)):
+        varied = scene.vary(asperity_height_std=[1e-6, 0.5e-6])
+        assert varied[1].surface == asperity.Scene.parse(head + surface.format(0.5e-6)).surface
+
+
+def test_a_counterface_stays_where_numbers_of_the_first_surface_change() -> None:
+    text = FILE + "[surface.counterface]\nasperity_radius = 1e-4\nasperity_density = 1e9\n"
+    text += "asperity_height_std = 4e-7\n"
+    scene = asperity.Scene.parse(text)
+    wanted = asperity.Scene.parse(text.replace("0.5 um2", "0.6 um2"))
+    for scene in (scene, pickle.loads(pickle.dumps(scene))):
+        varied = scene.replace(m0=0.6e-12)
+        found = [
+            asperity.model("ke-pairs").solve(one, load=1000.0, quantities="tangent").tangent
+            for one in (varied, wanted)
+        ]
+        assert found[0] == found[1]
+
+
 def test_a_scene_file_varies_by_its_keys() -> None:
     scene = asperity.Scene.parse(FILE)
     moduli = [210e9, 70e9]
@@ -110,16 +147,16 @@ def test_a_sweep_draws_the_numbers_that_gave_the_scene() -> None:
     [
         ({"sq": 1e-6}, "sq is not an input of this scene: one of .*; sq needs a scene that is given by it"),
         (
-            {"youngs_modulus": 1e11},
-            "youngs_modulus is not an input of this scene .the nearest is \"body1_youngs_modulus",
+            {"equivalent_modulus": 1e11, "youngs_modulus": 1e11},
+            "equivalent_modulus is given beside youngs_modulus, which determines it",
         ),
         (
             {"hardness": 1e9, "body1_hardness": 1e9},
-            "hardness is given beside body1_hardness, which determines it: leave hardness out",
+            "hardness is that of all bodies and is given beside body1_hardness",
         ),
         (
             {"m0": 1e-12, "asperity_radius": 1e-4},
-            "asperity_radius is given beside m0, which determines it: leave asperity_radius out",
+            "asperity_radius is given beside m0, which describes the surface in another way",
         ),
         ({"m0": -1.0}, "m0 is -1"),
         ({"body1_youngs_modulus": -1.0}, "youngs_modulus is -1"),

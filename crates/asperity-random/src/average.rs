@@ -17,6 +17,8 @@ use crate::population::{BEGIN, FIRST, Population};
 /// errors are just below the least.
 const TABLE: f64 = 2e-3;
 const LEAST: f64 = 2e-13;
+/// Tolerance of the integrals over that of a table, which takes their errors for its own.
+const EXACT: f64 = 0.05;
 /// Fraction of a range of y, next to 0, on which G is taken as constant: it changes there by less
 /// than √y, and its contribution is as small.
 const STILL: f64 = 1e-10;
@@ -83,7 +85,7 @@ impl Average<'_> {
             // A thin layer of interferences is nearly a kink at u = 0, about √y wide.
             let is_thin = breaks.iter().any(|x| *x > 0.0 && *x < THIN * scale);
             let kinks: &[f64] = if is_thin { &[BEGIN] } else { &[] };
-            let integral = Integral { form, scale, breaks, power, deep };
+            let integral = Integral { form, scale, breaks, power, deep, tolerance };
             let table =
                 FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), kinks, tolerance);
             let form = Formula::sampled(Arc::new(Averaged { table, deep }));
@@ -184,6 +186,8 @@ struct Integral {
     power: i32,
     /// The y of the envelope.
     deep: f64,
+    /// Of the table.
+    tolerance: f64,
 }
 
 impl Integral {
@@ -191,7 +195,7 @@ impl Integral {
     fn enveloped(&self, x: f64) -> Estimate {
         let u = x - BEGIN;
         let kernel = Kernel::shared(u, self.power);
-        let rules = TanhSinh::shared();
+        let (rules, tolerance) = (TanhSinh::shared(), EXACT * self.tolerance);
         let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
         for pair in self.breaks.windows(2) {
             let first = pair[0] / self.scale;
@@ -199,7 +203,7 @@ impl Integral {
             // In √y, because y is near κ u: small y contribute most where u is large.
             let (low, high) = (first.sqrt(), last.sqrt());
             let still = STILL * last;
-            let found = rules.integrate_beside(low, high, 1e-14, total.value.abs(), |p| {
+            let found = rules.integrate_beside(low, high, tolerance, total.value.abs(), |p| {
                 let beyond = p.left * (p.left + 2.0 * low);
                 let (x, y) = (pair[0] + beyond * self.scale, first + beyond);
                 let mut value = [0.0];
@@ -228,7 +232,7 @@ mod tests {
 
     fn integral(exponent: f64, power: i32) -> Integral {
         let (form, breaks) = ([Power::new(1.0, exponent)].into(), vec![0.0, f64::INFINITY]);
-        Integral { form, scale: 1.0, breaks, power, deep: SQRT_2 }
+        Integral { form, scale: 1.0, breaks, power, deep: SQRT_2, tolerance: LEAST }
     }
 
     fn value(integral: &Integral, u: f64) -> f64 {

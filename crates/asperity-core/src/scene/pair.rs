@@ -97,21 +97,6 @@ impl Pair {
         let [first, second] = self.surfaces.map(|one| one.asperities.moments());
         ProfileMoments { m0: self.surface_height_std().powi(2), ..first.plus(&second) }
     }
-
-    /// This pair where the surface that stands for it has changed from one to another: radii,
-    /// densities and heights of both change by the same factors.
-    #[must_use]
-    pub fn scaled(&self, from: &Surface, to: &Surface) -> Self {
-        let of = |RoughSurface { asperities: own, .. }: RoughSurface| {
-            Surface::new(
-                own.asperity_radius * (to.asperity_radius / from.asperity_radius),
-                own.asperity_density * (to.asperity_density / from.asperity_density),
-                own.asperity_height_std * (to.asperity_height_std / from.asperity_height_std),
-            )
-        };
-        let [first, second] = self.surfaces.map(of);
-        Self::new(first, second)
-    }
 }
 
 impl Scene {

@@ -85,18 +85,11 @@ fn a_counterface_has_asperities_of_its_own() {
     let note = scene(MOMENTS).other_joint(models.iter()).unwrap();
     assert_eq!((note.code, note.field.as_ref()), ("other-joint", "asperity_radius"));
     assert!(scene(MOMENTS).other_joint(models[1..].iter()).is_none());
-    // Rougher together: both surfaces by the same factor.
-    let mut surface = file.scene.surface;
-    surface.asperity_height_std *= 2.0;
-    let area = file.scene.nominal_area;
-    let rougher = file.with_numbers(file.scene.interface, surface, area).unwrap();
-    let ratio = |k: usize| {
-        let of =
-            |file: &SceneFile| file.scene.pair.unwrap().surfaces[k].asperities.asperity_height_std;
-        of(&rougher) / of(&file)
-    };
-    same(ratio(0), 2.0);
-    same(ratio(1), 2.0);
+    // The counterface stays where numbers of the first surface change.
+    let m0 = file.inputs(["m0"]).unwrap()[0];
+    let rougher = file.with_inputs([(m0, 4e-12)]).unwrap().scene.pair.unwrap();
+    let first = scene(&MOMENTS.replace("m0 = 1e-12", "m0 = 4e-12")).scene.surface;
+    assert_eq!(rougher.surfaces.map(|one| one.asperities), [first, second]);
 }
 
 #[test]

@@ -87,7 +87,8 @@ fn the_key_changes_the_meaning_of_ids_only() {
     let back = read(&file.to_toml(&[]).unwrap());
     assert_eq!(back.options, file.options);
     // The same scene with other numbers.
-    let moved = random.with_numbers(random.scene.interface, random.scene.surface, 2.0).unwrap();
+    let area = random.inputs(["nominal_area"]).unwrap()[0];
+    let moved = random.with_inputs([(area, 2.0)]).unwrap();
     assert!((value(&moved, "ke")[0] / value(&random, "ke")[0] - 2.0).abs() < 1e-12);
 }
 

@@ -219,9 +219,13 @@ fn changed_numbers_are_written() {
     let index = template().replace("asperity_radius = 2e-4 ", "plasticity_index = 2 ");
     let index = index.replace("asperity_density = 2e8 ", "roughness_parameter = 0.04 ");
     let file = read(&index);
-    let mut harder = file.scene.interface;
-    harder.hardness = Some(3e9);
-    let other = file.with_numbers(harder, file.scene.surface, 1e-4).unwrap();
+    // The plasticity index stays; asperities of the same scene replace it.
+    let hardness = file.inputs(["hardness"]).unwrap()[0];
+    let harder = file.with_inputs([(hardness, 3e9)]).unwrap();
+    let (text, _) = written_only(&harder);
+    assert!(text.contains("plasticity_index = 2e0") && text.contains("hardness = 3e9"), "{text}");
+    let radius = file.inputs(["asperity_radius"]).unwrap()[0];
+    let other = harder.with_inputs([(radius, 3e-4)]).unwrap();
     let (text, _) = written_only(&other);
     assert!(text.contains("asperity_radius") && !text.contains("plasticity_index"), "{text}");
 }

@@ -196,14 +196,15 @@ impl SceneFile {
         PyTuple::new(py, &self.0.accept)
     }
 
-    /// A copy with other numbers, by the names of a scene file: those of ``Interface`` and
-    /// ``Surface``, and nominal_area; or plasticity_index and roughness_parameter in the place of
-    /// radius and density.
+    /// A copy with other numbers, by the names of a scene file: that of the file with these numbers
+    /// in the place of those written. Their order does not matter.
     ///
-    /// Of a scene with bodies also body1_youngs_modulus, body2_hardness and so on, and
-    /// youngs_modulus of both, if it is the same; of a surface from moments m0, m2 and m4, from ISO
-    /// 25178 sq, spd and spc, from the standard deviation of the surface heights
-    /// surface_height_std. The interface and the surface are made from them again.
+    /// Of a scene with bodies, hardness, youngs_modulus and so on are those of both bodies, and
+    /// body1_hardness that of one. Numbers of a surface are those of the first of two: as written,
+    /// so that a plasticity_index stays where asperity_height_std or hardness changes, or m0 where
+    /// m2 does. Of a surface that is written otherwise, asperity_radius, asperity_density and
+    /// asperity_height_std, or plasticity_index and roughness_parameter, describe it from then on,
+    /// beside the other asperities that it has.
     #[pyo3(signature = (**numbers))]
     fn replace(&self, numbers: Option<BTreeMap<String, Object<'_>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();
@@ -293,8 +294,8 @@ impl SceneFile {
     fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arguments = PyDict::new(py);
         arguments.set_item("interface", self.interface(py)?)?;
-        let surface = match self.0.keys_with_ranges() {
-            Some(keys) => object(py, keys)?,
+        let surface = match self.0.keys_beyond_numbers() {
+            Some(keys) => object(py, &keys)?,
             None => self.surface(py)?,
         };
         arguments.set_item("surface", surface)?;

@@ -114,6 +114,9 @@ class Space:
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
         interface, surface = self.scene.interface, self.scene.surface
         fields = self.scene._arguments()
+        if isinstance(fields["surface"], dict):
+            # Numbers that are written otherwise vary otherwise.
+            fields["written"] = fields["surface"]
         fields |= {"interface": interface._numbers(), "surface": surface._numbers()}
         if interface._origin:
             fields["bodies"] = [body._numbers() for body in interface._origin]
