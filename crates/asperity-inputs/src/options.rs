@@ -190,12 +190,12 @@ impl ModelOptions {
         if model.validity().asperities { model.on(self.asperities) } else { model }
     }
 
-    /// Every model with these options, each once: if `jg_hardness` or `at_reading` give `jg` or
-    /// `at` the meaning of another id, that id replaces it.
+    /// The models `known` with these options, each once: if `jg_hardness` or `at_reading` give `jg`
+    /// or `at` the meaning of another id, that id replaces it.
     #[must_use]
-    pub fn models(&self) -> Vec<Model> {
+    pub fn models(&self, known: Vec<Model>) -> Vec<Model> {
         let mut models: Vec<Model> = vec![];
-        for known in Model::all() {
+        for known in known {
             let model = self.model(known.id()).unwrap_or(known);
             if !models.iter().any(|m| m.id() == model.id()) {
                 models.push(model);

@@ -31,7 +31,7 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
     if !is_even(&along) {
         x.scale = Scale::fitting(&along);
     }
-    let known = Model::named();
+    let known = Model::all();
     let curves = curves(table, |_, id| {
         // The ends of the ranges of a model look like it.
         let of = id.split(' ').next().unwrap_or(id);

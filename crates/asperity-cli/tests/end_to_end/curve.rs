@@ -148,7 +148,7 @@ fn plots_have_a_curve_for_every_model_and_finite_numbers_only() {
     );
     let svg = bench.read("p.svg");
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
-    for model in Model::all() {
+    for model in Model::of_asperities() {
         assert_eq!(svg.matches(&format!(">{}</text>", model.id())).count(), 1, "{model}");
     }
     assert!(svg.matches("<polyline").count() >= (3 + 1) * 12);

@@ -204,6 +204,7 @@ mod tests {
         year: 2026,
         title: "",
         provenance: Provenance::Derived,
+        published: &[],
     };
 
     #[derive(Debug)]

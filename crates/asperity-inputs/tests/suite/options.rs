@@ -82,7 +82,7 @@ fn plain_ids_mean_the_models_of_the_options() {
 #[test]
 fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
     let (models, left_out) = scene("").models();
-    assert!(models.len() == Model::all().len() && left_out.is_empty());
+    assert!(models.len() == Model::of_asperities().len() && left_out.is_empty());
     let text = "nominal_area = 1e-4
         [interface]
         equivalent_modulus = 115e9

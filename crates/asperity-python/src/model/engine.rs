@@ -270,7 +270,7 @@ pub(crate) fn raise_own<'e>(
 /// The ids of the models of asperities without adhesion and hardening, by year.
 #[pyfunction]
 pub(crate) fn model_ids() -> Vec<String> {
-    Model::all().iter().map(|model| model.id().to_string()).collect()
+    Model::of_asperities().iter().map(|model| model.id().to_string()).collect()
 }
 
 /// Table columns by the names of quantities; without names, of all.
