@@ -239,7 +239,8 @@ fn odd_numbers_cause_neither_panics_nor_nan() {
     let mut answered = 0;
     let mut odd = vec![];
     // One lateral model with signs represents all four: they share their parts.
-    let models = Model::of_asperities().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
+    let models =
+        Model::of_asperities().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
     for model in models {
         for (field, set) in FIELDS {
             for value in

@@ -43,7 +43,10 @@ const SOURCE: Citation = Citation {
     provenance: Provenance::Derived,
     published: &[
         ("author", "Gao and Fu and Wang and others"),
-        ("note", "The year is about 2018 and the title is not known; read through Amini & Tehrani 2020"),
+        (
+            "note",
+            "The year is about 2018 and the title is not known; read through Amini & Tehrani 2020",
+        ),
     ],
 };
 

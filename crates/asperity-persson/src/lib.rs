@@ -59,10 +59,7 @@ const FUDGE: Citation = Citation {
     year: 2024,
     title: "Persson_LE_Area_Xu24 (a program)",
     provenance: Provenance::Seen,
-    published: &[
-        ("author", "Xu and others"),
-        ("howpublished", "program"),
-    ],
+    published: &[("author", "Xu and others"), ("howpublished", "program")],
 };
 
 const PLASTIC: Citation = Citation {

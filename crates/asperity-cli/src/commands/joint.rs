@@ -61,7 +61,7 @@ pub struct Joint {
     /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
     /// NumPy matrix
     #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
-    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png"))]
+    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
     stick_map: Option<PathBuf>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]

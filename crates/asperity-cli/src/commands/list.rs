@@ -5,7 +5,7 @@ use anyhow::{Result, ensure};
 use asperity::bem::Bem;
 use asperity::{Body, Citation, Code, Described, Model, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::{BODY, Field, Material, unit_of};
+use asperity_inputs::{BODY, Field, Material, column_of};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
@@ -160,8 +160,8 @@ fn sources(word: &str) -> Result<Sheet> {
     Ok(sheet)
 }
 
-/// The models of this id and its variants; without any, those with all words in their name,
-/// authors, year or variant.
+/// The models of this id and its variants; without any, those with all words in their name, authors
+/// or year, and then those on other asperities, whose variant is described as well.
 fn like(word: &str) -> Result<Vec<Listed>> {
     let wanted = word.trim().to_lowercase();
     let of_id = |model: &Listed| {
@@ -175,8 +175,14 @@ fn like(word: &str) -> Result<Vec<Listed>> {
         wanted.split_whitespace().all(|word| text.contains(word))
     };
     let mut all = all();
-    let any = all.iter().any(of_id);
-    all.retain(|model| if any { of_id(model) } else { has_word(model) });
+    let is_equal = |model: &Listed| !model.id.ends_with("-random") && !model.id.ends_with("-pairs");
+    let any = |is: &dyn Fn(&Listed) -> bool| all.iter().any(is);
+    let (ids, equal) = (any(&of_id), any(&|model| is_equal(model) && has_word(model)));
+    all.retain(|model| match (ids, equal) {
+        _ if wanted.is_empty() => true,
+        (true, _) => of_id(model),
+        (_, equal) => has_word(model) && (!equal || is_equal(model)),
+    });
     ensure!(
         !all.is_empty(),
         "no model has the id {word:?}, or these words in its name, authors, year or variant; `asperity list models` lists all"
@@ -192,7 +198,7 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         asperity_inputs::materials().iter().any(|m| (key.get)(&m.body).is_some())
     };
     let keys: Vec<&Field<Body>> = BODY.iter().filter(known).collect();
-    let heads: Vec<String> = keys.iter().map(|key| column(key.name)).collect();
+    let heads: Vec<String> = keys.iter().map(|key| column_of(key.name)).collect();
     for Material { id, name, source, body, .. } in found {
         let numbers = keys.iter().map(|key| Cell::from((key.get)(body)));
         let mut cells = vec![("material", Cell::from(&**id))];
@@ -205,13 +211,6 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         sheet.rows.push(row);
     }
     Ok(sheet)
-}
-
-/// A key with its unit, as in other tables: `hardness_Pa`.
-fn column(key: &str) -> String {
-    let unit = unit_of(key).unwrap_or_default().replace(['(', ')'], "");
-    let unit = unit.replace('/', "_per_").replace(' ', "_");
-    if unit.is_empty() { key.into() } else { format!("{key}_{unit}") }
 }
 
 fn findings(word: &str, narrow: bool) -> Result<Sheet> {
