@@ -106,7 +106,7 @@ fn elastic_asperities_unload_with_the_tangent() {
 
 #[test]
 fn inclined_contacts_and_missing_inputs_are_refused_by_name() {
-    let lateral = Model::all().into_iter().filter(|model| model.validity().angles);
+    let lateral = Model::of_asperities().into_iter().filter(|model| model.validity().angles);
     for model in lateral {
         for quantity in FOLLOW {
             let asked = Request::new([quantity]).at([1.0]);

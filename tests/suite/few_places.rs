@@ -51,7 +51,7 @@ fn a_contact_for_few_places_answers_as_the_compiled_one() {
         (with_index(0.3), "index 0.3"),
         (exponential, "exponential"),
     ] {
-        for model in Model::all() {
+        for model in Model::of_asperities() {
             for at in places(&scene) {
                 let request = Request::new(QUANTITIES).at([at]);
                 let [few, many] =

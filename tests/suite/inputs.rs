@@ -45,7 +45,7 @@ fn every_bad_number_of_a_scene_is_refused_by_every_model() {
             }
             let mut scene = named("mild");
             set(&mut scene, bad);
-            for model in Model::all() {
+            for model in Model::of_asperities() {
                 refused(model.compile(&scene, &request()), field, bad);
             }
         }
@@ -59,7 +59,7 @@ fn every_bad_number_of_a_scene_is_refused_by_every_model() {
 fn a_hardness_or_yield_strength_is_needed_and_either_is_enough() {
     let mut scene = named("mild");
     scene.interface.hardness = None;
-    for model in Model::all() {
+    for model in Model::of_asperities() {
         match model.compile(&scene, &request()) {
             Ok(_) => assert_eq!(model.id(), "gw"),
             Err(error) => {
@@ -80,7 +80,7 @@ fn a_hardness_or_yield_strength_is_needed_and_either_is_enough() {
 fn only_the_lateral_models_miss_the_shear_modulus() {
     let mut scene = named("mild");
     scene.interface.equivalent_shear_modulus = None;
-    for model in Model::all() {
+    for model in Model::of_asperities() {
         let answer = model.compile(&scene, &request());
         if model.validity().angles {
             let message = answer.unwrap_err().to_string();
@@ -97,7 +97,7 @@ fn an_asperity_that_never_yields_is_refused_only_where_yielding_matters() {
     let mut scene = named("mild");
     // S H/E large enough for w_c > R, and for JG's and ZMC's own limits.
     scene.interface.hardness = Some(10.0 * scene.interface.equivalent_modulus);
-    for model in Model::all() {
+    for model in Model::of_asperities() {
         let answer = model.compile(&scene, &request());
         match model.id() {
             "gw" => assert!(answer.is_ok()),
@@ -239,7 +239,8 @@ fn odd_numbers_cause_neither_panics_nor_nan() {
     let mut answered = 0;
     let mut odd = vec![];
     // One lateral model with signs represents all four: they share their parts.
-    let models = Model::all().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
+    let models =
+        Model::of_asperities().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
     for model in models {
         for (field, set) in FIELDS {
             for value in

@@ -22,7 +22,7 @@ fn no_model_has_a_finding() {
     let mut findings = vec![];
     for scene in ["at-paper", "mild", "severe"] {
         let asperity: Asperity = scenes::named(scene).asperity().unwrap();
-        for model in Model::all() {
+        for model in Model::of_asperities() {
             let found = testkit::check(&model, &asperity).unwrap();
             // JG and Etsion state that their forces may fall.
             let stated = |code| code == "not-monotone" && !model.validity().force_monotone;

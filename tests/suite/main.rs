@@ -3,6 +3,7 @@
 
 mod arrays;
 mod check;
+mod claims;
 mod contact_radii;
 mod crossings;
 mod few_places;

@@ -1,7 +1,7 @@
 //! Rows: the same result singly and in a list, within the bounds.
 
 use asperity::{
-    ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace,
+    At, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace,
 };
 
 use crate::scenes::model;
@@ -59,4 +59,33 @@ fn logarithms_near_zero_have_the_rounding_of_their_scale() {
         // Two logarithms of up to 400 cancel: each is rounded to 6e-14.
         assert!(off <= bound && bound < 3e-13, "{s}: {off:e}, bound {bound:e}");
     }
+}
+
+#[test]
+fn rows_have_the_separations_that_carry_their_loads() {
+    let scene = scene(3.0);
+    let quantities = [Quantity::Area, Quantity::Tangent];
+    // Few and many rows of asperities; a theory of the whole surface.
+    for (id, count) in [("ke", 2), ("ke", 40), ("gw-pairs", 2), ("gao", 12)] {
+        let mut at: Vec<At> = linspace(1.0, 50.0, count).into_iter().map(At::Load).collect();
+        at.extend([At::Pressure(1e5), 1.5.into(), At::Load(-1.0)]);
+        let request = Request::new(quantities).at(at.iter().copied());
+        let answer = model(id).solve(&scene, &request).unwrap();
+        let contact = model(id).compile(&scene, &request).unwrap();
+        assert_eq!(answer.separations.len(), at.len());
+        for (found, at) in answer.separations.iter().zip(&at) {
+            match (found, at) {
+                (Err(error), At::Load(load)) => assert!(*load < 0.0, "{id}: {error}"),
+                (found, at) => {
+                    let (found, known) =
+                        (found.as_ref().unwrap(), contact.separation(*at).unwrap());
+                    assert!((found.value - known.value).abs() < 1e-9, "{id} {at}: {found} {known}");
+                    assert_eq!((found.unit, found.from), (known.unit, known.from));
+                }
+            }
+        }
+    }
+    let request = Request::new([Quantity::Area]).at_loads([1.0]);
+    let persson = model("persson").solve(&scene, &request);
+    assert!(persson.unwrap().separations[0].is_err(), "without a spectrum, it has none");
 }

@@ -43,7 +43,7 @@ pub fn lateral(id: &str, options: LateralOptions) -> Model {
 
 /// The models of upright asperities, GW first.
 pub fn upright() -> Vec<Model> {
-    Model::all().into_iter().filter(|model| !model.validity().angles).collect()
+    Model::of_asperities().into_iter().filter(|model| !model.validity().angles).collect()
 }
 
 /// The model of this id.

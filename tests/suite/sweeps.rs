@@ -33,7 +33,7 @@ fn cases(count: usize, materials: bool) -> Vec<Case> {
 #[test]
 fn a_sweep_equals_scenes_compiled_one_by_one() {
     let tolerance = Tolerance::new(1e-12).unwrap();
-    for model in Model::all() {
+    for model in Model::of_asperities() {
         let lateral = model.validity().angles;
         // Compiled one by one: laws over angles take a tenth of a second to build.
         let laterals = if is_long() { 4 } else { 1 };

@@ -19,6 +19,7 @@ const SOURCE: Citation = Citation {
     year: 2026,
     title: "a test",
     provenance: Provenance::Derived,
+    published: &[],
 };
 
 impl Described for Wavy {

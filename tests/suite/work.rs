@@ -29,6 +29,7 @@ const SOURCE: Citation = Citation {
     year: 2020,
     title: "a test",
     provenance: Provenance::Derived,
+    published: &[],
 };
 
 impl Spy {

@@ -22,6 +22,14 @@ const SOURCE: Citation = Citation {
     year: 1975,
     title: "Effect of contact deformations on the adhesion of particles",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Derjaguin, B. V. and Muller, V. M. and Toporov, Y. P."),
+        ("journal", "Journal of Colloid and Interface Science"),
+        ("volume", "53"),
+        ("number", "2"),
+        ("pages", "314--326"),
+        ("doi", "10.1016/0021-9797(75)90018-1"),
+    ],
 };
 
 impl Described for DerjaguinMullerToporov {

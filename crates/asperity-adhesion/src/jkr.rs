@@ -83,6 +83,14 @@ const SOURCE: Citation = Citation {
     year: 1971,
     title: "Surface energy and the contact of elastic solids",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Johnson, K. L. and Kendall, K. and Roberts, A. D."),
+        ("journal", "Proceedings of the Royal Society of London A"),
+        ("volume", "324"),
+        ("number", "1558"),
+        ("pages", "301--313"),
+        ("doi", "10.1098/rspa.1971.0141"),
+    ],
 };
 
 const SEPARATION: Citation = Citation { id: "jkr-separation", name: "JKR separation", ..SOURCE };

@@ -35,6 +35,12 @@ const SOURCE: Citation = Citation {
     year: 2005,
     title: "Elastic-plastic contact model for rough surfaces based on plastic asperity concept",
     provenance: Provenance::Derived,
+    published: &[
+        ("author", "Abdo, J. and Farhang, K."),
+        ("journal", "International Journal of Non-Linear Mechanics"),
+        ("number", "4"),
+        ("pages", "495--506"),
+    ],
 };
 
 /// R_p/R = 1 - w_c/R, the radius of the embedded plastic asperity over that of the asperity.

@@ -139,7 +139,8 @@ impl Asked {
         let mut response = self.contact.respond(&request.at(places.iter().map(|place| place.1)));
         let mut columns: Vec<_> =
             response.columns.drain(..).map(|column| column.rows.into_iter()).collect();
-        let lines = places.into_iter().map(|(given, at)| {
+        let rows = places.into_iter().zip(response.separations);
+        let lines = rows.map(|((given, _), separation)| {
             let mut found = columns.iter_mut().filter_map(Iterator::next);
             let value = |quantity: &Quantity| {
                 let lacks = self.refused.iter().find(|(lacks, _)| lacks == quantity);
@@ -149,19 +150,20 @@ impl Asked {
                 }
             };
             let values = self.request.quantities.iter().map(value).collect();
-            let (separation, film) = self.separations(file, at);
+            let separation = separation.map_err(|reason| *reason);
+            let (separation, film) = self.separations(file, &separation);
             Line { given, separation, film, values }
         });
         (lines.collect(), response.warnings)
     }
 
-    /// The separation at a place in σ_z and in metres, from the plane of the scene, and as a film.
+    /// A separation in σ_z and in metres, from the plane of the scene, and as a film.
     fn separations(
         &self,
         file: &SceneFile,
-        at: At,
+        separation: &Result<Separation, ContactError>,
     ) -> ([Result<f64, ContactError>; 2], [Option<f64>; 2]) {
-        let (separation, scene) = (self.contact.separation(at), self.contact.scene());
+        let scene = self.contact.scene();
         let from_scene = |unit| measured(file, scene, separation.clone()?, unit);
         let film =
             |unit| separation.as_ref().ok()?.measured_in(unit, Datum::SurfaceMean, scene).ok();

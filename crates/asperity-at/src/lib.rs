@@ -45,6 +45,11 @@ const SOURCE: Citation = Citation {
     year: 2020,
     title: "A New Combined Model for considering the Plasticity Effects in Contacting Asperities",
     provenance: Provenance::Seen,
+    published: &[
+        ("journal", "Mathematical Problems in Engineering"),
+        ("eid", "4640204"),
+        ("doi", "10.1155/2020/4640204"),
+    ],
 };
 
 const ADDITIVE: Citation = Citation { id: "at-additive", name: "AT additive", ..SOURCE };

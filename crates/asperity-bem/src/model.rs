@@ -36,6 +36,9 @@ impl Bem {
     /// Names and source of the method.
     pub const SOURCE: Citation = SOURCE;
 
+    /// Range of validity, in a few words.
+    pub const VALID_FOR: &str = "scans with small slopes; the hardness limits the pressure";
+
     /// A map with its options; a default [continuation](Continuation::of) other than repetition has
     /// a [note](Self::note).
     #[must_use]
@@ -103,6 +106,14 @@ const SOURCE: Citation = Citation {
     year: 1999,
     title: "A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques",
     provenance: Provenance::Recalled,
+    published: &[
+        ("author", "Polonsky, I. A. and Keer, L. M."),
+        ("journal", "Wear"),
+        ("volume", "231"),
+        ("number", "2"),
+        ("pages", "206--219"),
+        ("doi", "10.1016/S0043-1648(99)00113-1"),
+    ],
 };
 
 impl Described for Bem {
@@ -111,7 +122,7 @@ impl Described for Bem {
     }
 
     fn validity(&self) -> Validity {
-        let valid_for = "scans with small slopes; the hardness limits the pressure";
+        let valid_for = Self::VALID_FOR;
         Validity { asperities: false, hertz_limit: None, valid_for, ..Validity::default() }
     }
 }

@@ -3,16 +3,22 @@
 
 use std::hint::black_box;
 
-use asperity_core::{At, ContactError, Interface, Quantity, Scene, Separation, Surface, Tolerance};
+use asperity::Gao;
+use asperity_core::{
+    At, Contact, ContactError, ContactModel, Interface, Quantity, Request, Scene, Separation,
+    Surface, Tolerance,
+};
+
 use asperity_joints::{Joint, UnloadingLaw};
 use asperity_ke::KogutEtsion;
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 
 const SIGMA: f64 = 1e-6;
 
 fn joint() -> Result<Joint, ContactError> {
     let mut interface = Interface::new(116e9, 0.31, 1.12e9);
     interface.pressure_factor = Some(0.58);
+    interface.equivalent_shear_modulus = Some(41e9);
     let surface = Surface::from_plasticity_index(6.0, 0.04, SIGMA, &interface)?;
     let scene = Scene::new(interface, surface, 3e-5);
     Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, Tolerance::default())
@@ -50,6 +56,20 @@ fn steps(c: &mut Criterion) -> Result<(), ContactError> {
     });
     let way = joint.unloading(At::metres(SIGMA))?;
     c.bench_function("step/way-back-integrated", |b| b.iter(|| way.force(black_box(next().1))));
+    let request = Request::new([Quantity::Force, Quantity::Tangent]).at_loads([1.0]);
+    let models: [(&str, &dyn ContactModel); 2] = [("ke", &KogutEtsion), ("gao", &Gao::default())];
+    let mut slow = c.benchmark_group("first-call");
+    slow.sample_size(10);
+    for (name, model) in models {
+        slow.bench_function(name, |b| {
+            let compile = || model.compile(joint.scene(), &request);
+            let call = |contact: Result<Box<dyn Contact>, ContactError>| {
+                contact?.force_and_tangent(black_box(1.0))
+            };
+            b.iter_batched(compile, call, BatchSize::PerIteration)
+        });
+    }
+    slow.finish();
     let mut slow = c.benchmark_group("table");
     slow.sample_size(10);
     slow.bench_function("build", |b| b.iter(|| joint.table(black_box(range), 1e-6)));

@@ -19,6 +19,13 @@ const SOURCE: Citation = Citation {
     year: 1987,
     title: "An elastic-plastic model for the contact of rough surfaces",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Chang, W. R. and Etsion, I. and Bogy, D. B."),
+        ("journal", "Journal of Tribology"),
+        ("volume", "109"),
+        ("number", "2"),
+        ("pages", "257--263"),
+    ],
 };
 
 impl Described for ChangEtsionBogy {

@@ -76,6 +76,15 @@ pub enum ContactError {
         /// d/σ_z from the mean of the asperity heights.
         over_sigma: f64,
     },
+    /// A separation is no number, or is below the range of a table.
+    BelowTable {
+        /// Name of the input.
+        field: &'static str,
+        /// The separation given.
+        separation: Separation,
+        /// The smallest of the table.
+        deepest: Separation,
+    },
     /// A separation from the mean plane of the surface, for heights without one.
     NoMeanPlane,
     /// A compiled scene was moved to one with a different interface or asperity radius.
@@ -189,6 +198,9 @@ impl ContactError {
             Self::SeparationOutOfRange { separation, over_sigma } => format!(
                 "separation is {separation:#}{}: `-1e6 to 1e9 asperity_height_std` from the mean of the asperity heights was required",
                 in_sigmas(separation, *over_sigma)
+            ),
+            Self::BelowTable { field, separation, deepest } => format!(
+                "`{field}` is {separation:#}: {deepest:#} or more, the deepest separation of the table, was required"
             ),
             Self::NoMeanPlane => "separations from the mean plane of the surface need `mean_plane_offset` with exponential and Weibull heights".into(),
             Self::OtherAsperity => "interface or `asperity_radius` differs from the compiled scene, and its laws depend on them: compile the new scene".into(),

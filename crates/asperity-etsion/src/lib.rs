@@ -20,6 +20,7 @@ const SOURCE: Citation = Citation {
     year: 2005,
     title: "Unloading of an elastic-plastic loaded spherical contact",
     provenance: Provenance::Recalled,
+    published: &[("author", "Etsion, I. and Kligerman, Y. and Kadin, Y.")],
 };
 
 impl Described for EtsionKligermanKadin {

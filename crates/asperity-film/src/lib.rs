@@ -51,6 +51,14 @@ const SOURCE: Citation = Citation {
     year: 1978,
     title: "An average flow model for determining effects of three-dimensional roughness on partial hydrodynamic lubrication",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Patir, N. and Cheng, H. S."),
+        ("journal", "Journal of Lubrication Technology"),
+        ("volume", "100"),
+        ("number", "1"),
+        ("pages", "12--17"),
+        ("doi", "10.1115/1.3453103"),
+    ],
 };
 
 impl Described for PatirCheng {

@@ -39,8 +39,15 @@ const SOURCE: Citation = Citation {
     name: "Gao",
     authors: "Gao, Fu, Wang and others, through Amini & Tehrani",
     year: 2018,
-    title: "(title not known)",
+    title: "",
     provenance: Provenance::Derived,
+    published: &[
+        ("author", "Gao and Fu and Wang and others"),
+        (
+            "note",
+            "The year is about 2018 and the title is not known; read through Amini & Tehrani 2020",
+        ),
+    ],
 };
 
 impl Described for Gao {

@@ -20,6 +20,10 @@ const SOURCE: Citation = Citation {
     year: 2019,
     title: "Strain hardening from elastic-perfectly plastic to perfectly elastic flattening single asperity contact",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Ghaednia, H. and Brake, M. R. W. and Berryhill, M. and Jackson, R. L."),
+        ("journal", "Journal of Tribology"),
+    ],
 };
 
 /// End of the elastic range, in units of w_y.

@@ -21,6 +21,14 @@ const SOURCE: Citation = Citation {
     year: 1966,
     title: "Contact of nominally flat surfaces",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Greenwood, J. A. and Williamson, J. B. P."),
+        ("journal", "Proceedings of the Royal Society of London A"),
+        ("volume", "295"),
+        ("number", "1442"),
+        ("pages", "300--319"),
+        ("doi", "10.1098/rspa.1966.0242"),
+    ],
 };
 
 impl Described for GreenwoodWilliamson {

@@ -53,7 +53,7 @@ pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use numbers::{Roughness, Way, interface_of};
 pub use options::ModelOptions;
-pub use quantity::{NO_LOAD, converted, quantity, quantity_of, unit_of};
+pub use quantity::{NO_LOAD, column_of, converted, quantity, quantity_of, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{SceneFile, load, load_scan, parse, parse_handed};
 pub use template::{template, template_on};

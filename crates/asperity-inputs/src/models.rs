@@ -48,18 +48,23 @@ impl SceneFile {
         }
     }
 
-    /// All models of asperities that the scene allows, with its options, those with adhesion if it
-    /// has a work of adhesion and those with hardening if it has a tangent modulus; and the others,
-    /// each with the reason.
+    /// The [usual](Model::usual) models of asperities that the scene allows, with its options, those
+    /// with adhesion if it has a work of adhesion and those with hardening if it has a tangent
+    /// modulus; and the others, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
+        self.allowed(Model::usual())
+    }
+
+    /// Those of the models `known`, and of those with adhesion or hardening, that the scene allows.
+    fn allowed(&self, known: Vec<Model>) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
         let interface = &self.scene.interface;
         let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
         let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
         let more = adhesive.into_iter().chain(hardening);
         let more = more.map(|model| self.options.on_surface(model));
-        for model in self.options.models().into_iter().chain(more) {
+        for model in self.options.models(known).into_iter().chain(more) {
             match self.refusal(&model) {
                 None => allowed.push(model),
                 // Not every model has an id on random asperities.
@@ -119,12 +124,12 @@ impl SceneFile {
         none.or(self.no_pair.filter(|_| model.asperities() == Asperities::Pairs))
     }
 
-    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
-    /// with those of random asperities and of the whole surface where these have the same joint;
+    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models)
+    /// and their variants, with those of random asperities and of the whole surface where these have the same joint;
     /// and those that the scene does not allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
-        let (mut models, mut left_out) = self.models();
+        let (mut models, mut left_out) = self.allowed(Model::of_asperities());
         let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
         let request = Request::new([Quantity::Area]);
         // Of one surface on a flat, which is another joint than two without a counterface.

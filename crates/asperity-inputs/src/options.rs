@@ -2,10 +2,11 @@
 
 use asperity::bem::{BemOptions, Continuation};
 use asperity::film::friction_factor;
+use asperity::recommended::FLOW;
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Displacement,
-    FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model,
-    Persson, Spectrum, Stick,
+    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Described,
+    Displacement, FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen,
+    LateralOptions, Model, Persson, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -70,6 +71,21 @@ pub struct ModelOptions {
     pub asperities: Asperities,
 }
 
+/// Options of some models, with their ids on equal asperities; `asperities` is one of all models of
+/// asperities.
+const OF_MODELS: [(&str, &[&str]); 9] = [
+    ("at_reading", &["at"]),
+    ("angle_density", LATERAL),
+    ("displacement", LATERAL),
+    ("stick", LATERAL),
+    ("force", LATERAL),
+    ("jg_hardness", &["jg"]),
+    ("af_flow_pressure", &["af"]),
+    ("hurst_exponent", &["persson", "persson-fudge"]),
+    ("friction_cut_off", &[FLOW]),
+];
+const LATERAL: &[&str] = &["gao", "at", "at-additive", "at-overlap"];
+
 /// The spelling of `angle_density`.
 #[derive(Serialize, Deserialize)]
 #[serde(
@@ -98,6 +114,32 @@ impl ModelOptions {
         let text = format!("{} = {value}\n", Value::from(name));
         *self = self.with_keys(&Document::new(None, Files::Nowhere, &text)?, "")?;
         Ok(())
+    }
+
+    /// Checks that an option changes the model of an id, which may fix its asperities or reading.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] with the ids that the option is for.
+    pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
+        let known: Option<Model> = id.parse().ok();
+        let of_asperities =
+            |model: &Model| model.asperities() == Asperities::Equal && model.validity().asperities;
+        let (is_for, which) = match OF_MODELS.iter().find(|(name, _)| *name == option) {
+            Some((_, ids)) => {
+                let id = known.as_ref().map_or(id, |model| model.equal().id());
+                (ids.contains(&id), ids.join(", "))
+            }
+            None => {
+                let which = "models of asperities whose ids do not end in -random or -pairs";
+                (known.as_ref().is_some_and(of_asperities), which.into())
+            }
+        };
+        let at = || Place::field(option).into();
+        let refused = || SceneError::Refused {
+            at: at(),
+            reason: format!("does not change `{id}`; it is an option of {which}"),
+        };
+        is_for.then_some(()).ok_or_else(refused)
     }
 
     /// The options that differ from the defaults, by name.
@@ -203,12 +245,12 @@ impl ModelOptions {
         if model.validity().asperities { model.on(self.asperities) } else { model }
     }
 
-    /// Every model with these options, each once: if `jg_hardness` or `at_reading` give `jg` or
-    /// `at` the meaning of another id, that id replaces it.
+    /// The models `known` with these options, each once: if `jg_hardness` or `at_reading` give `jg`
+    /// or `at` the meaning of another id, that id replaces it.
     #[must_use]
-    pub fn models(&self) -> Vec<Model> {
+    pub fn models(&self, known: Vec<Model>) -> Vec<Model> {
         let mut models: Vec<Model> = vec![];
-        for known in Model::all() {
+        for known in known {
             let model = self.model(known.id()).unwrap_or(known);
             if !models.iter().any(|m| m.id() == model.id()) {
                 models.push(model);

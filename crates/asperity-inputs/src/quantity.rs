@@ -5,6 +5,7 @@ use asperity::{
     vickers_of_brinell, vickers_of_rockwell_c,
 };
 
+use crate::inputs::key_of_input;
 use crate::keys::Key;
 use crate::likely::{hardness_test, notation_hint};
 use crate::scaled::{leading, scale};
@@ -23,6 +24,23 @@ const TIMES_DENSITY: &str = "is a kinematic viscosity: multiply it by the densit
 #[must_use]
 pub fn unit_of(key: &str) -> Option<&'static str> {
     Key::find("", key).map(|key| key.unit).filter(|unit| !unit.is_empty())
+}
+
+/// The head of a column of an input, with its SI unit: `hardness_Pa`.
+///
+/// ```
+/// assert_eq!(asperity_inputs::column_of("body1_hardness"), "body1_hardness_Pa");
+/// assert_eq!(asperity_inputs::column_of("asperity_density"), "asperity_density_per_m2");
+/// ```
+#[must_use]
+pub fn column_of(input: &str) -> String {
+    match unit_of(key_of_input(input)) {
+        Some(unit) => {
+            let unit = unit.trim_start_matches('1').replace('/', "_per_").replace(' ', "_");
+            format!("{input}_{}", unit.replace(['(', ')', '^'], "").trim_start_matches('_'))
+        }
+        None => input.into(),
+    }
 }
 
 /// The reason against a load of 0.

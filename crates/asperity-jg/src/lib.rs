@@ -56,6 +56,13 @@ const SOURCE: Citation = Citation {
     year: 2005,
     title: "A finite element study of elasto-plastic hemispherical contact against a rigid flat",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Jackson, R. L. and Green, I."),
+        ("journal", "Journal of Tribology"),
+        ("volume", "127"),
+        ("number", "2"),
+        ("doi", "10.1115/1.1866166"),
+    ],
 };
 
 const COSINE: Citation = Citation { id: "jg-cosine", name: "JG cosine", ..SOURCE };

@@ -2,7 +2,7 @@
 //!
 //! The unloading curves are tabulated (`strips`); the virgin curve is the compiled contact.
 
-use asperity_core::{At, ContactError};
+use asperity_core::{At, ContactError, Separation};
 use serde::{Deserialize, Serialize};
 
 use crate::Joint;
@@ -63,14 +63,14 @@ impl JointTable {
     /// \[m\], infinite for a new contact; the reply contains `closest` for the next step.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a separation or a closest approach that is NaN or below the
+    /// [`ContactError::BelowTable`] for a separation or a closest approach that is NaN or below the
     /// deepest of the table.
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
             let closest = separation.min(closest);
-            if closest < self.deepest {
-                return Err(out_of_range(separation, closest));
+            if closest < self.deepest || separation.is_nan() {
+                return Err(self.below_table(separation, closest));
             }
             if separation >= self.highest {
                 return Ok(Reply { force: 0.0, stiffness: 0.0, closest });
@@ -82,7 +82,7 @@ impl JointTable {
         let after = self.strips.partition_point(|strip| strip.from <= closest);
         let strip = after.checked_sub(1).map(|k| &self.strips[k]);
         let strip = strip.filter(|_| separation >= closest);
-        let strip = strip.ok_or_else(|| out_of_range(separation, closest))?;
+        let strip = strip.ok_or_else(|| self.below_table(separation, closest))?;
         let retreat = separation - closest;
         let cell = strip.cells.partition_point(|cell| cell.to <= retreat);
         let (force, stiffness) = match strip.cells.get(cell) {
@@ -91,14 +91,15 @@ impl JointTable {
         };
         Ok(Reply { force, stiffness, closest })
     }
-}
 
-/// The error for a separation if it is the new closest approach, otherwise for `closest`.
-fn out_of_range(separation: f64, closest: f64) -> ContactError {
-    let required = "at least the deepest separation of the table";
-    let is_step = separation.is_nan() || separation <= closest;
-    let (field, value) = if is_step { ("separation", separation) } else { ("closest", closest) };
-    ContactError::OutOfRange { field, value, required }
+    /// The error for a separation if it is the new closest approach, otherwise for `closest`.
+    fn below_table(&self, separation: f64, closest: f64) -> ContactError {
+        let is_step = separation.is_nan() || separation <= closest;
+        let (field, value) =
+            if is_step { ("separation", separation) } else { ("closest", closest) };
+        let deepest = Separation::metres(self.deepest);
+        ContactError::BelowTable { field, separation: Separation::metres(value), deepest }
+    }
 }
 
 /// A contact with its state variable, the closest approach.

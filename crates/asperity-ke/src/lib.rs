@@ -20,6 +20,14 @@ const SOURCE: Citation = Citation {
     year: 2002,
     title: "Elastic-plastic contact analysis of a sphere and a rigid flat",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Kogut, L. and Etsion, I."),
+        ("journal", "Journal of Applied Mechanics"),
+        ("volume", "69"),
+        ("number", "5"),
+        ("pages", "657--662"),
+        ("doi", "10.1115/1.1490373"),
+    ],
 };
 
 impl Described for KogutEtsion {

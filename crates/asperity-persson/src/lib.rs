@@ -42,6 +42,14 @@ const FULL: Citation = Citation {
     year: 2001,
     title: "Theory of rubber friction and contact mechanics",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Persson, B. N. J."),
+        ("journal", "Journal of Chemical Physics"),
+        ("volume", "115"),
+        ("number", "8"),
+        ("pages", "3840--3861"),
+        ("doi", "10.1063/1.1388626"),
+    ],
 };
 
 const FUDGE: Citation = Citation {
@@ -51,6 +59,7 @@ const FUDGE: Citation = Citation {
     year: 2024,
     title: "Persson_LE_Area_Xu24 (a program)",
     provenance: Provenance::Seen,
+    published: &[("author", "Xu and others"), ("howpublished", "program")],
 };
 
 const PLASTIC: Citation = Citation {
@@ -60,6 +69,11 @@ const PLASTIC: Citation = Citation {
     year: 2022,
     title: "Revisiting the Persson theory of elastoplastic contact: A simpler closed-form solution and a rigorous proof of boundary conditions",
     provenance: Provenance::Derived,
+    published: &[
+        ("author", "Xu, Yang and Li, Xiaobao and Mulvihill, Daniel M."),
+        ("eprint", "2208.02665"),
+        ("archiveprefix", "arXiv"),
+    ],
 };
 
 impl Persson {

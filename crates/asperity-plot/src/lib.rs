@@ -29,6 +29,7 @@ mod error;
 mod figure;
 mod layout;
 mod legend;
+mod looks;
 #[cfg(feature = "scan")]
 mod map;
 mod matrix;
@@ -46,6 +47,7 @@ mod trace;
 pub use contact::largest_of;
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+pub use looks::{MEASURED, look_of};
 #[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
 pub use matrix::{Matrix, MatrixCell, draw_matrix};

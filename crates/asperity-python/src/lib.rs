@@ -37,7 +37,7 @@ mod _asperity {
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,
         joints::{JointTable, PartialSlip, Unloading},
-        model::engine::{Engine, model_ids, quantities},
+        model::engine::{Engine, column_of, model_ids, quantities},
         random_surface::random_surface,
         records::{checked, derived, interface_of, material, materials},
         records::{moments_of_both, numbers_of, surface_of},

@@ -167,3 +167,22 @@ def test_arguments_that_are_no_numbers_are_named(scene: asperity.Scene) -> None:
         joint.slip(friction=20.0)
     with pytest.raises(ValueError, match="ignores adhesion: use dmt or jkr-separation"):
         asperity.model("gw").pull_off(scene)
+
+
+def test_a_loop_has_one_warning_also_where_others_change_the_filters(
+    scene: asperity.Scene,
+) -> None:
+    ke = asperity.model("ke")
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("default")
+        for load in (1e-5, 2e-4, 3e-3):
+            ke.solve(scene, load=load, quantities="area")
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", DeprecationWarning)
+    few = [str(one.message) for one in seen if "few-contacts" in str(one.message)]
+    assert len(few) == 1, few
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for _ in range(2):
+            with pytest.raises(asperity.ContactWarning, match="few-contacts"):
+                ke.solve(scene, load=1e-5, quantities="area")

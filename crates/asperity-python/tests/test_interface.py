@@ -314,8 +314,14 @@ def test_tables_have_units_in_their_heads(scene: asperity.Scene) -> None:
     table = ke.solve(scene, [1e-6, 2e-6], ["force", "tangent"], separation_unit="m").to_dataframe()
     assert list(table.columns) == ["separation_m", "force_N", "tangent_N_per_m"]
     many = ke.solve(scene.vary(hardness=[[1e9], [2e9]]), [1.0, 2.0]).to_dataframe()
-    assert list(many.columns) == ["scene", "separation", "force_N"]
+    assert list(many.columns) == ["scene", "hardness_Pa", "separation", "force_N"]
     assert list(many["scene"]) == [0, 0, 1, 1]
+    assert list(many["hardness_Pa"]) == [1e9, 1e9, 2e9, 2e9]
+    rough = scene.vary(asperity_height_std=[1e-6, 2e-6])
+    loaded = ke.solve(rough, load=10.0, quantities="area", separation_unit="m")
+    table = loaded.to_dataframe()
+    assert list(table.columns)[1:4] == ["asperity_height_std_m", "load_N", "separation_m"]
+    np.testing.assert_array_equal(table["separation_m"], loaded.separation)
 
 
 def test_texts_of_tables_have_every_digit_and_blanks_for_missing_values(
@@ -325,9 +331,9 @@ def test_texts_of_tables_have_every_digit_and_blanks_for_missing_values(
         scene, load=[1.0, 1e30, 100.0], quantities=["area", "mean-pressure"], errors="mask"
     )
     head, *rows = (line.split(",") for line in curve.to_csv().splitlines())
-    assert head == ["load_N", "area_m2", "mean_pressure_Pa"]
-    assert rows[1] == ["1e+30", "", ""]
-    assert [float(row[1]) for row in rows[::2]] == curve.area.compressed().tolist()  # type: ignore[attr-defined]
+    assert head == ["load_N", "separation", "area_m2", "mean_pressure_Pa"]
+    assert rows[1] == ["1e+30", "", "", ""]
+    assert [float(row[2]) for row in rows[::2]] == curve.area.compressed().tolist()  # type: ignore[attr-defined]
     assert curve.to_dataframe()["area_m2"].isna().tolist() == [False, True, False]
 
 
@@ -366,8 +372,37 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
 
 def test_all_ids_make_models() -> None:
     ids = [model.id for model in asperity.models()]
-    assert len(ids) == len(set(ids)) == 12
+    assert len(ids) == len(set(ids)) == 39
+    assert {"jg-cosine", "at-overlap", "persson-plastic", "jkr", "ghaednia", "bem"} < set(ids)
+    assert {"patir-cheng", "ke-random", "ghaednia-pairs"} < set(ids)
     assert all(asperity.model(one.upper()).id == one for one in ids)
+
+
+def test_models_have_citations() -> None:
+    at = asperity.model("at-additive")
+    assert at.citation().authors == "Amini & Tehrani" and at.citation().year == 2020
+    assert at.citation().title.startswith("A New Combined Model")
+    assert "doi = {10.1155/2020/4640204}" in at.bibtex()
+    assert at.bibtex().startswith("@article{amini2020,\n")
+    assert asperity.model("bem").bibtex().startswith("@article{polonsky1999,")
+
+
+@pytest.mark.parametrize(
+    ("model", "option"),
+    [
+        ("gw", {"at_reading": "additive"}),
+        ("at-additive", {"at_reading": "printed"}),
+        ("ke", {"force": "vertical"}),
+        ("jg-cosine", {"jg_hardness": "cosine"}),
+        ("ke-random", {"asperities": "pairs"}),
+        ("persson", {"asperities": "random"}),
+        ("bem", {"hurst_exponent": 0.8}),
+    ],
+)
+def test_options_of_other_models_are_refused(model: str, option: dict[str, Any]) -> None:
+    (name,) = option
+    with pytest.raises(ValueError, match=f"{name}: does not change `{model}`"):
+        asperity.model(model, **option)
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ContactWarning")

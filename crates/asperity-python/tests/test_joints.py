@@ -280,7 +280,7 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
     np.testing.assert_array_equal(again.history(way.reshape(2, 5))[1].ravel(), stiffness)
     assert repr(again) == repr(table) and "by hertz from -0.5 to 5.0" in repr(table)
     for call in (lambda: table.step(-0.6, 1.0), lambda: table.history([1.0, -0.6])):
-        with pytest.raises(ValueError, match="at least the deepest separation of the table"):
+        with pytest.raises(ValueError, match=r"-0\.5 asperity_height_std or more, the deepest"):
             call()
     for ends, message in [((1.0, 0.0), "open - deepest"), ((0.0, float("nan")), "open")]:
         with pytest.raises(ValueError, match=message):
@@ -314,8 +314,14 @@ def test_many_joints_step_at_once_with_exact_tangents(scene: asperity.Scene) -> 
         np.testing.assert_array_equal(one, other)
     with pytest.raises(ValueError, match="broadcast"):
         table.step([1.0, 2.0], [1.0, 2.0, 3.0])
-    with pytest.raises(ValueError, match="at least the deepest separation of the table"):
+    with pytest.raises(ValueError, match=r"separation is -0\.6 asperity_height_std"):
         table.step([1.0, -0.6])
+    metres = asperity.model("ke").joint_table(scene, 0.0, 4e-6, separation_unit="m")
+    for state in (None, 1e-6):
+        with pytest.raises(ValueError, match=r"separation is NaN m: 0 m or more, the deepest"):
+            metres.step(float("nan"), state)
+    with pytest.raises(ValueError, match="closest is -1e-6 m: 0 m or more"):
+        metres.step(1e-6, -1e-6)
 
 
 def test_correlations_of_conductance_of_many_scenes_and_of_a_given_slope() -> None:

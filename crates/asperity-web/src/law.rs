@@ -2,7 +2,7 @@
 
 use asperity::{Described, Tolerance, short};
 use asperity_inputs::SceneFile;
-use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw, look_of};
 use serde_json::{Value, json};
 
 use crate::dialect::{model_name, source};
@@ -72,7 +72,7 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
     let panel = |column: &str, name: &str| {
         let x = Axis::new("interference", axis).log();
         let mut panel = Panel::new(x, Axis::new(column, name).log());
-        panel.curves = vec![Curve::new(0, id, "")];
+        panel.curves = vec![Curve::new(look_of(id).unwrap_or(0), id, "")];
         panel.verticals = marks(&kinks);
         panel.readings = readings.clone();
         panel

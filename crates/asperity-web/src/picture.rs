@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use asperity::bem::HeightMap;
 use asperity_inputs::SceneFile;
 use asperity_plot::{
-    Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map, largest_of, legible,
+    Axis, Between, Curve, Figure, MEASURED, Map, Mark, Panel, Scale, draw, draw_map, largest_of,
+    legible, look_of,
 };
 use serde_json::{Value, json};
 
@@ -77,15 +78,12 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     y.scale = Scale::fitting(&numbers);
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
-    // The ends of the ranges of a model look like it; black is left to boundary elements.
-    let model = |id: &&str| id.split(' ').next().map(String::from);
-    let mut looks: Vec<Option<String>> = ids.iter().map(model).collect();
-    looks.dedup();
-    let look = |id: &&str| 1 + looks.iter().position(|known| *known == model(id)).unwrap_or(0);
+    // The ends of the ranges of a model look like it.
+    let look = |id: &&str| id.split(' ').next().and_then(look_of).unwrap_or(0);
     let curves = ids.iter().filter(|id| drawn.contains(id));
     panel.curves = curves.map(|id| Curve::new(look(id), id, id)).collect();
     if !asked.solved.is_empty() {
-        panel.curves.push(Curve::points(0, BEM, BEM));
+        panel.curves.push(Curve::points(MEASURED, BEM, BEM));
     }
     let is_any = |is_beside: fn(&f64, &f64) -> bool| {
         values.iter().any(|(_, pressure, _)| is_beside(pressure, &load.pascals))

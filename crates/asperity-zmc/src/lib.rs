@@ -20,6 +20,14 @@ const SOURCE: Citation = Citation {
     year: 2000,
     title: "An asperity microcontact model incorporating the transition from elastic deformation to fully plastic flow",
     provenance: Provenance::Seen,
+    published: &[
+        ("author", "Zhao, Y. and Maietta, D. M. and Chang, L."),
+        ("journal", "Journal of Tribology"),
+        ("volume", "122"),
+        ("number", "1"),
+        ("pages", "86--93"),
+        ("doi", "10.1115/1.555332"),
+    ],
 };
 
 /// k: mean pressure over hardness at first yield. \[seen\]

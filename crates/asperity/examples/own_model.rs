@@ -21,6 +21,7 @@ const SOURCE: Citation = Citation {
     year: 2026,
     title: "An example",
     provenance: Provenance::Derived,
+    published: &[],
 };
 
 impl Described for ThreeRanges {

@@ -6,15 +6,12 @@ use asperity::{Model, Quantity, Request, linspace};
 use asperity_plot::{Axis, Figure, Mark, Strip};
 use rayon::prelude::*;
 
-use super::models::{self, beside, curves, geometric, named, of, panel, separation_axis};
+use super::models::{self, beside, curve_of, curves, geometric, named, of, panel, separation_axis};
 use crate::table::Table;
 
-/// The readings, with their looks and names in the legend.
-const READINGS: [(&str, usize, &str); 3] = [
-    ("at", 8, "AT as printed"),
-    ("at-additive", 0, "AT additive"),
-    ("at-overlap", 1, "AT overlap"),
-];
+/// The readings, with their names in the legend.
+const READINGS: [(&str, &str); 3] =
+    [("at", "AT as printed"), ("at-additive", "AT additive"), ("at-overlap", "AT overlap")];
 const OTHERS: [&str; 2] = ["gao", "ke"];
 /// Separations over σ_z, a panel each.
 const SEPARATIONS: [f64; 3] = [0.0, 2.0, 4.0];
@@ -72,7 +69,8 @@ fn negative_window(csv: &str, separation: f64) -> Result<Option<(f64, f64)>> {
 
 /// The picture of [`readings`]: a panel for each separation, the negative window shaded.
 pub fn readings_figure(csv: &str) -> Result<Figure> {
-    let curves = [named(&READINGS), curves(&OTHERS)?].concat();
+    let curves =
+        [READINGS.map(curve_of).into_iter().collect::<Result<_>>()?, curves(&OTHERS)?].concat();
     let mut panels = vec![];
     for separation in SEPARATIONS {
         let (x, y) =

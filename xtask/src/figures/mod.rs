@@ -7,7 +7,7 @@ mod cycles;
 mod joints;
 mod laws;
 pub mod measured;
-pub(crate) mod models;
+pub mod models;
 mod pairs;
 pub(crate) mod paper;
 pub mod report_csv;

@@ -1,10 +1,10 @@
 //! The models of the figures, each with the same curve in all, the paper's scenes, and panels.
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use asperity::{
     At, Body, Interface, Model, Quantity, Request, Response, Scene, Surface, Tolerance, linspace,
 };
-use asperity_plot::{Axis, Curve, Figure, Panel};
+use asperity_plot::{Axis, Curve, Figure, Panel, look_of};
 
 /// The models of the paper's figures.
 pub const PAPER: [&str; 9] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af", "gao", "at"];
@@ -31,19 +31,22 @@ pub fn geometric(from: f64, to: f64, count: usize) -> Vec<f64> {
 pub fn curves(ids: &[&str]) -> Result<Vec<Curve>> {
     let curve = |id: &&str| {
         let model: Model = id.parse()?;
-        let beside = if *id == "ghaednia" { 10 } else { 9 };
-        let slot = PAPER.iter().position(|p| p == id).unwrap_or(beside);
         let label = match *id {
             "at" => "AT (as printed)",
             "etsion" => "Etsion",
             _ => model.name(),
         };
-        Ok(Curve::new(slot, id, label))
+        curve_of((id, label))
     };
     ids.iter().map(curve).collect()
 }
 
-/// Curves with their looks, keys and names.
+/// The curve of a model under another name.
+pub fn curve_of((id, label): (&str, &str)) -> Result<Curve> {
+    Ok(Curve::new(look_of(id).with_context(|| format!("{id} has no look"))?, id, label))
+}
+
+/// Curves of no model, with their looks, keys and names.
 pub fn named(curves: &[(&str, usize, &str)]) -> Vec<Curve> {
     curves.iter().map(|(key, look, label)| Curve::new(*look, key, label)).collect()
 }

@@ -16,8 +16,8 @@ const ROUGHNESS_PARAMETER: f64 = 0.04;
 const PLASTICITY_INDEX: f64 = 2.0;
 
 const CURVES: [(&str, usize, &str); 5] = [
-    ("gw-pairs", 0, "Greenwood & Tripp"),
-    ("ke-pairs", 3, "KE, ψ = 2"),
+    ("gw-pairs", 40, "Greenwood & Tripp"),
+    ("ke-pairs", 43, "KE, ψ = 2"),
     ("power", 5, "4.4086·10⁻⁵ (4 - λ)^6.804"),
     ("rounded", 7, "3.5·10⁻⁵ (4 - λ)^6.9"),
     ("exponential", 8, "0.6189 exp(-1.973 λ)"),

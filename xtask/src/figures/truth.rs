@@ -2,9 +2,9 @@
 
 use anyhow::Result;
 use asperity::{Compared, Evidence, EvidenceCase};
-use asperity_plot::{Axis, Between, Curve, Figure, Mark};
+use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
-use super::models::{beside, of, panel};
+use super::models::{beside, curve_of, of, panel};
 use super::truth_ranges::{is_plain, material};
 use crate::table::Table;
 
@@ -26,18 +26,18 @@ pub const SHOWN: [Shown; 3] = [
 
 /// Plasticity indices with panels.
 const SHOWN_INDICES: [f64; 3] = [0.0, 2.0, 4.0];
-/// The models drawn in colour, with their looks; the others are grey.
-const DRAWN: [(&str, usize, &str); 10] = [
-    ("gw", 0, "GW"),
-    ("zmc", 2, "ZMC"),
-    ("ke", 3, "KE"),
-    ("jg", 5, "JG"),
-    ("gao", 7, "Gao"),
-    ("gw-random", 9, "GW random"),
-    ("jg-random", 11, "JG random"),
-    ("persson", 12, "Persson"),
-    ("persson-fudge", 13, "Persson fudge"),
-    ("persson-plastic", 14, "Persson plastic"),
+/// The models drawn in colour, with their names; the others are grey.
+const DRAWN: [(&str, &str); 10] = [
+    ("gw", "GW"),
+    ("zmc", "ZMC"),
+    ("ke", "KE"),
+    ("jg", "JG"),
+    ("gao", "Gao"),
+    ("gw-random", "GW random"),
+    ("jg-random", "JG random"),
+    ("persson", "Persson"),
+    ("persson-fudge", "Persson fudge"),
+    ("persson-plastic", "Persson plastic"),
 ];
 /// Models that have a colour in elastic panels alone: at most six curves of a panel have one.
 const ELASTIC_ONLY: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
@@ -79,7 +79,7 @@ pub fn table(evidence: &Evidence, (_, quantity, ..): &Shown) -> Result<Table> {
 pub fn style(csv: &str, (_, _, label, [low, high]): &Shown) -> Result<Figure> {
     let fields = |line| -> Vec<&str> { str::split(line, ',').collect() };
     let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(fields).collect();
-    let picture = |rows: &[Vec<&str>]| {
+    let picture = |rows: &[Vec<&str>]| -> Result<Panel> {
         let mut ids: Vec<&str> = vec![];
         for row in rows.iter().filter(|row| !BAND.contains(&row[1])) {
             if !ids.contains(&row[1]) {
@@ -89,8 +89,7 @@ pub fn style(csv: &str, (_, _, label, [low, high]): &Shown) -> Result<Figure> {
         let case = rows[0][0];
         let coloured = |id: &str| case.ends_with("elastic") || !ELASTIC_ONLY.contains(&id);
         let drawn = DRAWN.iter().filter(|(id, ..)| ids.contains(id) && coloured(id));
-        let mut curves: Vec<Curve> =
-            drawn.map(|(id, look, label)| Curve::new(*look, id, label)).collect();
+        let mut curves: Vec<Curve> = drawn.copied().map(curve_of).collect::<Result<_>>()?;
         ids.retain(|id| !curves.iter().any(|curve| curve.key == *id));
         curves.extend(ids.into_iter().map(|id| Curve::faint(id, "other models")));
         let x = Axis::new("p_over_Eg", "p/(E g)").log().range(1e-5, 0.3);
@@ -99,7 +98,8 @@ pub fn style(csv: &str, (_, _, label, [low, high]): &Shown) -> Result<Figure> {
         let [lower, upper] = BAND.map(Into::into);
         panel.between = vec![Between { lower, upper, look: 9, label: String::new() }];
         panel.horizontals = vec![Mark::new(1.0, "")];
-        panel
+        Ok(panel)
     };
-    Ok(beside(3, rows.chunk_by(|a, b| a[0] == b[0]).map(picture).collect::<Vec<_>>()))
+    let panels = rows.chunk_by(|a, b| a[0] == b[0]).map(picture);
+    Ok(beside(3, panels.collect::<Result<Vec<_>>>()?))
 }

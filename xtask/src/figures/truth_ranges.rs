@@ -39,7 +39,7 @@ pub fn models() -> Vec<Model> {
     let whole = PerssonVariance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
     let compared = |model: &Model| COMPARED.split(' ').any(|id| id == model.id());
-    let of_asperities = Model::all().into_iter().chain(Model::all_on(Asperities::Random));
+    let of_asperities = Model::of_asperities().into_iter().chain(Model::all_on(Asperities::Random));
     of_asperities.filter(compared).chain(whole).collect()
 }
 

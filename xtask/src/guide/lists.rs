@@ -65,7 +65,7 @@ pub fn named(list: &str) -> Result<Option<String>> {
 /// A table of all models but those on random surfaces.
 fn models() -> Result<String> {
     let mut rows = markdown_head(&["id", "name", "year", "authors", "equations", "valid for"], 0);
-    for model in Model::named().into_iter().filter(|model| model.equal().id() == model.id()) {
+    for model in Model::all().into_iter().filter(|model| model.equal().id() == model.id()) {
         let (citation, page) = (model.citation(), chapters::of_model(model.id())?.address());
         rows += &markdown_row(&[
             &format!("[`{}`]({page})", model.id()),

@@ -43,7 +43,7 @@ pub fn readme(readme: &str, csv: &str) -> Result<String> {
     let error: f64 = of("compiled")?.max_relative_error.parse()?;
     let ns = time("compiled")?;
     let text = format!(
-        "KE's force at a tolerance of {HARD_TOLERANCE:e}, medians of one run: a value of a compiled scene takes {ns:.0} ns with an error of {error:.0e}; adaptive Gauss-Kronrod 21, split at the kinks, takes {:.0} times as long, scipy's `quad` {:.0} times.\n",
+        "KE's force at a tolerance of {HARD_TOLERANCE:e}, medians of one run: a value in an array takes {ns:.0} ns with an error of {error:.0e}; adaptive Gauss-Kronrod 21, split at the kinks, takes {:.0} times as long, scipy's `quad` {:.0} times.\n",
         time("gauss-kronrod")? / ns,
         time("scipy")? / ns,
     );

@@ -29,7 +29,7 @@ impl Scope {
         let wanted =
             |model: &Model| models.is_empty() || models.split(' ').any(|id| id == model.id());
         let pairs = |model: Model| quantities.iter().map(move |q| (model.clone(), *q));
-        Model::all().into_iter().filter(wanted).flat_map(pairs).collect()
+        Model::of_asperities().into_iter().filter(wanted).flat_map(pairs).collect()
     }
 
     /// Tolerances for a model, loosest first, down to its tightest.

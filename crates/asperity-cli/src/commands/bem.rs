@@ -62,11 +62,11 @@ pub struct BemCommand {
     map: Option<PathBuf>,
     /// Draw a map of the contact pressure at one load; png is the map without labels
     #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png"))]
+    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
     picture: Option<PathBuf>,
     /// Draw the flow along x through the gap at one load; png is the map without labels
     #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png"))]
+    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
     flow_picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,

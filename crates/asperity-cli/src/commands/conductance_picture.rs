@@ -4,7 +4,7 @@ use anyhow::Result;
 use asperity::joints::conductance::Correlation;
 use asperity::{Quantity, Scene};
 use asperity_answer::Sheet;
-use asperity_plot::{Axis, Curve, Figure, Scale};
+use asperity_plot::{Axis, Curve, Figure, Scale, look_of};
 
 use crate::output::plot;
 
@@ -21,7 +21,7 @@ pub fn picture(sheet: &Sheet, scene: &Scene) -> Result<String> {
     }
     let mut invalid = 0..;
     let mut curves = plot::curves(&long, |_, name| match ids.iter().position(|id| id == name) {
-        Some(look) => Curve::new(look, name, name),
+        Some(k) => Curve::new(look_of(name).unwrap_or(k), name, name),
         None => Curve::invalid(invalid.next().unwrap_or_default(), name, name),
     });
     // Below the others, which they may cover.

@@ -1,17 +1,21 @@
 //! `asperity curve`: quantities against separation or load; also `solve`, `compare`, `plan` and
 //! `pull-off`.
 
+use std::path::{Path, PathBuf};
+
 use anyhow::{Context, Result};
 use asperity::bem::Bem;
+use asperity::fit::DataColumn;
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
-use asperity_inputs::SceneFile;
+use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::{pull_off, work};
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
+use crate::input::destinations::protect;
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
 use crate::output::plot;
@@ -19,6 +23,12 @@ use crate::scene::LoadedScene;
 
 /// The default quantities.
 const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
+
+/// The columns of a file of measured points, which no output overwrites.
+fn measured(path: &Path) -> Result<Vec<DataColumn>> {
+    protect(path)?;
+    Ok(read_measurements(path)?.columns)
+}
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
@@ -56,6 +66,10 @@ pub struct Curve {
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
     work_of_adhesion: Option<f64>,
+    /// Also draw the measured points of this file, whose columns have the names of this table: one
+    /// for the places (load_N, pressure_Pa, separation_m, ..) and the quantities
+    #[arg(long, value_name = "FILE.csv", requires = "plot")]
+    data: Option<PathBuf>,
     #[command(flatten)]
     press: PressArgs,
     #[command(flatten)]
@@ -97,7 +111,9 @@ impl Curve {
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         let drawn = || drawn_with_ranges(&scene.file, &sheet);
-        self.output.write(&sheet, || plot::svg(&drawn(), &request, scene.file.separation_from))
+        let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
+        let from = scene.file.separation_from;
+        self.output.write(&sheet, || plot::svg(&drawn(), &request, from, &points))
     }
 
     fn answer(

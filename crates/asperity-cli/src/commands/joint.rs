@@ -63,7 +63,7 @@ pub struct Joint {
     /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
     /// NumPy matrix
     #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
-    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png"))]
+    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
     stick_map: Option<PathBuf>,
     #[command(flatten)]
     press: PressArgs,

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asperity::{Datum, linspace};
 use asperity_answer::{Cell, Sheet, once, rounded};
-use asperity_plot::{Axis, Curve};
+use asperity_plot::{Axis, Curve, look_of};
 
 use crate::output::plot;
 
@@ -141,7 +141,8 @@ fn cycles(
 ) -> Result<String> {
     let mut long = sheet.clone();
     long.rows.iter_mut().for_each(|row| row[0] = name(row).as_str().into());
-    let curves = plot::curves(&long, |look, name| Curve::new(look, name, &title(name)));
+    let look = |k, name: &str| look_of(name).unwrap_or(k);
+    let curves = plot::curves(&long, |k, name| Curve::new(look(k, name), name, &title(name)));
     let x = plot::fitted(&mut long, Axis::new(column, label));
     plot::against(&long, &x, &CYCLES, &curves)
 }

@@ -2,9 +2,11 @@
 //! `models` and `materials`.
 
 use anyhow::{Result, ensure};
-use asperity::{Asperities, Body, Code, Described, Model, nearest_hint, nearest_name};
+use asperity::bem::Bem;
+use asperity::{Body, Citation, Code, Described, Model, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::{BODY, Field, Material, unit_of};
+use asperity_inputs::{BODY, Field, Material, column_of};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use crate::input::args::OutputArgs;
@@ -13,6 +15,9 @@ use crate::output::{self, table::Format};
 /// Models or materials, with their sources, or what warnings and notes mean
 #[derive(Debug, Args)]
 #[command(
+    mut_arg("format", |arg| arg
+        .value_parser(PossibleValuesParser::new(["csv", "json", "table", "bibtex"]).try_map(format))
+        .help("How the list is written; bibtex has the sources of models")),
     after_help = include_str!("../help/list.txt")
 )]
 pub struct List {
@@ -24,7 +29,12 @@ pub struct List {
     output: OutputArgs,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
+/// A format by its name.
+fn format(name: String) -> Result<Format, String> {
+    if name == "bibtex" { Ok(Format::Bibtex) } else { Format::from_str(&name, false) }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum What {
     Models,
     Materials,
@@ -35,7 +45,10 @@ impl List {
     /// Writes a list, narrow in a terminal, and its notes.
     pub fn run(self) -> Result<()> {
         let (narrow, word) = (self.output.format() == Format::Table, self.word.join(" "));
+        let is_bibtex = self.output.format() == Format::Bibtex;
+        ensure!(!is_bibtex || self.what == What::Models, "only models have sources in bibtex");
         let sheet = match self.what {
+            What::Models if is_bibtex => sources(&word)?,
             What::Models => models(&word, narrow)?,
             What::Materials => materials(&word, narrow)?,
             What::Findings => findings(&word, narrow)?,
@@ -56,27 +69,56 @@ const TAGS: [(&str, &str); 3] = [
 /// The columns of a terminal, by their places; the others are too wide.
 const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
 
+/// A model as it is listed.
+struct Listed {
+    id: String,
+    name: String,
+    source: Citation,
+    valid_for: &'static str,
+    notes: String,
+    variant: Vec<&'static str>,
+}
+
+impl From<Model> for Listed {
+    fn from(model: Model) -> Self {
+        let notes = model.notes().iter().map(ToString::to_string).collect::<Vec<_>>();
+        Self {
+            id: model.id().into(),
+            name: model.name().into(),
+            source: *model.citation(),
+            valid_for: model.validity().valid_for,
+            notes: notes.join("; "),
+            variant: model.variant(),
+        }
+    }
+}
+
+/// Every model, also boundary elements, which need a scan.
+fn all() -> Vec<Listed> {
+    let (id, name) = (Bem::ID.into(), Bem::SOURCE.name.into());
+    let (notes, variant) = (String::new(), vec![]);
+    let bem = Listed { id, name, source: Bem::SOURCE, valid_for: Bem::VALID_FOR, notes, variant };
+    Model::all().into_iter().map(Listed::from).chain([bem]).collect()
+}
+
 fn models(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
-    for model in like(word)? {
-        let (source, notes) = (model.citation(), model.notes());
-        let notes = notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-        let variant = model.variant().join("; ");
-        if let Some(text) = model.variant().last().filter(|_| narrow) {
+    for Listed { id, name, source, valid_for, notes, variant } in like(word)? {
+        if let Some(text) = variant.last().filter(|_| narrow) {
             // Of models on other asperities, their ending: it differs in the same way for all.
-            let ending = model.id().strip_prefix(source.id).filter(|ending| !ending.is_empty());
-            sheet.note("variant", format!("{}: {text}", ending.unwrap_or(model.id())));
+            let ending = id.strip_prefix(source.id).filter(|ending| !ending.is_empty());
+            sheet.note("variant", format!("{}: {text}", ending.unwrap_or(&id)));
         }
         let cells: [(&str, &str); 9] = [
-            ("model", model.id()),
-            ("name", model.name()),
+            ("model", &id),
+            ("name", &name),
             ("year", &source.year.to_string()),
             ("authors", source.authors),
-            ("valid_for", model.validity().valid_for),
+            ("valid_for", valid_for),
             ("title", source.title),
             ("equations", &source.provenance.to_string()),
             ("notes", &notes),
-            ("variant", &variant),
+            ("variant", &variant.join("; ")),
         ];
         let shown = if narrow { NARROW.map(|k| cells[k]).to_vec() } else { cells.to_vec() };
         let (heads, row): (Vec<&str>, Vec<&str>) = shown.into_iter().unzip();
@@ -91,34 +133,59 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
     Ok(sheet)
 }
 
+/// The entry of this program, which the README shows as well.
+const PROGRAM: &str = concat!(
+    "@misc{asperity,\n  author = {{The asperity developers}},\n",
+    "  title = {{asperity: rough surfaces in contact}},\n  year = {2026},\n  version = {",
+    env!("CARGO_PKG_VERSION"),
+    "},\n}\n"
+);
+
+/// The entry of the program, and one for each source, under the ids of the models that it is for.
+fn sources(word: &str) -> Result<Sheet> {
+    let mut entries: Vec<(String, Vec<String>)> = vec![];
+    for Listed { id, source, .. } in like(word)? {
+        let entry = source.bibtex();
+        match entries.iter_mut().find(|(known, _)| *known == entry) {
+            Some((_, ids)) => ids.push(id),
+            None => entries.push((entry, vec![id])),
+        }
+    }
+    let mut sheet = Sheet::new(&["entry"]);
+    sheet.add(&[PROGRAM], [Cell::BLANK; 0]);
+    for (entry, ids) in entries {
+        // Text between entries is a comment.
+        sheet.add(&[&format!("{}\n{entry}", ids.join(", "))], [Cell::BLANK; 0]);
+    }
+    Ok(sheet)
+}
+
 /// The models of this id and its variants; without any, those with all words in their name, authors
 /// or year, and then those on other asperities, whose variant is described as well.
-fn like(word: &str) -> Result<Vec<Model>> {
+fn like(word: &str) -> Result<Vec<Listed>> {
     let wanted = word.trim().to_lowercase();
-    let is_equal = |model: &Model| model.asperities() == Asperities::Equal;
-    if let Some(model) = wanted.parse().ok().filter(|model| !is_equal(model)) {
-        return Ok(vec![model]);
-    }
-    let (mut all, others): (Vec<Model>, Vec<Model>) =
-        Model::named().into_iter().partition(is_equal);
-    let of_id = |model: &Model| {
-        let rest = model.id().strip_prefix(&*wanted);
+    let of_id = |model: &Listed| {
+        let rest = model.id.strip_prefix(&*wanted);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     };
-    let has_word = |model: &Model| {
-        let (source, variant) = (model.citation(), model.variant().join(" "));
-        let text = format!("{} {} {} {variant}", model.name(), source.authors, source.year);
+    let has_word = |model: &Listed| {
+        let Listed { name, source, variant, .. } = model;
+        let text = format!("{name} {} {} {}", source.authors, source.year, variant.join(" "));
         let text = text.to_lowercase();
         wanted.split_whitespace().all(|word| text.contains(word))
     };
-    let any = all.iter().any(of_id);
-    all.retain(|model| if any { of_id(model) } else { has_word(model) });
-    if all.is_empty() {
-        all = others.into_iter().filter(has_word).collect();
-    }
+    let mut all = all();
+    let is_equal = |model: &Listed| !model.id.ends_with("-random") && !model.id.ends_with("-pairs");
+    let any = |is: &dyn Fn(&Listed) -> bool| all.iter().any(is);
+    let (ids, equal) = (any(&of_id), any(&|model| is_equal(model) && has_word(model)));
+    all.retain(|model| match (ids, equal) {
+        _ if wanted.is_empty() => true,
+        (true, _) => of_id(model),
+        (_, equal) => has_word(model) && (!equal || is_equal(model)),
+    });
     ensure!(
         !all.is_empty(),
-        "no model has the id {word:?}, or these words in its name, authors, year or variant; `asperity list models` lists all but bem and those with -random or -pairs"
+        "no model has the id {word:?}, or these words in its name, authors, year or variant; `asperity list models` lists all"
     );
     Ok(all)
 }
@@ -131,7 +198,7 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         asperity_inputs::materials().iter().any(|m| (key.get)(&m.body).is_some())
     };
     let keys: Vec<&Field<Body>> = BODY.iter().filter(known).collect();
-    let heads: Vec<String> = keys.iter().map(|key| column(key.name)).collect();
+    let heads: Vec<String> = keys.iter().map(|key| column_of(key.name)).collect();
     for Material { id, name, source, body, .. } in found {
         let numbers = keys.iter().map(|key| Cell::from((key.get)(body)));
         let mut cells = vec![("material", Cell::from(&**id))];
@@ -144,13 +211,6 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         sheet.rows.push(row);
     }
     Ok(sheet)
-}
-
-/// A key with its unit, as in other tables: `hardness_Pa`.
-fn column(key: &str) -> String {
-    let unit = unit_of(key).unwrap_or_default().replace(['(', ')'], "");
-    let unit = unit.replace('/', "_per_").replace(' ', "_");
-    if unit.is_empty() { key.into() } else { format!("{key}_{unit}") }
 }
 
 fn findings(word: &str, narrow: bool) -> Result<Sheet> {

@@ -300,7 +300,8 @@ pub fn file_ending(
 
 /// The name of a plot.
 pub fn svg_file() -> impl TypedValueParser<Value = PathBuf> {
-    file_ending(&["svg"], "plots are written as svg")
+    let what = "plots are written as svg; `inkscape plot.svg -o plot.pdf` makes pdf of one, or png";
+    file_ending(&["svg"], what)
 }
 
 /// A relative tolerance.

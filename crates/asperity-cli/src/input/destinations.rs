@@ -48,7 +48,7 @@ pub fn check(program: &Command, matches: &ArgMatches) {
                     refuse(&format!("{one} and {other} name the same file; choose two names"));
                 }
             }
-            if is_option(id) && id != "with" {
+            if is_option(id) && !matches!(id, "with" | "data") {
                 // Those that write scenes have --force.
                 let of_scene = id == "scene" || command == "init";
                 let is_scene = !of_scene && file.extension().is_some_and(|end| end == "toml");

@@ -7,7 +7,7 @@ use asperity::fit::{Data, Fitted, Measured, Observation, Ranking};
 use asperity::short;
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
-use asperity_plot::{Axis, Curve, Figure, Panel, Scale};
+use asperity_plot::{Axis, Curve, Figure, MEASURED, Panel, Scale, look_of};
 
 use crate::output::plot::{self, label};
 use crate::scene::NamedModel;
@@ -46,13 +46,15 @@ pub fn svg(
             row(one, id, one.place().1, value);
         }
     }
-    let mut curves = vec![Curve::points(0, DATA, DATA)];
+    let mut curves = vec![Curve::points(MEASURED, DATA, DATA)];
     if data.has_std() {
-        let bars = Curve::new(0, SPREAD, "± standard deviation");
+        let bars = Curve::new(MEASURED, SPREAD, "± standard deviation");
         curves.push(bars);
     }
-    let model = |(fitted, k): (&Fitted, usize)| Curve::new(k, &fitted.model, &fitted.model);
-    curves.extend(ranking.distinct().zip(1..).map(model));
+    let model = |fitted: &Fitted| {
+        Curve::new(look_of(&fitted.model).unwrap_or(0), &fitted.model, &fitted.model)
+    };
+    curves.extend(ranking.distinct().map(model));
     let mut panels: Vec<Panel> = vec![];
     for one in data.iter() {
         let known = |panel: &Panel| panel.only.as_ref().is_some_and(|only| only.1 == name(one));

@@ -1,9 +1,10 @@
 //! Curves as a picture, drawn from the printed table alone.
 
-use anyhow::{Context, Result};
-use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
+use anyhow::{Context, Result, ensure};
+use asperity::fit::DataColumn;
+use asperity::{At, Datum, Quantity, Request, SeparationUnit};
 use asperity_answer::{Cell, Sheet};
-use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_plot::{Axis, Curve, Figure, MEASURED, Panel, Scale, draw, look_of};
 
 use crate::output::once;
 use crate::output::table::csv;
@@ -11,35 +12,40 @@ use crate::output::table::csv;
 /// Up to this many points of a curve, each has a marker; above, a few markers identify the curve.
 pub const MARKED: usize = 12;
 
-/// The picture of a table's quantities against the load or separation, one panel for each.
-pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
-    let mut x = match request.at.first() {
-        Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
-        Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
-        Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => {
-            Axis::new("lambda", "film (σ)")
-        }
-        Some(At::Separation(_)) if table.column("film_m").is_some() => {
-            Axis::new("film_m", "film (µm)").times(1e6)
-        }
-        Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => {
-            Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6)
-        }
-        _ => Axis::new("separation_over_sigma", &format!("separation from {from} (σ_z)")),
-    };
+/// The name of measured points in legends.
+const POINTS: &str = "measured";
+/// Columns of places, beside that of the request: an axis may show them for measured points.
+const PLACES: [(&str, &str, f64); 5] = [
+    ("load_N", "load (N)", 1.0),
+    ("pressure_Pa", "pressure (Pa)", 1.0),
+    ("film_m", "film (µm)", 1e6),
+    ("lambda", "film (σ)", 1.0),
+    ("separation_m", "separation (µm)", 1e6),
+];
+
+/// The picture of a table's quantities against the load or separation, one panel for each, with
+/// `measured` points of the quantities that they have.
+pub fn svg(
+    table: &Sheet,
+    request: &Request,
+    from: Datum,
+    measured: &[DataColumn],
+) -> Result<String> {
+    let mut x = axis(table, request, from);
+    if !measured.is_empty() && !has(measured, &x.column) {
+        x = axis_of(table, measured)?;
+    }
     let along = numbers(table, &x.column)?;
     if !is_even(&along) {
         x.scale = Scale::fitting(&along);
     }
-    let known = Model::named();
-    let curves = curves(table, |_, id| {
-        // The ends of the ranges of a model look like it.
+    let curves = curves(table, |k, id| {
+        // The ends of the ranges of a model look like it, as does the model corrected.
         let of = id.split(' ').next().unwrap_or(id);
-        let look = known.iter().position(|model| model.id() == of);
-        Curve::new(look.unwrap_or(0), id, id)
+        Curve::new(look_of(of).unwrap_or(k), id, id)
     });
 
-    let (mut panels, mut hidden) = (vec![], vec![]);
+    let (mut panels, mut hidden, mut any) = (vec![], vec![], false);
     for &quantity in &request.quantities {
         let name = quantity.column();
         let mut y = Axis::new(&name, &label(quantity));
@@ -55,10 +61,27 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
         let mut panel = Panel::new(x.clone(), y);
         panel.curve_column = "model".into();
         panel.curves.clone_from(&curves);
+        if has(measured, &name) {
+            any = true;
+            panel.curves.push(Curve::points(MEASURED, POINTS, POINTS));
+        }
         panels.push(panel);
     }
+    ensure!(
+        any || measured.is_empty(),
+        "--data: the file has none of the plotted columns: {}",
+        request.quantities.iter().map(|q| q.column()).collect::<Vec<_>>().join(", ")
+    );
     // A line runs from left to right for any order of the rows.
     let mut sorted = table.clone();
+    for row in 0..measured.first().map_or(0, |(_, values)| values.len()) {
+        let value = |head: &String| measured.iter().find(|(name, _)| name == head)?.1[row];
+        let cell = |head: &String| match head.as_str() {
+            "model" => POINTS.into(),
+            _ => value(head).map_or(Cell::BLANK, Cell::Number),
+        };
+        sorted.rows.push(table.heads.iter().map(cell).collect());
+    }
     put_in_order(&mut sorted, place(table, &x.column)?);
     let mut figure = Figure::new("", &[], panels);
     if !hidden.is_empty() {
@@ -66,6 +89,38 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
         figure.caption.push(format!("Values of 0 and below are not on logarithmic axes: {which}."));
     }
     drawn(&sorted, &figure)
+}
+
+/// The horizontal axis that a request has.
+fn axis(table: &Sheet, request: &Request, from: Datum) -> Axis {
+    match request.at.first() {
+        Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
+        Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
+        Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => {
+            Axis::new("lambda", "film (σ)")
+        }
+        Some(At::Separation(_)) if table.column("film_m").is_some() => {
+            Axis::new("film_m", "film (µm)").times(1e6)
+        }
+        Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => {
+            Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6)
+        }
+        _ => Axis::new("separation_over_sigma", &format!("separation from {from} (σ_z)")),
+    }
+}
+
+/// The horizontal axis of places that the table and the measured points have.
+fn axis_of(table: &Sheet, measured: &[DataColumn]) -> Result<Axis> {
+    let known = || PLACES.into_iter().filter(|(name, ..)| table.column(name).is_some());
+    let names = || known().map(|(name, ..)| name).collect::<Vec<_>>().join(", ");
+    let found = known().find(|(name, ..)| has(measured, name));
+    let (name, label, factor) =
+        found.with_context(|| format!("--data: the file has none of the columns {}", names()))?;
+    Ok(Axis::new(name, label).times(factor))
+}
+
+fn has(measured: &[DataColumn], column: &str) -> bool {
+    measured.iter().any(|(name, _)| name == column)
 }
 
 /// The names in the first column, each once.
@@ -163,5 +218,22 @@ pub fn label(quantity: Quantity) -> String {
         none if none.is_empty() => name.into(),
         unit if quantity.is_absolute() => format!("{name} (of {unit})"),
         unit => format!("{name} ({unit})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::{Described, Model};
+
+    use super::*;
+
+    /// Variants, too: by colour, dash and marker together.
+    #[test]
+    fn every_model_has_a_look_of_its_own() {
+        let shown = |look: usize| (look % 10, (look + look / 10) % 10, look % 12);
+        let looks: Vec<_> = Model::all().iter().map(|m| shown(look_of(m.id()).unwrap())).collect();
+        for (k, look) in looks.iter().enumerate() {
+            assert!(!looks[k + 1..].contains(look) && *look != shown(MEASURED), "{look:?}");
+        }
     }
 }

@@ -18,6 +18,9 @@ pub enum Format {
     Json,
     /// Aligned columns with six digits.
     Table,
+    /// The texts of the first column, of a list of BibTeX entries.
+    #[value(skip)]
+    Bibtex,
 }
 
 /// Writes a sheet in a format.
@@ -26,6 +29,7 @@ pub fn write(sheet: &Sheet, format: Format, out: &mut dyn Write) -> io::Result<(
         Format::Csv => csv(sheet, out),
         Format::Json => json(sheet, out),
         Format::Table => aligned(sheet, out),
+        Format::Bibtex => sheet.rows.iter().try_for_each(|row| writeln!(out, "{}", row[0].text())),
     }
 }
 

@@ -10,8 +10,9 @@ fn models_that_the_scene_does_not_allow_are_named() {
     bench.write("scene.toml", NO_SHEAR);
     let run = bench.run("curve scene.toml --separation 2");
     assert_eq!(run.code, Some(0));
-    assert_eq!(run.out.lines().count(), 9, "{}", run.out);
-    let wanted = "note[left-out]: left out: gao, at, at-additive, at-overlap: equivalent_shear_modulus is missing: gao needs it";
+    assert_eq!(run.out.lines().count(), 8, "{}", run.out);
+    let wanted =
+        "note[left-out]: left out: gao, at: equivalent_shear_modulus is missing: gao needs it";
     assert!(run.messages.contains(wanted), "{}", run.messages);
     let refused = bench.run("curve scene.toml --model gw,gao");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));

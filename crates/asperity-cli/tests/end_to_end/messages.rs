@@ -164,6 +164,9 @@ fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
     assert_eq!(cells(&run.out, "simplest"), ["no: not valid here", "yes"]);
 }
 
+/// The models on other asperities.
+const ON_OTHERS: &str = "gw-* ceb-* zmc-* ke-* etsion-* jg-* jg-cosine-* af-* ghaednia-*";
+
 #[test]
 fn the_list_of_models_has_every_source() {
     let bench = Bench::new();
@@ -176,7 +179,8 @@ fn the_list_of_models_has_every_source() {
         ids.join(" "),
         format!(
             "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia \
-             patir-cheng"
+             patir-cheng {} bem",
+            ["random", "pairs"].map(|end| ON_OTHERS.replace('*', end)).join(" ")
         )
     );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
@@ -224,18 +228,26 @@ fn models_are_listed_by_id_name_authors_or_year() {
         let table = bench.data(&format!("models {word} --format csv"));
         cells(&table, "model").join(" ")
     };
-    assert_eq!(ids("ke"), "ke");
+    assert_eq!(ids("ke"), "ke ke-random ke-pairs");
     assert_eq!(ids("Kogut"), "ke");
     assert_eq!(ids("jkr"), "jkr jkr-separation");
     assert_eq!(ids("gw-random"), "gw-random");
     assert_eq!(ids("2005"), "etsion jg jg-cosine af");
-    let pairs = "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs jg-cosine-pairs \
-                 af-pairs ghaednia-pairs";
-    assert_eq!([ids("pairs"), ids("tripp"), ids("greenwood tripp")], [pairs; 3]);
+    let pairs = ON_OTHERS.replace('*', "pairs");
+    assert_eq!(
+        [ids("pairs"), ids("tripp"), ids("greenwood tripp")],
+        [(); 3].map(|()| pairs.clone())
+    );
     assert_eq!(ids("greenwood"), "gw");
     let narrow = bench.run("models pairs").messages;
     let note = "note[variant]: -pairs: between two rough surfaces, whose asperities meet beside";
     assert_eq!(narrow.matches(note).count(), 1, "{narrow}");
+    let entries = bench.data("list models gw --format bibtex");
+    let readme = include_str!("../../../../README.md");
+    let (program, gw) = entries.split_once("gw, gw-random, gw-pairs\n").unwrap();
+    assert!(readme.contains(program.trim_end()), "{program}");
+    assert!(gw.starts_with("@article{greenwood1966,\n  author = {Greenwood, J. A. and Williamson"));
+    assert!(bench.run("list materials --format bibtex").messages.contains("only models have"));
     let run = bench.run("models westergaard");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     let wanted =

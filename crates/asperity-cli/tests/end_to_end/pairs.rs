@@ -25,10 +25,9 @@ fn one_key_of_the_scene_selects_pairs() {
         assert_ne!(column(&pairs, name), column(&curve("equal", "gw"), name));
     }
     let all = bench.run("solve pairs.toml --load 100 --format csv");
-    let ids =
-        "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs jg-cosine-pairs af-pairs";
+    let ids = "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs af-pairs";
     assert_eq!(cells(&all.out, "model").join(" "), ids);
-    let printed = "left out: gao, at, at-additive, at-overlap cannot give contacts between the asperities of two rough surfaces: contacts are inclined; set asperities";
+    let printed = "left out: gao, at cannot give contacts between the asperities of two rough surfaces: contacts are inclined; set asperities";
     assert!(all.messages.contains(printed), "{}", all.messages);
     let checked = bench.data("check pairs.toml --model ke --load 100 --format csv");
     assert!(checked.contains("real area of contact, by ke-pairs"), "{checked}");

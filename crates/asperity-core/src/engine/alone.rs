@@ -122,11 +122,16 @@ impl Contact for Alone {
         let columns = |places: &[At]| {
             let mut columns = empty(&request.quantities, places);
             for at in places {
-                let row = match self.at(at) {
-                    Ok(mut averages) => answers(&mut averages, &request.quantities, at),
-                    Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
-                };
-                add_row(&mut columns, row);
+                match self.at(at) {
+                    Ok(mut averages) => {
+                        let row = answers(&mut averages, &request.quantities, at);
+                        add_row(&mut columns, row, separation_at(&mut averages, at));
+                    }
+                    Err(error) => {
+                        let row = vec![Err(Box::new(error.clone())); request.quantities.len()];
+                        add_row(&mut columns, row, Err(error));
+                    }
+                }
             }
             columns
         };

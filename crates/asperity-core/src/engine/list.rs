@@ -9,7 +9,9 @@ use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
 use crate::request::separation::SeparationInSigma;
 use crate::response::{Answered, respond};
-use crate::{At, ContactError, OtherHeights, Quantity, Request, Response, Scene, Share};
+use crate::{
+    At, ContactError, Evaluation, OtherHeights, Quantity, Request, Response, Scene, Share,
+};
 
 /// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
@@ -62,15 +64,23 @@ pub(crate) fn shares_at<'s>(
     shares(averages, base, (s, at))
 }
 
+/// A column for each quantity, and one for the separations.
 pub(crate) fn empty(quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
-    quantities.iter().map(|_| Vec::with_capacity(places.len())).collect()
+    (0..=quantities.len()).map(|_| Vec::with_capacity(places.len())).collect()
 }
 
-pub(crate) fn add_row(columns: &mut [Vec<Answered>], row: impl IntoIterator<Item = Answered>) {
+/// Adds the quantities of a row, and its separation.
+pub(crate) fn add_row(
+    columns: &mut [Vec<Answered>],
+    row: impl IntoIterator<Item = Answered>,
+    separation: Result<SeparationInSigma, ContactError>,
+) {
+    let separation = separation.map(|found| Evaluation::absolute(found.s, 0.0)).map_err(Box::new);
+    let row = row.into_iter().chain([separation]);
     columns.iter_mut().zip(row).for_each(|(column, answered)| column.push(answered));
 }
 
-/// The quantities at each place, column by column.
+/// The quantities at each place and the separations, column by column.
 fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
     let mut columns = empty(quantities, places);
     let requested = quantities.iter().all(|q| prepared.facts.check_requested(*q).is_ok());
@@ -79,7 +89,9 @@ fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<V
             continue;
         }
         for at in run {
-            add_row(&mut columns, answers(&mut &*prepared, quantities, at));
+            let mut averages = prepared;
+            let row = answers(&mut averages, quantities, at);
+            add_row(&mut columns, row, separation_at(&mut averages, at));
         }
     }
     columns
@@ -107,15 +119,16 @@ fn together(
             made.push((base, channel.units.factor, moments));
         }
     }
-    for (k, place) in separations.into_iter().zip(run).enumerate() {
+    for (k, (separation, at)) in separations.into_iter().zip(run).enumerate() {
         let batch = made.iter().map(|(base, factor, moments)| LawIntegral {
             base: *base,
             moments: moments[k],
             factor: *factor,
             has_slope,
         });
-        let mut row = RowIntegrals::<_>::with(&mut averages, place, has_slope, batch);
-        add_row(columns, quantities.iter().map(|q| row.quantity(*q).map_err(Box::new)));
+        let mut row = RowIntegrals::<_>::with(&mut averages, (separation, at), has_slope, batch);
+        let row = quantities.iter().map(|q| row.quantity(*q).map_err(Box::new));
+        add_row(columns, row, Ok(separation));
     }
     Some(())
 }

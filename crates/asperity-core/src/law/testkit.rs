@@ -211,6 +211,7 @@ mod tests {
         year: 2026,
         title: "",
         provenance: Provenance::Derived,
+        published: &[],
     };
 
     #[derive(Debug)]

@@ -43,6 +43,52 @@ pub struct Citation {
     pub title: &'static str,
     /// How well the equations' text is known.
     pub provenance: Provenance,
+    /// Fields of its BibTeX entry beside these, such as `journal` and `doi`: verified ones only.
+    /// An `author` here has initials.
+    pub published: &'static [(&'static str, &'static str)],
+}
+
+impl Citation {
+    /// The entry of a BibTeX file, keyed by the first author and the year; an `@article` where the
+    /// journal is known, otherwise `@misc`.
+    ///
+    /// ```
+    /// use asperity_core::{Citation, Provenance};
+    ///
+    /// let hertz = Citation {
+    ///     id: "hertz",
+    ///     name: "Hertz",
+    ///     authors: "Hertz",
+    ///     year: 1882,
+    ///     title: "Über die Berührung fester elastischer Körper",
+    ///     provenance: Provenance::Seen,
+    ///     published: &[("author", "Hertz, H.")],
+    /// };
+    /// assert!(hertz.bibtex().starts_with("@misc{hertz1882,\n  author = {Hertz, H.},\n"));
+    /// ```
+    #[must_use]
+    pub fn bibtex(&self) -> String {
+        let known = |name| self.published.iter().find(|field| field.0 == name).map(|field| field.1);
+        let author = known("author").map_or_else(
+            || self.authors.replace(" & ", " and ").replace(", ", " and "),
+            String::from,
+        );
+        let first = author.split([',', ' ']).next().unwrap_or_default().to_lowercase();
+        let kind = if known("journal").is_some() { "article" } else { "misc" };
+        let mut text = format!("@{kind}{{{first}{},\n", self.year);
+        let mut field = |name: &str, value: &str| {
+            text += &format!("  {name} = {{{}}},\n", value.replace('&', "\\&"));
+        };
+        field("author", &author);
+        // The inner braces keep capitals.
+        if !self.title.is_empty() {
+            field("title", &format!("{{{}}}", self.title));
+        }
+        field("year", &self.year.to_string());
+        let others = self.published.iter().filter(|(name, _)| *name != "author");
+        others.for_each(|(name, value)| field(name, value));
+        text + "}\n"
+    }
 }
 
 /// Properties and range of a model's laws; the test-kit verifies the properties.

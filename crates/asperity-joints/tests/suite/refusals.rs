@@ -44,9 +44,13 @@ fn steps_outside_the_table_are_refused_with_the_number() {
         (1.0, f64::NAN, "closest is NaN"),
         (-0.5, 1.0, "separation is -5"),
         (f64::NAN, 1.0, "separation is NaN"),
+        (f64::NAN, f64::INFINITY, "separation is NaN"),
+        (-0.5, f64::INFINITY, "separation is -5"),
     ] {
-        let refused = table.at(separation * SIGMA, closest * SIGMA).unwrap_err().to_string();
-        assert!(refused.starts_with(field), "{refused}");
+        let refused = table.at(separation * SIGMA, closest * SIGMA).unwrap_err();
+        let text = refused.to_string();
+        assert!(text.starts_with(field) && text.contains(" m: 0 m or more"), "{text}");
+        assert!(matches!(refused, ContactError::BelowTable { .. }), "{text}");
     }
 }
 

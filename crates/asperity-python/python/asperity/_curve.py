@@ -146,9 +146,16 @@ class Curve:
         """Columns with units in their heads, a row for each value."""
         rows = self._rows
         table: dict[str, npt.NDArray[Any]] = {}
+        places = np.broadcast_to(rows.places, rows.shape).ravel()
         if not rows.is_one:
-            table["scene"] = np.broadcast_to(rows.places, rows.shape).ravel()
+            table["scene"] = places
+        # What varies between the scenes.
+        for name, values in rows.columns.items():
+            table[_asperity.column_of(name)] = values[places]
         table[AXES[rows.axis]] = np.broadcast_to(rows.given, rows.shape).ravel()
+        # Boundary elements would be solved again.
+        if rows.axis in LOADS and self._engine.id != "bem":
+            table[AXES[self.separation_unit]] = np.ma.filled(self.separation, np.nan).ravel()
         heads = _asperity.quantities(self._columns)
         filled = {heads[q]: np.ma.filled(v, np.nan).ravel() for q, v in self._columns.items()}
         return table | filled
@@ -211,7 +218,9 @@ class Curve:
         return text
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A table with a row for each value, units in its head; needs pandas.
+        """A table with a row for each value, units in its head: the numbers that vary between the
+        scenes, the load or separation and, at loads, the separation that carries it (NaN where a
+        model has none); needs pandas.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -325,4 +334,5 @@ class CorrectedCurve(Curve):
                 columns[head] = self._separation
             columns |= {f"{head}_lower": lower[name], f"{head}_upper": upper[name]}
         filled = {head: np.ma.filled(v, np.nan).ravel() for head, v in columns.items()}
-        return super()._table() | filled
+        table = super()._table()
+        return {head: values for head, values in table.items() if head not in filled} | filled

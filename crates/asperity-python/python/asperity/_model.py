@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Protocol, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -122,6 +122,18 @@ class Laws:
 
         return checked
 
+
+class Citation(NamedTuple):
+    """What the paper of a model is cited by."""
+
+    #: As cited, without initials.
+    authors: str
+    year: int
+    title: str
+    #: Of the equations: seen (read in text that quotes the paper), derived, or recalled.
+    provenance: str
+
+
 class Model(Engine):
     """A model of rough contact; ``asperity.model`` makes one.
 
@@ -142,6 +154,18 @@ class Model(Engine):
     def options(self) -> Options:
         """The given options; those of a scene apply to the others."""
         return dict(self._options)
+
+    def citation(self) -> Citation:
+        """Authors, year and title of the paper, and the provenance of its equations; ``bibtex`` has
+        the journal, where it is known.
+
+        >>> import asperity
+        >>> asperity.model("ke").citation()[:2]
+        ('Kogut & Etsion', 2002)
+        """
+        if not isinstance(self._definition, str):
+            return Citation("written in Python", 0, "", "derived")
+        return Citation(*self._citation)
 
     def solve(
         self,
@@ -435,13 +459,12 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 
 
 def models() -> list[Model]:
-    """The models of asperities without adhesion and hardening, with their default options, by year.
-
-    persson, dmt, jkr, ghaednia and ids with -random or -pairs are known by name; ``asperity list models`` lists
-    all of them.
+    """Every model, with its default options: those of asperities by year, of whole surfaces, with
+    adhesion, with hardening, of flow, their variants, and boundary elements.
 
     >>> import asperity
-    >>> [model.id for model in asperity.models()][:4]
-    ['gw', 'ceb', 'zmc', 'ke']
+    >>> ids = [model.id for model in asperity.models()]
+    >>> ids[:4], ids[-1], {"persson", "jkr", "ke-random", "gw-pairs"} <= set(ids)
+    (['gw', 'ceb', 'zmc', 'ke'], 'bem', True)
     """
     return [Model(name) for name in _asperity.model_ids()]

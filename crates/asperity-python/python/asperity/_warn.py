@@ -5,27 +5,47 @@ from __future__ import annotations
 import re
 import sys
 import warnings
+from typing import Any
 
 from asperity._asperity import ContactWarning
 
 #: Numbers in a message, not the digits of names: one cause has others at every load.
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
 
+#: What has been shown: file, line and cause. Python forgets what it has shown when any library
+#: changes the filters, as NumPy and SciPy do in passing.
+_shown: set[tuple[str, int, str]] = set()
+
+
+def _action(message: str, module: str, line: int) -> str:
+    """What Python's filters do with a warning."""
+    filters: Any = warnings.filters
+    for action, text, category, where, number in filters:
+        if (
+            issubclass(ContactWarning, category)
+            and number in (0, line)
+            and all(of is None or re.match(of, it) for of, it in ((text, message), (where, module)))
+        ):
+            return str(action)
+    return "default"
+
 
 def warn(message: str, above: int) -> None:
     """Emits a ``ContactWarning`` at the line ``above`` frames above the caller.
 
-    Python shows a message once for a line that runs often, unless its filters say otherwise. Messages
-    that differ only in their numbers, as those of a loop over loads, count as one message here.
+    A message is shown once for a line that runs often, unless the filters of Python say otherwise.
+    Messages that differ only in their numbers, as those of a loop over loads, count as one message
+    here.
     """
     frame = sys._getframe(above + 1)
     name, line = frame.f_globals.get("__name__") or "<unknown>", frame.f_lineno
-    # What Python has shown; it clears this dict when the filters have changed.
-    shown = frame.f_globals.setdefault("__warningregistry__", {})
-    this = message, ContactWarning, line
-    cause = _NUMBER.sub("#", message), *this[1:]
-    if cause in shown:
-        shown[this] = True
-    warnings.warn_explicit(*this[:2], frame.f_code.co_filename, line, name, shown)
-    if this in shown:
-        shown[cause] = True
+    file = frame.f_code.co_filename
+    registry: dict[Any, Any] = {}
+    if _action(message, name, line) == "default":
+        cause = file, line, _NUMBER.sub("#", message)
+        if cause in _shown:
+            return
+        _shown.add(cause)
+    else:
+        registry = frame.f_globals.setdefault("__warningregistry__", {})
+    warnings.warn_explicit(message, ContactWarning, file, line, name, registry)

@@ -1,7 +1,7 @@
 //! `JointTable`: loading, unloading and reloading, for codes that step in time.
 
 use asperity::joints;
-use asperity::{ContactError, Datum, SeparationUnit, Tolerance};
+use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
@@ -158,8 +158,29 @@ impl JointTable {
 impl JointTable {
     /// Force, stiffness and closest approach, for numbers in the table's unit.
     fn one(&self, separation: f64, closest: f64) -> Result<[f64; 3], ContactError> {
-        let reply = self.table.at(self.above_mean(separation), self.above_mean(closest))?;
+        // A refusal has the numbers as given.
+        let refused = |error| match error {
+            ContactError::BelowTable { field, .. } => {
+                let value = if field == "closest" { closest } else { separation };
+                let [separation, deepest] = [value, self.ends.0].map(|value| self.given(value));
+                ContactError::BelowTable { field, separation, deepest }
+            }
+            error => error,
+        };
+        let reply = self.table.at(self.above_mean(separation), self.above_mean(closest));
+        let reply = reply.map_err(refused)?;
         Ok([reply.force, reply.stiffness, closest.min(separation)])
+    }
+
+    /// A separation in the table's unit, from the scene's plane.
+    fn given(&self, value: f64) -> Separation {
+        let unit = if self.separation_unit == "m" {
+            SeparationUnit::Metres
+        } else {
+            SeparationUnit::Sigma
+        };
+        let from = self.scene.get().0.separation_from;
+        Separation { value, unit, from }
     }
 
     /// A separation from the mean of the asperity heights [m].

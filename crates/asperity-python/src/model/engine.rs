@@ -38,9 +38,13 @@ impl Engine {
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
         let engine = Self(Kind::Named { id, given });
-        // Refuses a mistyped id or option.
+        // Refuses a mistyped id or option, and an option of other models.
         engine.alone()?;
         engine.options(ModelOptions::default())?;
+        if let Kind::Named { id, given } = &engine.0 {
+            let mut names = given.keys();
+            names.try_for_each(|name| ModelOptions::check_for(id, name)).map_err(value_error)?;
+        }
         Ok(engine)
     }
 
@@ -66,6 +70,34 @@ impl Engine {
             _ if title.is_empty() => format!("{} [{provenance}]", self.authors()?),
             _ => format!("{}, {title} [{provenance}]", self.authors()?),
         })
+    }
+
+    /// The entry of the paper for a BibTeX file; empty for a model written in Python.
+    ///
+    /// >>> import asperity
+    /// >>> print(asperity.model("ceb").bibtex())
+    /// @article{chang1987,
+    ///   author = {Chang, W. R. and Etsion, I. and Bogy, D. B.},
+    ///   title = {{An elastic-plastic model for the contact of rough surfaces}},
+    ///   year = {1987},
+    ///   journal = {Journal of Tribology},
+    ///   volume = {109},
+    ///   number = {2},
+    ///   pages = {257--263},
+    /// }
+    /// <BLANKLINE>
+    fn bibtex(&self) -> PyResult<String> {
+        match self.0 {
+            Kind::Python { .. } => Ok(String::new()),
+            Kind::Named { .. } => Ok(self.citation()?.bibtex()),
+        }
+    }
+
+    /// Authors, year, title and provenance of the paper.
+    #[getter(_citation)]
+    fn cited(&self) -> PyResult<(&'static str, u16, &'static str, String)> {
+        let Citation { authors, year, title, provenance, .. } = self.citation()?;
+        Ok((authors, year, title, provenance.to_string()))
     }
 
     /// Authors and year.
@@ -267,10 +299,17 @@ pub(crate) fn raise_own<'e>(
     refusals.into_iter().find_map(own).map_or(Ok(()), Err)
 }
 
-/// The ids of the models of asperities without adhesion and hardening, by year.
+/// The ids of all models.
 #[pyfunction]
 pub(crate) fn model_ids() -> Vec<String> {
-    Model::all().iter().map(|model| model.id().to_string()).collect()
+    let ids = Model::all().into_iter().map(|model| model.id().to_string());
+    ids.chain([Bem::ID.into()]).collect()
+}
+
+/// The head of a table's column for an input of scenes.
+#[pyfunction]
+pub(crate) fn column_of(input: &str) -> String {
+    asperity_inputs::column_of(input)
 }
 
 /// Table columns by the names of quantities; without names, of all.

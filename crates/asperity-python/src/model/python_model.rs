@@ -23,6 +23,7 @@ const SOURCE: Citation = Citation {
     year: 0,
     title: "",
     provenance: Provenance::Derived,
+    published: &[],
 };
 
 /// The last exception of a user's code, and its message, which the engine carries.

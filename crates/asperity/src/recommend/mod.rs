@@ -144,7 +144,7 @@ pub fn recommend(
     reference: &Model,
     within: f64,
 ) -> Result<Recommendation, ContactError> {
-    recommend_among(Model::all(), scene, None, request, reference, within)
+    recommend_among(Model::of_asperities(), scene, None, request, reference, within)
 }
 
 /// Like [`recommend`], among these models, such as models with options or of your own, on a surface

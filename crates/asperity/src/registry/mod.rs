@@ -131,10 +131,30 @@ impl Model {
         self.equal.as_deref().unwrap_or(self)
     }
 
-    /// Every model of asperities that needs no work of adhesion and no tangent modulus, with its
-    /// default options, in the order of years; [`named`](Self::named) has the others, too.
+    /// Every model that has an id here, with its default options: variants, too. `bem`, which needs
+    /// a scan, is a model of the crate `asperity-bem`.
     #[must_use]
     pub fn all() -> Vec<Self> {
+        let equal =
+            [Self::of_asperities(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
+        let others: [Vec<Self>; 2] = Asperities::OTHERS.map(|asperities| {
+            let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
+            Self::all_on(asperities).into_iter().chain(hardening).collect()
+        });
+        [equal.concat(), Self::flow(), others.concat()].concat()
+    }
+
+    /// The models of tables and pictures where none is named: those [of
+    /// asperities](Self::of_asperities) that are no [variant](Described::variant).
+    #[must_use]
+    pub fn usual() -> Vec<Self> {
+        Self::of_asperities().into_iter().filter(|model| model.variant().is_empty()).collect()
+    }
+
+    /// The models of asperities of one radius that need no work of adhesion and no tangent modulus,
+    /// variants too, in the order of years.
+    #[must_use]
+    pub fn of_asperities() -> Vec<Self> {
         let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };
         let cosine = JacksonGreen { hardness: GeometricHardness::Cosine };
         vec![
@@ -153,11 +173,11 @@ impl Model {
         ]
     }
 
-    /// Those of [`all`](Self::all) that other asperities than equal ones allow, [on
+    /// Those [of asperities](Self::of_asperities) that other asperities than equal ones allow, [on
     /// them](Self::on): they are known by their names.
     #[must_use]
     pub fn all_on(asperities: Asperities) -> Vec<Self> {
-        let upright = Self::all().into_iter().filter(|model| !model.validity().angles);
+        let upright = Self::of_asperities().into_iter().filter(|model| !model.validity().angles);
         upright.map(|model| model.on(asperities)).collect()
     }
 
@@ -193,17 +213,6 @@ impl Model {
     #[must_use]
     pub fn flow() -> Vec<Self> {
         vec![Self::known(PatirCheng::default())]
-    }
-
-    /// Every model that has a name here.
-    #[must_use]
-    pub fn named() -> Vec<Self> {
-        let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
-        let others: [Vec<Self>; 2] = Asperities::OTHERS.map(|asperities| {
-            let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
-            Self::all_on(asperities).into_iter().chain(hardening).collect()
-        });
-        [equal.concat(), Self::flow(), others.concat()].concat()
     }
 }
 
@@ -271,7 +280,7 @@ impl FromStr for Model {
 
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
-        let models = Self::named();
+        let models = Self::all();
         let wanted = match name.trim().to_lowercase() {
             greenwood_tripp if greenwood_tripp == "gt" => "gw-pairs".into(),
             id => id,
@@ -297,7 +306,7 @@ mod tests {
 
     #[test]
     fn every_id_reads_back_and_is_unique() {
-        let models = Model::named();
+        let models = Model::all();
         let ids: Vec<String> = models.iter().map(ToString::to_string).collect();
         for id in &ids {
             assert_eq!(id.to_uppercase().parse::<Model>().unwrap().id(), id);
@@ -310,7 +319,7 @@ mod tests {
 
     #[test]
     fn every_variant_states_how_it_differs_and_no_other_model_does() {
-        for model in Model::named() {
+        for model in Model::all() {
             let named = crate::recommended::FLOW;
             let parts = model.id().replace(named, "").split('-').skip(1).count();
             assert_eq!(model.variant().len(), parts, "{model}");
@@ -363,7 +372,7 @@ mod tests {
         let scene = Scene::new(interface, Surface::new(1e-4, 1e9, 1e-6), 1e-5);
         let request = Request::new([Quantity::Force]);
         let elastic = ids(ELASTIC);
-        for model in Model::named() {
+        for model in Model::all() {
             let stem = model.id().split('-').next().unwrap();
             let of_yielding = model.id() == "persson-plastic";
             let stated = !of_yielding && elastic.split(", ").any(|id| id == stem);

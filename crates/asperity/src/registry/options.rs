@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn every_model_goes_to_its_id_and_options_and_back() {
-        for model in Model::named() {
+        for model in Model::all() {
             let text = serde_json::to_string(&model).unwrap();
             let back: Model = serde_json::from_str(&text).unwrap();
             assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");

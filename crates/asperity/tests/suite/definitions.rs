@@ -62,7 +62,7 @@ fn has(model: &Model, contact: &dyn Contact, quantity: Quantity) -> bool {
 fn every_quantity_names_the_models_that_have_it() {
     let scene = scene();
     let (inclined, upright): (Vec<_>, Vec<_>) =
-        Model::all().into_iter().partition(|model| model.validity().angles);
+        Model::of_asperities().into_iter().partition(|model| model.validity().angles);
     let (yielding, elastic): (Vec<_>, Vec<_>) =
         Model::whole_surface().into_iter().partition(|model| model.validity().holds_to.is_none());
     let groups = [

@@ -9,7 +9,7 @@ use asperity::{
 use asperity_plot::{Axis, Curve, Figure, Mark};
 
 use super::rows;
-use crate::figures::models::{TOLERANCE, beside, named, of, panel};
+use crate::figures::models::{self, TOLERANCE, beside, named, of, panel};
 use crate::figures::truth_ranges::equal;
 use crate::table::Table;
 
@@ -23,15 +23,11 @@ const HURST: f64 = 0.8;
 const MOMENTS: ProfileMoments = ProfileMoments { m0: 3.6e-11, m2: 0.038_253_06, m4: 5.682e9 };
 /// Panels of the csv.
 pub(super) const PANELS: [&str; 3] = ["area", "gap", "pressure"];
-/// The models drawn, with their looks, then our own solutions.
-const CURVES: [(&str, usize, &str); 6] = [
-    ("gw", 0, "GW"),
-    ("gw-random", 9, "GW random"),
-    ("persson", 5, "Persson"),
-    ("persson-fudge", 7, "Persson fudge"),
-    (PIXELS, 2, "asperity bem, counted pixels"),
-    (BEM, 3, "asperity bem"),
-];
+/// The models drawn.
+const MODELS: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
+/// Our own solutions, with their looks.
+const OURS: [(&str, usize, &str); 2] =
+    [(PIXELS, 6, "asperity bem, counted pixels"), (BEM, 4, "asperity bem")];
 const BEM: &str = "bem";
 const THEIRS: &str = "simulated";
 const PIXELS: &str = "bem-pixels";
@@ -85,7 +81,7 @@ pub fn table() -> Result<Table> {
     let mut table = Table::new(&["panel", "curve", "x", "value"]);
     let solved: Vec<(u64, [f64; 4])> = rows("bem-area.csv")?;
     let simulated: Vec<Simulated> = rows("gfmd.csv")?;
-    for (id, ..) in CURVES {
+    for id in MODELS.into_iter().chain([PIXELS, BEM]) {
         let mut gaps = vec![];
         for (p, area, _, gap, _) in &simulated {
             let mean = |k: usize| {
@@ -128,7 +124,7 @@ pub fn style(_: &str) -> Result<Figure> {
         panel.horizontals = vec![Mark::new(1.0, "")];
         panel
     };
-    let curves = named(&CURVES);
+    let curves = [models::curves(&MODELS)?, named(&OURS)].concat();
     let shown: Vec<Curve> = curves.iter().filter(|curve| curve.key != PIXELS).cloned().collect();
     let area = ratio(PANELS[0], "real area", "area/GFMD", [0.4, 1.2], &curves);
     let gap = ratio(PANELS[1], "mean gap", "mean gap/GFMD", [0.4, 1.8], &shown);

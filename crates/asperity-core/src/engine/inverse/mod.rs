@@ -142,6 +142,7 @@ mod tests {
         year: 1882,
         title: "",
         provenance: Provenance::Seen,
+        published: &[],
     };
 
     impl Described for Hertz {
