@@ -3,8 +3,11 @@
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
 //! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
 //! this crate adds curves cut at the frame and at gaps, dashes of several lengths, legend keys with
-//! dash and marker, areas between curves, lowered letters, captions that wrap, and several panels
-//! in one picture.
+//! dash and marker, areas between curves, bands of values with a lower and an upper end, lowered
+//! letters, captions that wrap, and several panels in one picture.
+//!
+//! Where the csv has columns `area_lower_m2` and `area_upper_m2` beside a drawn `area_m2`, each
+//! curve is the middle line of a band between them; rows without ends have none.
 //!
 //! ```
 //! use asperity_plot::{Axis, Curve, Figure, Panel, draw};

@@ -282,7 +282,7 @@ pub(crate) fn refuse(
 
 /// A file that is cut short or overwritten, or has a wrong name.
 pub(crate) fn damaged(format: &'static str, reason: impl Display) -> TopographyError {
-    TopographyError::Damaged { format, reason: excerpt(&reason.to_string()) }
+    TopographyError::Damaged { format, reason: reason.to_string() }
 }
 
 /// A line of a text file that is not what was required, numbered from 1.

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::answer::{Column, columns};
 use crate::message::Draw;
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{ranged, shown};
 use crate::span::Load;
 
 /// Largest side of a drawn map, in pixels.
@@ -31,20 +31,25 @@ const BEM: &str = "boundary elements";
 pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
     let load = Load::of(&asked.load, &file.scene)?;
     let columns = columns(Some(file));
-    let width = 3 + columns.len();
+    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
+    let width = 3 + heads.len();
     let k = columns.iter().position(|known| known.id == asked.view);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {}", asked.view)))?;
-    let Column { head, unit, label: name, .. } = &columns[k];
+    let column = &columns[k];
+    let Column { head, unit, label: name, .. } = column;
     // The values of all models at each load; positive numbers sort as their bits do.
-    let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>)>> = BTreeMap::new();
+    let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>, Option<[f64; 2]>)>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
+    let (place, named) = (3 + k * heads.len() / columns.len(), column.heads(file));
     for line in asked.rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
         let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());
         let pressure = pressure.filter(|_| cells.len() == width);
         let pressure = pressure.ok_or_else(|| Refusal::new("rows of another scene"))?;
-        let value = cells[3 + k].parse::<f64>().ok();
-        at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value));
+        let number = |k: usize| cells.get(place + k)?.parse::<f64>().ok();
+        let ends = number(1).zip(number(2)).filter(|_| named.len() > 1);
+        let (value, ends) = (number(0), ends.map(|(lower, upper)| [lower, upper]));
+        at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value, ends));
         values.extend(value.map(|value| (cells[0], pressure, value)));
         ids.push(cells[0]);
     }
@@ -61,7 +66,7 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     let mut drawn: Vec<&str> = values.iter().map(|(id, ..)| *id).chain([BEM]).collect();
     drawn.dedup();
     for [pressure, value] in &asked.solved {
-        at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value)));
+        at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value), None));
     }
 
     let area = file.scene.nominal_area;
@@ -77,13 +82,9 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     y.scale = Scale::fitting(&numbers);
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
-    // The ends of the ranges of a model look like it; black is left to boundary elements.
-    let model = |id: &&str| id.split(' ').next().map(String::from);
-    let mut looks: Vec<Option<String>> = ids.iter().map(model).collect();
-    looks.dedup();
-    let look = |id: &&str| 1 + looks.iter().position(|known| *known == model(id)).unwrap_or(0);
-    let curves = ids.iter().filter(|id| drawn.contains(id));
-    panel.curves = curves.map(|id| Curve::new(look(id), id, id)).collect();
+    // Black is left to boundary elements.
+    let curves = ids.iter().zip(1..).filter(|(id, _)| drawn.contains(id));
+    panel.curves = curves.map(|(id, look)| Curve::new(look, id, id)).collect();
     if !asked.solved.is_empty() {
         panel.curves.push(Curve::points(0, BEM, BEM));
     }
@@ -95,25 +96,29 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     }
     let mut valid = ids.clone();
     valid.retain(|id| asked.outside.iter().all(|known| known != id));
-    let mut csv = format!("model,load_N,pressure_Pa,{head}\n");
+    let mut csv = format!("model,load_N,pressure_Pa,{}\n", named.join(","));
     for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
-        let mut add = |name: &str, value: Option<f64>| {
-            let value = value.map_or(String::new(), |value| value.to_string());
-            csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
+        let mut add = |name: &str, value: Option<f64>, ends: Option<[f64; 2]>| {
+            let ends = [0, 1].map(|k| ends.map(|ends| ends[k]));
+            let numbers = [value].into_iter().chain(ends).take(named.len());
+            let cells = numbers.map(|value| value.map_or(String::new(), |value| value.to_string()));
+            let cells = cells.collect::<Vec<_>>().join(",");
+            csv += &format!("{name},{},{pressure},{cells}\n", pressure * area);
         };
         let mut reading = shown(pressure * of_load, load.unit);
-        for (id, value) in found.iter().filter(|(id, _)| drawn.contains(id)) {
-            add(id, *value);
-            reading.extend(value.map(|value| format!("\n{id} {}", shown(value, unit))));
+        for (id, value, ends) in found.iter().filter(|(id, ..)| drawn.contains(id)) {
+            add(id, *value, *ends);
+            reading.extend(value.map(|value| format!("\n{id} {}", ranged(value, *ends, unit))));
         }
         if reading.contains('\n') {
             panel.readings.push(Mark::new(pressure * of_load, &reading));
         }
-        let of_models = found.iter().filter(|(id, _)| valid.contains(id));
-        let of_models: Vec<f64> = of_models.filter_map(|(_, value)| *value).collect();
+        // Within ranges each model has a band of its own.
+        let of_models = found.iter().filter(|(id, ..)| valid.contains(id) && named.len() == 1);
+        let of_models: Vec<f64> = of_models.filter_map(|(_, value, _)| *value).collect();
         if of_models.len() == valid.len() && valid.len() > 1 {
-            add(LOWEST, of_models.iter().copied().reduce(f64::min));
-            add(HIGHEST, of_models.iter().copied().reduce(f64::max));
+            add(LOWEST, of_models.iter().copied().reduce(f64::min), None);
+            add(HIGHEST, of_models.iter().copied().reduce(f64::max), None);
             let (lower, upper) = (LOWEST.into(), HIGHEST.into());
             let label = "range of models".into();
             panel.between = vec![Between { lower, upper, look: 9, label }];

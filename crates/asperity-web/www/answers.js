@@ -77,6 +77,8 @@ export function undescribed(rows) {
 
 export function refuseLoad(message, typed = $("load").value) {
   put($("load"), typed);
+  // Beside it stood the load before.
+  $("load-other").textContent = "";
   $("load-error").textContent = message;
   $("load").setAttribute("aria-invalid", "true");
 }

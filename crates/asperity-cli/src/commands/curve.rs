@@ -5,7 +5,7 @@ use anyhow::{Context, Result};
 use asperity::bem::Bem;
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
+use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::SceneFile;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -92,8 +92,7 @@ impl Curve {
         let both = flows > 0 && flows < ids.len() && request.quantities == usual;
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let drawn = || drawn_with_ranges(&scene.file, &sheet);
-        self.output.write(&sheet, || plot::svg(&drawn(), &request, scene.file.separation_from))
+        self.output.write(&sheet, || plot::svg(&sheet, &request, scene.file.separation_from))
     }
 
     fn answer(

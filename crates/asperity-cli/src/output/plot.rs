@@ -32,11 +32,10 @@ pub fn svg(table: &Sheet, request: &Request, from: Datum) -> Result<String> {
         x.scale = Scale::fitting(&along);
     }
     let known = Model::named();
-    let curves = curves(table, |_, id| {
-        // The ends of the ranges of a model look like it.
-        let of = id.split(' ').next().unwrap_or(id);
-        let look = known.iter().position(|model| model.id() == of);
-        Curve::new(look.unwrap_or(0), id, id)
+    let curves = curves(table, |k, id| {
+        let look = known.iter().position(|model| model.id() == id);
+        // Corrected models and boundary elements have looks of their own.
+        Curve::new(look.unwrap_or(known.len() + k), id, id)
     });
 
     let (mut panels, mut hidden) = (vec![], vec![]);

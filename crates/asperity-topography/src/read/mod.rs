@@ -135,7 +135,9 @@ fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     MultiGzDecoder::new(packed)
         .take(limit as u64 + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| damaged("gzip", error))?;
+        .map_err(|_| {
+            damaged("gzip", "it is cut short, or its bytes are not those that were packed; copy the file again")
+        })?;
     if bytes.len() > limit {
         let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
         return Err(refuse(&"more", &required));

@@ -53,7 +53,10 @@ pub(super) fn profile(
     let (first, last) = (first.min(last), first.max(last));
     let step = (last - first) / (places.len().max(2) - 1) as f64;
     if !(step > 0.0 && step.is_finite()) {
-        return Err(wrong(format!("{} positions from {first:?} to {last:?}", places.len())));
+        return Err(wrong(match places.len() {
+            1 => format!("a single position, {first:?},"),
+            many => format!("a profile of {many} positions from {first:?} to {last:?}"),
+        }));
     }
     let found = |heights: Vec<f64>, notes| {
         (Scan { columns: heights.len(), heights, notes, ..Scan::default() }, step)
