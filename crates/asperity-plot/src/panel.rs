@@ -166,7 +166,9 @@ impl<'a> Plot<'a> {
         // Thin, so that bands over each other are told apart and no edge looks like a curve.
         for Series { curve, band, .. } in &self.series {
             let edges = band.iter().flatten().flat_map(|edge| self.inside(edge, frame));
-            edges.for_each(|edge| canvas.line(&simplified(&edge), curve.colour(), EDGE, curve.dash()));
+            edges.for_each(|edge| {
+                canvas.line(&simplified(&edge), curve.colour(), EDGE, curve.dash())
+            });
         }
     }
 

@@ -328,8 +328,10 @@ mod tests {
             assert_eq!(turned(&wider(&text), &first), wider(&given));
             let moments = turned(&given, "moments");
             assert_eq!(turned(&moments, &first), given);
+            if first != "iso" {
+                continue;
+            }
             // A surface that was changed there is another one.
-            let moments = turned(&given, "moments");
             let m0 = fields::fields(&moments)["surface.m0"].clone();
             let changed = moments.replace(&m0, "1e-14");
             let back = turned(&changed, "iso");

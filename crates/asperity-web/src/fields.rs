@@ -53,7 +53,8 @@ fn each_value(text: &str, mut each: impl FnMut(&str, &Value)) {
 /// Whether a text is TOML with any section of a scene.
 pub(crate) fn is_scene(text: &str) -> bool {
     let document = text.parse::<DocumentMut>();
-    document.is_ok_and(|all| ["body", "interface", "surface"].iter().any(|name| all.contains_key(name)))
+    document
+        .is_ok_and(|all| ["body", "interface", "surface"].iter().any(|name| all.contains_key(name)))
 }
 
 /// The names of all files of a text, each once.

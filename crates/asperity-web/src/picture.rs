@@ -217,6 +217,27 @@ mod tests {
     }
 
     #[test]
+    fn models_within_ranges_have_a_band_each_and_their_ends_under_the_pointer() {
+        let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+            poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
+        let file = asperity_inputs::parse(ground, std::path::Path::new(".")).unwrap();
+        let (middle, ends) = file.corners().unwrap();
+        let scenes: Vec<SceneFile> = [middle].into_iter().chain(ends).collect();
+        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
+        let all = ["gw", "ke"].map(of);
+        let svg = curves(&file, &asked(&all, "tangent", "100 N", &[])).unwrap();
+        assert_eq!(svg.matches(">lower to upper end<").count(), 1);
+        assert!(!svg.contains("range of models"));
+        // Each model is drawn once, in a band.
+        for id in ["gw", "ke"] {
+            assert_eq!(svg.matches(&format!(">{id}<")).count(), 1);
+        }
+        let reading = svg.split("<title>").find(|part| part.starts_with("100 N\n")).unwrap();
+        let line = reading.lines().find(|line| line.starts_with("ke ")).unwrap();
+        assert!(line.contains("N/m (") && line.contains(" to "), "{line}");
+    }
+
+    #[test]
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
         let scenes = [file];

@@ -325,17 +325,19 @@ mod tests {
     #[test]
     fn the_other_surface_of_two_like_bodies_is_the_same_until_another_is_chosen() {
         let other = |text: &str| other_surface(&fields(text)).unwrap();
+        let has_other = |text: &str| fields(text).keys().any(|path| path.contains("counterface"));
         let template = asperity_inputs::template();
         let text = ground(template);
         assert_eq!(other(&text), "same");
         assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");
-        // The surface of both together is as rough as it was.
+        // Both together are as rough as the surface was; Rq of the middle of its range is 7 % above
+        // that of Gaussian heights.
         let as_it_was = described(template, FINISH, &parse(template)).unwrap();
         let m0 = |text: &str| parse(text).scene.surface.moments().m0;
-        assert!((m0(&as_it_was) / m0(template) - 1.0).abs() < 0.1, "{}", m0(&as_it_was));
+        assert!((m0(&as_it_was) / m0(template) - 1.0).abs() < 0.2, "{}", m0(&as_it_was));
         let choose = |text: &str, value| edited(text, &[set(OTHER_SURFACE, value)], false).unwrap();
         let smooth = choose(&text, "smooth");
-        assert_eq!((other(&smooth), smooth.contains("counterface")), ("smooth", false));
+        assert_eq!((other(&smooth), has_other(&smooth)), ("smooth", false));
         assert_eq!(choose(&smooth, "same"), text);
         assert!((m0(&text) / m0(&smooth) - 2.0).abs() < 1e-9);
         let another = choose(&smooth, "another");
@@ -343,15 +345,15 @@ mod tests {
         assert_eq!((other(&another), &*fields(&another)["surface.ra"]), ("another", "1.6 um"));
         assert_eq!(fields(&another)["surface.counterface.ra"], "0.8 um");
         // As a section of its own as well.
-        let section = smooth.clone() + "[surface.counterface]\nra = 8e-7\nfinish = \"ground\"\n";
-        assert_eq!(choose(&section, "smooth"), smooth);
+        let section =
+            smooth.clone() + "[surface.counterface]\nra = \"0.8 um\"\nfinish = \"ground\"\n";
+        assert_eq!((other(&section), has_other(&choose(&section, "smooth"))), ("same", false));
         let unlike = template.replacen("hardness = 2e9", "hardness = 3e9", 1);
         assert_eq!(other(&ground(&unlike)), "smooth");
         assert_eq!(other_surface(&fields(template)), None);
         // Another description and a scan have none.
         let moments = described(&text, "moments", &parse(&text)).unwrap();
-        assert!(!moments.contains("counterface"));
-        assert!(!with_scan(&text, "a.x3p").unwrap().contains("counterface"));
+        assert!(!has_other(&moments) && !has_other(&with_scan(&text, "a.x3p").unwrap()));
     }
 
     #[test]

@@ -15,9 +15,10 @@ const ERRORS: [f64; 4] = [0.01, 0.03, 0.1, 0.3];
 pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
     let (format, units) = (format(form)?, units.parse().map_err(Refusal::new)?);
     let within = |error: &f64| text(file, id, format, units, *error);
-    let found = ERRORS.iter().skip(1).fold(within(&ERRORS[0]), |found, larger| {
-        found.or_else(|_| within(larger))
-    });
+    let found = ERRORS
+        .iter()
+        .skip(1)
+        .fold(within(&ERRORS[0]), |found, larger| found.or_else(|_| within(larger)));
     let extension = match format {
         TableFormat::Csv => "csv",
         TableFormat::Ansys => "mac",
@@ -52,8 +53,17 @@ fn text(
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
     let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
-    let export =
-        Export { subject, ends, nodes, log: false, max_error, format, units, conductance, friction };
+    let export = Export {
+        subject,
+        ends,
+        nodes,
+        log: false,
+        max_error,
+        format,
+        units,
+        conductance,
+        friction,
+    };
     Ok(export.answer(&mut Sheet::default(), &Silent).map_err(Refusal::new)?.text)
 }
 

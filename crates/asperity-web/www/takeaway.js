@@ -1,7 +1,7 @@
 // Files and lines to take away.
 import { $, download, element, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
-import { columns } from "./answers.js";
+import { byReason, columns } from "./answers.js";
 import { elements } from "./elements.js";
 import { writeLink } from "./link.js";
 
@@ -75,8 +75,8 @@ function tables() {
     const offered = ids.filter((id) => !refused[id]);
     options($("export-model"), offered.map((id) => [id, id]), [picked, shown?.usual].find((id) => offered.includes(id)) ?? offered[0]);
     $("save-table").disabled = offered.length === 0;
-    const why = ids.filter((id) => refused[id]).map((id) => (refused[id].startsWith(id) ? refused[id] : `${id}: ${refused[id]}`));
-    $("no-table").textContent = [...new Set(why)].join("; ");
+    const rows = ids.filter((id) => refused[id]).map((model) => ({ model, reason: refused[model] }));
+    $("no-table").textContent = byReason(rows).map(([reason, models]) => `No table of ${models.join(", ")}: ${reason}`).join("; ");
   });
 }
 

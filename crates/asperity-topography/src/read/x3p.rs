@@ -115,10 +115,7 @@ fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyErr
         .by_name(&(folder.clone() + NAME))
         .map_err(|_| damaged("x3p", "it has no main.xml, which describes the scan"))?;
     let mut xml = Vec::new();
-    entry
-        .take(MAX_XML + 1)
-        .read_to_end(&mut xml)
-        .map_err(|_| damaged("x3p", broken(NAME)))?;
+    entry.take(MAX_XML + 1).read_to_end(&mut xml).map_err(|_| damaged("x3p", broken(NAME)))?;
     if xml.len() as u64 > MAX_XML {
         return Err(refuse("x3p main.xml", "more", format!("at most {MAX_XML} bytes")));
     }
@@ -136,9 +133,8 @@ fn unpack(
     [n, size]: [usize; 2],
     mut with: impl FnMut(&[u8]),
 ) -> Result<(), TopographyError> {
-    let refuse = |found: &str, required: &str| {
-        refuse("x3p DataLink", format!("{name}: {found}"), required)
-    };
+    let refuse =
+        |found: &str, required: &str| refuse("x3p DataLink", format!("{name}: {found}"), required);
     let mut entry = archive
         .by_name(name)
         .map_err(|_| refuse("no such part", "a part of this name in the file"))?;
