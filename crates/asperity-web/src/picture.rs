@@ -26,6 +26,9 @@ const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
 const BEM: &str = "boundary elements";
 
+/// A model at a load, its value there, and the ends of that.
+type Found<'r> = (&'r str, Option<f64>, Option<[f64; 2]>);
+
 /// Curves of rows against the load, with the load marked, the spread of the models shaded and
 /// boundary elements as points.
 pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
@@ -38,7 +41,7 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     let column = &columns[k];
     let Column { head, unit, label: name, .. } = column;
     // The values of all models at each load; positive numbers sort as their bits do.
-    let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>, Option<[f64; 2]>)>> = BTreeMap::new();
+    let mut at_loads: BTreeMap<u64, Vec<Found<'_>>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
     let (place, named) = (3 + k * heads.len() / columns.len(), column.heads(file));
     for line in asked.rows.iter().flat_map(|rows| rows.lines()) {
