@@ -1,5 +1,6 @@
 //! Folders of the workspace, and files with their names in every error.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -17,10 +18,16 @@ pub fn figures_folder() -> PathBuf {
     root().join("figures")
 }
 
-/// The workspace's `target` folder.
+/// The folder of what cargo and these tasks make: that of `CARGO_TARGET_DIR`, as for cargo, or the
+/// workspace's `target`.
 #[must_use]
 pub fn target_folder() -> PathBuf {
-    root().join("target")
+    let named = std::env::var_os("CARGO_TARGET_DIR").filter(|name| !name.is_empty());
+    target_in(named.as_deref(), std::env::current_dir().unwrap_or_else(|_| root()))
+}
+
+fn target_in(named: Option<&OsStr>, here: PathBuf) -> PathBuf {
+    named.map_or_else(|| root().join("target"), |named| here.join(named))
 }
 
 /// The text of a file.
@@ -81,4 +88,17 @@ pub fn save(folder: &Path, texts: impl IntoIterator<Item = Fresh>) -> Result<Vec
         write(&path, text).map(|()| path)
     };
     texts.into_iter().map(save).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_target_folder_is_that_of_cargo() {
+        let of = |name: Option<&str>| target_in(name.map(OsStr::new), "/here".into());
+        assert_eq!(of(None), root().join("target"));
+        assert_eq!(of(Some("/elsewhere")), Path::new("/elsewhere"));
+        assert_eq!(of(Some("below")), Path::new("/here/below"));
+    }
 }

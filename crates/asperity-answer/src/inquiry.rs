@@ -246,7 +246,7 @@ impl<'s> Inquiry<'s> {
 const FILMS: [&str; 2] = ["film_m", "lambda"];
 
 /// The ends of an interval.
-pub(crate) const ENDS: [&str; 2] = ["lower", "upper"];
+pub const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// The name of a column beside that of a quantity: `mean_pressure_error`.
 #[must_use]
@@ -257,7 +257,7 @@ pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
 /// The name of a column with an end of another, before the unit of that: `area_lower_m2`,
 /// `separation_lower_m`.
 #[must_use]
-pub(crate) fn column_of_end(column: &str, end: &str) -> String {
+pub fn column_of_end(column: &str, end: &str) -> String {
     let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
     let units = Quantity::ALL.into_iter().map(unit).filter(|unit| column.ends_with(&**unit));
     let unit = units.max_by_key(String::len).unwrap_or_default();

@@ -31,13 +31,13 @@ pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
+pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
 pub use models::{
     ALL_MODELS, NamedModel, models, once, one_model, one_or_usual, scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;
-pub use ranges::{NO_RANGE, drawn_with_ranges, with_ranges};
+pub use ranges::{NO_RANGE, with_ranges};
 pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};

@@ -48,24 +48,6 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     Ok(found)
 }
 
-/// The sheet of a picture: the rows of the middle and, where the scene has ranges, those of the
-/// ends under the names `ke lower` and `ke upper`.
-#[must_use]
-pub fn drawn_with_ranges(file: &SceneFile, sheet: &Sheet) -> Sheet {
-    let mut drawn = sheet.clone();
-    for end in ENDS.into_iter().filter(|_| !file.spreads().is_empty()) {
-        drawn.rows.extend(sheet.rows.iter().map(|row| {
-            let cells = sheet.heads.iter().zip(row).map(|(head, own)| {
-                sheet.column(&column_of_end(head, end)).map_or(own, |column| &row[column]).clone()
-            });
-            let mut cells: Vec<Cell> = cells.collect();
-            cells[0] = Cell::from(&*format!("{} {end}", row[0].text()));
-            cells
-        }));
-    }
-    drawn
-}
-
 /// The sheets at the ends of the ranges.
 struct Ends<'a> {
     file: &'a SceneFile,

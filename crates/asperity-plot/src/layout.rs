@@ -21,11 +21,11 @@ pub(crate) struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     /// Places the parts of a figure.
-    pub(crate) fn new(figure: &'a Figure, plots: &[Plot]) -> Self {
+    pub(crate) fn new(figure: &Figure, plots: &'a [Plot<'a>]) -> Self {
         let (width, edge) = (figure.width(), figure.edge());
         let title = wrap(&figure.title, TITLE, width - 2.0 * edge);
         let caption = caption_lines(&figure.caption);
-        let legend = Legend::new(&figure.panels, width - 2.0 * edge);
+        let legend = Legend::new(plots, width - 2.0 * edge);
         let legend =
             (figure.legend == figure::Legend::Below && !legend.is_empty()).then_some(legend);
         let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);

@@ -2,9 +2,9 @@
 //! the label. plotters' own legend measures text by its bytes and stands inside one chart.
 
 use crate::canvas::{Canvas, Rect, Type};
-use crate::figure::Panel;
-use crate::series::Point;
-use crate::style::{BLACK, Colour, Curve};
+use crate::panel::Plot;
+use crate::series::{Point, Series};
+use crate::style::{BLACK, Colour, Curve, GREY};
 use crate::text::{CAPITAL, width};
 use crate::trace::simplified;
 
@@ -16,30 +16,49 @@ const NARROW_WIDTH: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;
 const PAD: f64 = 7.5;
 const ROW: f64 = 18.5;
-/// Opacity of an area.
+/// Opacity of an area, and of a band, which lies over others.
 pub(crate) const AREA: f64 = 0.4;
+pub(crate) const BAND: f64 = 0.18;
+/// Width of the edges of a band.
+pub(crate) const EDGE: f64 = 0.7;
+/// What bands are.
+const ENDS: &str = "lower to upper end";
+
+/// What the key of an entry shows beside its line.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Fill {
+    None,
+    Area,
+    Band,
+}
 
 /// A curve, or a shaded area without one.
 struct Entry<'a> {
     label: &'a str,
     colour: Colour,
     curve: Option<&'a Curve>,
-    /// Whether its key shows an area.
-    filled: bool,
+    fill: Fill,
 }
 
 impl<'a> Entry<'a> {
-    fn of(panel: &'a Panel) -> impl Iterator<Item = Self> {
-        let filled = panel.stacked;
-        let curves = panel.curves.iter().map(move |curve| {
-            let (label, colour) = (curve.label.as_str(), curve.colour());
-            Self { label, colour, curve: Some(curve), filled }
+    fn of(plot: &'a Plot<'a>) -> impl Iterator<Item = Self> {
+        let stacked = plot.panel.stacked;
+        let curves = plot.series.iter().map(move |Series { curve, band, .. }| {
+            let fill = match (band.is_empty(), stacked) {
+                (false, _) => Fill::Band,
+                (true, true) => Fill::Area,
+                (true, false) => Fill::None,
+            };
+            Self { label: &curve.label, colour: curve.colour(), curve: Some(curve), fill }
         });
-        let areas = panel.between.iter().map(|area| {
+        let areas = plot.panel.between.iter().map(|area| {
             let colour = Curve::new(area.look, "", "").colour();
-            Self { label: &area.label, colour, curve: None, filled: true }
+            Self { label: &area.label, colour, curve: None, fill: Fill::Area }
         });
-        curves.chain(areas).filter(|entry| !entry.label.is_empty())
+        let has_bands = plot.series.iter().any(|series| !series.band.is_empty());
+        let bands = Self { label: ENDS, colour: GREY, curve: None, fill: Fill::Band };
+        let bands = has_bands.then_some(bands);
+        curves.chain(areas).chain(bands).filter(|entry| !entry.label.is_empty())
     }
 }
 
@@ -57,11 +76,11 @@ pub(crate) struct Legend<'a> {
 
 impl<'a> Legend<'a> {
     /// The legend in as many columns as fit into a width.
-    pub(crate) fn new(panels: &'a [Panel], widest: f64) -> Self {
+    pub(crate) fn new(plots: &'a [Plot<'a>], widest: f64) -> Self {
         let mut entries: Vec<Entry> = vec![];
-        for entry in panels.iter().flat_map(Entry::of) {
+        for entry in plots.iter().flat_map(Entry::of) {
             match entries.iter_mut().find(|known| known.label == entry.label) {
-                Some(known) => known.filled |= entry.filled,
+                Some(known) => known.fill = known.fill.max(entry.fill),
                 None => entries.push(entry),
             }
         }
@@ -97,10 +116,21 @@ impl<'a> Legend<'a> {
             let row = (index % self.rows) as f64;
             let x = left + self.columns.get(index / self.rows).copied().unwrap_or(PAD);
             let y = top + PAD + (row + 0.5) * ROW;
-            if entry.filled {
-                let (top, height) = if entry.curve.is_some() { (y, 6.5) } else { (y - 5.0, 10.0) };
-                let swatch = Rect::sized(x, top, self.key, height);
-                canvas.polygon(&swatch.corners(), entry.colour, AREA);
+            let (top, height, opacity) = match (entry.fill, entry.curve) {
+                (Fill::None, _) => (y, 0.0, 0.0),
+                (Fill::Area, Some(_)) => (y, 6.5, AREA),
+                (Fill::Area, None) => (y - 5.0, 10.0, AREA),
+                (Fill::Band, _) => (y - 6.5, 13.0, BAND),
+            };
+            let swatch = Rect::sized(x, top, self.key, height);
+            if entry.fill != Fill::None {
+                canvas.polygon(&swatch.corners(), entry.colour, opacity);
+            }
+            if entry.fill == Fill::Band {
+                let dash = entry.curve.map_or(&[][..], Curve::dash);
+                for y in [swatch.top, swatch.bottom] {
+                    canvas.line(&[(x, y), (x + self.key, y)], entry.colour, EDGE, dash);
+                }
             }
             if let Some(curve) = entry.curve {
                 draw_line(canvas, &[(x, y), (x + self.key, y)], curve);

@@ -3,8 +3,11 @@
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
 //! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
 //! this crate adds curves cut at the frame and at gaps, dashes of several lengths, legend keys with
-//! dash and marker, areas between curves, lowered letters, captions that wrap, and several panels
-//! in one picture.
+//! dash and marker, areas between curves, bands of values with a lower and an upper end, lowered
+//! letters, captions that wrap, and several panels in one picture.
+//!
+//! Where the csv has columns `area_lower_m2` and `area_upper_m2` beside a drawn `area_m2`, each
+//! curve is the middle line of a band between them; rows without ends have none.
 //!
 //! ```
 //! use asperity_plot::{Axis, Curve, Figure, Panel, draw};
@@ -181,6 +184,41 @@ mod tests {
             let along = |ends: &[(f64, f64)]| (ends[0].1 - ends[1].1).abs() < 0.1;
             assert!(!curve.windows(2).any(along), "{curve:?}");
         }
+    }
+
+    #[test]
+    fn values_with_ends_are_the_middle_line_of_a_band() {
+        let csv = "curve,x,y_m,y_lower_m,y_upper_m\n\
+            a,0,2,1,8\na,1,4,3,9\na,2,5,,\na,3,5,4,7\na,4,6,5,8\nb,0,3,,\nb,4,1,,\n";
+        let mut figure = figure(&["a", "b"], false);
+        figure.panels[0].y.column = "y_m".into();
+        let svg = draw(&figure, csv).unwrap();
+        // Two parts of one band, and two swatches of the legend.
+        assert_eq!(svg.matches("<polygon").count(), 4, "{svg}");
+        assert_eq!(svg.matches(">lower to upper end<").count(), 1);
+        let frame = lines(&svg, "stroke-width=\"1.3\"").concat();
+        let [top, foot] =
+            [f64::min, f64::max].map(|of| frame.iter().map(|p| p.1).reduce(of).unwrap());
+        // One line a curve, though the ends make the axis: 9 lies below the top of the frame.
+        let middle = lines(&svg, "stroke-width=\"2\"");
+        assert_eq!(middle.iter().filter(|line| line.len() > 2).count(), 1);
+        let ends = lines(&svg, "stroke-width=\"0.7\"");
+        let of_band = ends.iter().filter(|line| line.iter().all(|p| (top..foot).contains(&p.1)));
+        assert_eq!(of_band.count(), 4, "{ends:?}");
+        let height = |value: f64| {
+            let two = middle.iter().find(|line| line.len() > 2).unwrap();
+            // The values 2 and 6 of the middle line.
+            let (first, last) = (two[0].1, two[two.len() - 1].1);
+            first + (value - 2.0) / 4.0 * (last - first)
+        };
+        let has = |value: f64| ends.iter().flatten().any(|p| (p.1 - height(value)).abs() < 0.1);
+        assert!(has(1.0) && has(9.0) && has(7.0) && !has(2.5), "{ends:?}");
+        // No two lines of one width look alike.
+        let look = |line: &&str| line.split_once("fill=").map(|(_, look)| look.to_string());
+        let mut looks: Vec<_> = svg.lines().filter(|l| l.contains("stroke-width=\"2\"")).collect();
+        looks.sort_by_key(look);
+        looks.dedup_by_key(|line| look(&&**line));
+        assert_eq!(looks.len(), 2);
     }
 
     #[test]

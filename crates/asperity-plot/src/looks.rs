@@ -26,7 +26,7 @@ const LOOKS: [(&str, usize); 22] = [
     ("mikic", 7),
 ];
 /// Endings of ids, and what they add: the colour stays, dash and marker change.
-const ENDINGS: [(&str, usize); 2] = [("-random", 20), ("-pairs", 40)];
+const ENDINGS: [(&str, usize); 3] = [("-random", 20), ("-pairs", 40), ("-corrected", 60)];
 
 /// The look of measured points and of boundary elements, which no model has: black crosses.
 pub const MEASURED: usize = 100;
@@ -41,6 +41,8 @@ pub const MEASURED: usize = 100;
 #[must_use]
 pub fn look_of(id: &str) -> Option<usize> {
     let ending = ENDINGS.iter().find_map(|(end, more)| Some((id.strip_suffix(end)?, *more)));
-    let (id, more) = ending.unwrap_or((id, 0));
-    LOOKS.iter().find(|(known, _)| *known == id).map(|(_, look)| look + more)
+    if let Some((stem, more)) = ending {
+        return look_of(stem).map(|look| look + more);
+    }
+    LOOKS.iter().find(|(known, _)| *known == id).map(|(_, look)| *look)
 }

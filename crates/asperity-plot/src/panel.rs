@@ -8,13 +8,13 @@ use crate::clip;
 use crate::direct;
 use crate::error::PlotError;
 use crate::figure::{Figure, Legend, Panel, Strip};
-use crate::legend::{AREA, draw_line};
+use crate::legend::{AREA, BAND, EDGE, draw_line};
 use crate::ruler::Ruler;
 use crate::series::{self, Area, CsvTable, Point, Series};
 use crate::size::{LABEL, LEAST, SMALL, TICK, TITLE_GAP, labels_that_fit};
 use crate::style::{BLACK, DARK_GREY, GREY};
 use crate::text::{CAPITAL, LINE, power_of_ten, widest, width};
-use crate::trace::marker_places;
+use crate::trace::{marker_places, simplified};
 
 const GRID: RGBColor = RGBColor(222, 222, 222);
 const FINE_GRID: RGBColor = RGBColor(242, 242, 242);
@@ -31,7 +31,7 @@ const SPARSE: [f64; 2] = [2.0, 6.0];
 pub(crate) struct Plot<'a> {
     pub(crate) panel: &'a Panel,
     heading: String,
-    series: Vec<Series<'a>>,
+    pub(crate) series: Vec<Series<'a>>,
     areas: Vec<Area<'a>>,
     x: Ruler,
     y: Ruler,
@@ -58,7 +58,9 @@ impl<'a> Plot<'a> {
         let heading = format!("{tag}{}", panel.title).trim_end().into();
         let mut series = series::curves(panel, table)?;
         let areas = series::areas(panel, table, &mut series)?;
-        let edges = || areas.iter().flat_map(|area| area.lower.iter().chain(&area.upper));
+        let of_areas = || areas.iter().flat_map(|area| area.lower.iter().chain(&area.upper));
+        let of_bands = || series.iter().flat_map(|s| s.band.iter().flatten().flatten());
+        let edges = || of_areas().chain(of_bands());
         let points = || series.iter().flat_map(|s| s.pieces.iter().flatten()).chain(edges());
         let (across, down) = labels_that_fit(figure);
         let least = figure.size.map_or(0.0, |_| LEAST);
@@ -150,12 +152,23 @@ impl<'a> Plot<'a> {
         for strip in &self.panel.strips {
             canvas.polygon(&self.strip(strip, frame).corners(), BLACK, STRIP);
         }
-        for area in &self.areas {
-            let edge = area.upper.iter().chain(area.lower.iter().rev());
+        let areas = self.areas.iter().map(|area| (&area.lower, &area.upper, area.colour, AREA));
+        let bands = self.series.iter().flat_map(|series| {
+            series.band.iter().map(|[lower, upper]| (lower, upper, series.curve.colour(), BAND))
+        });
+        for (lower, upper, colour, opacity) in areas.chain(bands) {
+            let edge = upper.iter().chain(lower.iter().rev());
             let shares: Vec<Point> = edge.map(|p| (self.x.share(p.0), self.y.share(p.1))).collect();
             let inside: Vec<Point> =
                 clip::polygon(&shares).into_iter().map(|p| frame.at(p)).collect();
-            canvas.polygon(&inside, area.colour, AREA);
+            canvas.polygon(&inside, colour, opacity);
+        }
+        // Thin, so that bands over each other are told apart and no edge looks like a curve.
+        for Series { curve, band, .. } in &self.series {
+            let edges = band.iter().flatten().flat_map(|edge| self.inside(edge, frame));
+            edges.for_each(|edge| {
+                canvas.line(&simplified(&edge), curve.colour(), EDGE, curve.dash())
+            });
         }
     }
 

@@ -41,6 +41,13 @@ impl CsvTable {
         Ok(())
     }
 
+    /// The columns of the lower and the upper end of another: `area_lower_m2` of `area_m2`.
+    fn ends(&self, name: &str) -> Option<[usize; 2]> {
+        let is_end = |head: &str, end| head != name && head.replacen(end, "", 1) == name;
+        let column = |end| self.head.iter().position(|head| is_end(head, end));
+        Some([column("_lower")?, column("_upper")?])
+    }
+
     fn column(&self, name: &str) -> Result<usize, PlotError> {
         self.head.iter().position(|head| head == name).ok_or_else(|| PlotError::MissingColumn {
             column: name.into(),
@@ -69,6 +76,8 @@ pub(crate) struct Series<'a> {
     pub(crate) pieces: Vec<Vec<Point>>,
     /// Points of its own for its markers.
     pub(crate) marked: Vec<Point>,
+    /// The lower and the upper ends of its values, if the table has columns for them: its band.
+    pub(crate) band: Vec<[Vec<Point>; 2]>,
 }
 
 /// The area between two curves with the same x.
@@ -82,16 +91,38 @@ pub(crate) struct Area<'a> {
 
 /// Takes the curves of a panel from the table.
 pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Series<'a>>, PlotError> {
+    let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
+    let ends = table.ends(&panel.y.column);
     let take = |curve: &'a Curve| {
         let marked = curve.marked.as_ref().map(|key| pieces(panel, table, key)).transpose()?;
         let marked = marked.unwrap_or_default().concat();
-        Ok(Series { curve, pieces: pieces(panel, table, &curve.key)?, marked })
+        let rows = rows(panel, table, &curve.key)?;
+        let band = ends.map(|ends| split(table, &rows, [x, ends[0], ends[1]])).transpose()?;
+        let [first, second] = [1, 2].map(|k| move |row: &[f64; 3]| (row[0], row[k]));
+        let both = |piece: Vec<[f64; 3]>| {
+            [piece.iter().map(first).collect(), piece.iter().map(second).collect()]
+        };
+        let band = band.into_iter().flatten().filter(|piece| piece.len() > 1).map(both).collect();
+        Ok(Series { curve, pieces: points(split(table, &rows, [x, y])?), marked, band })
     };
     panel.curves.iter().map(take).collect()
 }
 
 fn pieces(panel: &Panel, table: &CsvTable, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
-    let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
+    let columns = [table.column(&panel.x.column)?, table.column(&panel.y.column)?];
+    Ok(points(split(table, &rows(panel, table, key)?, columns)?))
+}
+
+fn points(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Vec<Point>> {
+    pieces.into_iter().map(|piece| piece.into_iter().map(|[x, y]| (x, y)).collect()).collect()
+}
+
+/// The rows of a curve.
+fn rows<'t>(
+    panel: &Panel,
+    table: &'t CsvTable,
+    key: &str,
+) -> Result<Vec<&'t StringRecord>, PlotError> {
     let keys = table.column(&panel.curve_column)?;
     table.drawn.borrow_mut().entry(keys).or_default().insert(key.into());
     let only = panel.only.as_ref();
@@ -100,18 +131,37 @@ fn pieces(panel: &Panel, table: &CsvTable, key: &str) -> Result<Vec<Vec<Point>>,
     let wanted = |row: &&StringRecord| {
         &row[keys] == key && only.is_none_or(|(column, value)| row[column] == **value)
     };
-    let (mut pieces, mut found) = (vec![vec![]], false);
-    for row in table.rows.iter().filter(wanted) {
-        found = true;
-        match (table.number(row, x)?, table.number(row, y)?, pieces.last_mut()) {
-            (Some(x), Some(y), Some(piece)) => piece.push((x, y)),
-            _ => pieces.push(vec![]),
-        }
-    }
-    if !found {
+    let found: Vec<&StringRecord> = table.rows.iter().filter(wanted).collect();
+    if found.is_empty() {
         let (curve, column) = (key.into(), panel.curve_column.clone());
         return Err(PlotError::MissingCurve { curve, column });
     }
+    Ok(found)
+}
+
+/// The numbers of columns in rows, split at rows that lack one.
+fn split<const N: usize>(
+    table: &CsvTable,
+    rows: &[&StringRecord],
+    columns: [usize; N],
+) -> Result<Vec<Vec<[f64; N]>>, PlotError> {
+    let mut pieces = vec![];
+    let mut piece = vec![];
+    for row in rows {
+        let mut numbers = [0.0; N];
+        let mut complete = true;
+        for (number, column) in numbers.iter_mut().zip(columns) {
+            match table.number(row, column)? {
+                Some(found) => *number = found,
+                None => complete = false,
+            }
+        }
+        match complete {
+            true => piece.push(numbers),
+            false => pieces.push(std::mem::take(&mut piece)),
+        }
+    }
+    pieces.push(piece);
     pieces.retain(|piece| !piece.is_empty());
     Ok(pieces)
 }

@@ -280,14 +280,9 @@ pub(crate) fn refuse(
     TopographyError::Content { place: place.to_string(), found, required: required.to_string() }
 }
 
-/// A file that is cut short or overwritten, or has a wrong name.
-pub(crate) fn incomplete(format: &'static str, part: &str) -> TopographyError {
-    damaged(format, format!("{part} is incomplete or changed; copy or export the file again"))
-}
-
 /// A file that is not in the format that it seems to have.
 pub(crate) fn damaged(format: &'static str, reason: impl Display) -> TopographyError {
-    TopographyError::Damaged { format, reason: excerpt(&reason.to_string()) }
+    TopographyError::Damaged { format, reason: reason.to_string() }
 }
 
 /// A line of a text file that is not what was required, numbered from 1.

@@ -41,7 +41,7 @@ test("controls have names of their own, bodies are groups, and what changes is s
   const controls = ["textbox", "combobox", "slider", "checkbox", "tab"].flatMap(named);
   assert.ok(controls.length > 20 && controls.every(Boolean), String(controls));
   assert.deepEqual(controls.filter((name, k) => controls.indexOf(name) !== k), []);
-  for (const name of ["Material of the first body", "Hardness H of the second body", "Load", "Load over five decades", "Quantity of the plot"]) assert.ok(controls.includes(name), name);
+  for (const name of ["Material of the first body", "Hardness H of the second body, in Pa", "Load", "Load over five decades", "Quantity of the plot"]) assert.ok(controls.includes(name), name);
   for (const name of ["Answer", "Load and answer", "Bodies and surface"]) assert.ok(named("region").includes(name), String(named("region")));
   const spoken = await page.run("return [...document.querySelectorAll('[role=status], [role=alert]')].map(({ id }) => id)");
   for (const id of ["status", "load-error", "message", "spoken", "loads-done", "scene-error", "compared-count"]) assert.ok(spoken.includes(id), id);

@@ -262,6 +262,18 @@ async function opened(script, check, phase = "failed", hash = "") {
   }
 }
 
+test("a browser that cannot calculate says what it lacks and what to do", async () => {
+  for (const [script, wanted] of [
+    ["delete window.WebAssembly;", /^This page calculates by WebAssembly, which this browser does not have .* or use the program asperity/],
+    ["WebAssembly.validate = () => false;", /^This browser is too old .*Safari from 16\.4, or use the program/],
+  ]) {
+    await opened(script, async (other) => {
+      assert.match(await other.text("message"), wanted);
+      assert.equal(await other.run("return document.querySelectorAll('#tabs [aria-selected=true]').length"), 1);
+    });
+  }
+});
+
 test("a worker that dies is started anew twice, then the page says so and keeps the text", async () => {
   const script = `window.started = 0; const Real = Worker; window.Worker = class extends Real {
     constructor() { super("missing.js"); window.started += 1; } };`;
@@ -291,10 +303,6 @@ test("a worker that dies while it is asked is started anew, and the answer follo
 test("a link of another version has a message, and the page opens", () => opened("", async (other) => {
   assert.match(await other.text("message"), /the link has version 2 and this page reads version 1/);
 }, "ready", `#s=${Buffer.from('{"version":2,"world":[]}').toString("base64url")}`));
-
-test("without WebAssembly the page says what to do", () => opened("delete window.WebAssembly;", async (other) => {
-  assert.match(await other.text("message"), /no WebAssembly: use another browser/);
-}));
 
 test("the models page draws every law, and each has its page in the guide", async () => {
   const models = page.site.url.replace("index.html", "models.html");

@@ -45,8 +45,9 @@ test("bad files have a message, and the page goes on", async () => {
   broken.fill(0x55, 600, 900);
   for (const [name, bytes, wanted] of [
     ["empty.x3p", "", /empty\.x3p is empty \(0 bytes\)/],
-    ["torn.x3p", x3p.subarray(0, x3p.length / 2), /torn\.x3p/],
-    ["corrupt.x3p", broken, /corrupt\.x3p/],
+    ["torn.x3p", x3p.subarray(0, x3p.length / 2), /torn\.x3p: the file is damaged .*: the list of its parts, at its end, is missing/],
+    ["corrupt.x3p", broken, /corrupt\.x3p: .*damaged .*: the bytes of .* are not those that were stored/],
+    ["single.txt", "x_um\tz_nm\n3\t5\n", /single\.txt: x: a single position, 3\.0, was found/],
     ["nan.txt", matrix(map).replaceAll(/^-?\d.*$/gm, (row) => row.replaceAll(/-?\d+/g, "nan")), /nan\.txt/],
     ["picture.png", Buffer.from("\x89PNG\r\n\x1a\n................", "latin1"), /picture\.png/],
   ]) {

@@ -47,6 +47,22 @@ test("a scene without its scan says which it needs, and takes it", async () => {
   assert.deepEqual([await page.value("scene"), ...(await state())], [text, "ready", "", ""]);
 });
 
+test("a scene file that cannot be read leaves the scene and its scan, and the page says why", async () => {
+  await page.scene(example("wheel-rail"));
+  await drop(["kept.txt", scan]);
+  const [text, values] = [await page.value("scene"), await page.values()];
+  for (const [name, torn] of [["torn.toml", "nominal_area = "], ["picture.toml", "\u0089PNG\r\n"], ["other.toml", "a = 1\n"]]) {
+    await drop([name, torn]);
+    assert.match(await page.text("message"), new RegExp(`^${name}: `));
+    assert.deepEqual([await page.phase(), await page.value("scene"), await page.values()], ["ready", text, values], name);
+  }
+  // The scan is still that of the page.
+  await page.change(["#load", "7 N"]);
+  assert.deepEqual([await page.phase(), await page.value("load")], ["ready", "7 N"]);
+  await drop(["torn.toml", "nominal_area = "], ["other.txt", scan]);
+  assert.deepEqual([await page.phase(), await page.value("scene")], ["ready", text]);
+});
+
 test("no file is left out in silence", async () => {
   await page.scene(example("wheel-rail"));
   await drop(["a.txt", scan], ["b.txt", scan]);
@@ -124,18 +140,72 @@ test("boundary elements stay where load, quantity or models change, and come bac
   assert.ok(await page.run("return document.querySelector('#contact image') !== null"));
 });
 
-test("the way back of a description has what was typed", async () => {
-  const text = `${STEEL}[surface]\nsq = "95 nm"\nspd = "20000 1/mm2"\nspc = "50 1/mm"\n`;
-  await page.scene(text);
-  await page.change(["#way", "moments"]);
-  assert.match(await page.value("scene"), /m0 = /);
-  await page.change([field("nominal_area"), "2 cm2"]);
-  await page.change(["#way", "iso"]);
-  assert.equal(await page.value("scene"), text.replace("1 cm2", "2 cm2"));
+test("a look at another description of the surface changes nothing", async () => {
+  const head = STEEL.replace("rigid_counterface = true\n", "");
+  for (const surface of ['sq = "95 nm" # measured\nspd = "20000 1/mm2"\nspc = "50 1/mm"\n', "asperity_radius = 18.3e-6\nasperity_density = 6.4e9\nasperity_height_std = 1e-7\n"]) {
+    const text = `${head}${head.slice(head.indexOf("[[body]]"))}[surface]\n${surface}`;
+    await page.scene(text);
+    const [first, values] = [await page.value("way"), await page.values()];
+    for (const way of ["finish", "moments", first]) await page.change(["#way", way]);
+    assert.deepEqual([await page.value("scene"), await page.values()], [text, values]);
+    await page.change(["#way", "finish"]);
+    await page.change([field("nominal_area"), "2 cm2"]);
+    await page.change(["#way", first]);
+    assert.equal(await page.value("scene"), text.replace("1 cm2", "2 cm2"));
+  }
+  await page.scene(`${STEEL}[surface]\nsq = "95 nm"\nspd = "20000 1/mm2"\nspc = "50 1/mm"\n`);
   await page.change(["#way", "moments"]);
   await page.change([field("surface.m0"), "1e-14"]);
   await page.change(["#way", "iso"]);
   assert.match(await page.value("scene"), /sq = 1e-7|sq = 1\.0*e-7|sq = 9\.99\d*e-8/);
+});
+
+test("Ra 0.8 is in um, and two like bodies have two such surfaces until another is chosen", async () => {
+  await page.scene(example("bolted-joint"));
+  for (const k of [1, 2]) await page.change([`#material-${k}`, "steel-1040-cold-drawn"]);
+  await page.change(["#way", "finish"]);
+  await page.change([field("surface.ra"), "0.8"]);
+  await page.change([field("surface.finish"), "ground"]);
+  assert.deepEqual([await page.value("field-surface-ra"), await page.value("other-surface")], ["0.8 um", "same"]);
+  await page.change([field("nominal_area"), "1 cm2"]);
+  await page.change(["#load", "5 MPa"]);
+  const stiffness = () => page.run("const { value, lower, upper } = document.querySelector('#answers [data-model=answer][data-quantity=tangent]').dataset; return [value, lower, upper].map((x) => Number((x / 1e9).toPrecision(3)))");
+  const visible = () => page.run("return !document.getElementById('other-fields').hidden");
+  // By the program from `counterface = { ra = 8e-7, finish = "ground" }`, and without it.
+  assert.deepEqual([await stiffness(), await visible()], [[0.962, 0.877, 1.09], false]);
+  await page.change(["#other-surface", "smooth"]);
+  assert.deepEqual([await stiffness(), await visible()], [[1.36, 1.22, 1.55], false]);
+  await page.change(["#other-surface", "another"]);
+  assert.deepEqual([await stiffness(), await visible()], [[0.962, 0.877, 1.09], true]);
+  await page.change([field("surface.ra"), "1.6"]);
+  assert.match(await page.value("scene"), /ra = "1\.6 um"[^]*counterface = \{ ra = "0\.8 um", finish = "ground" \}/);
+  await page.change([field("surface.counterface.ra"), "1.6"]);
+  await page.change(["#other-surface", "same"]);
+  assert.equal(await visible(), false);
+  assert.deepEqual(await state(), ["ready", "", ""]);
+  // Bands, and no table, of which the page says why.
+  assert.match(await page.text("curve"), /lower to upper end/);
+  assert.deepEqual([await page.run("return document.getElementById('export-model').options.length"), await page.run("return document.getElementById('save-table').disabled")], [0, true]);
+  assert.match(await page.text("no-table"), /^No table of gw, ke, jg, persson-fudge: .*within ranges only/);
+});
+
+test("every field of a number shows its unit", async () => {
+  const bare = () => page.run("return [...document.querySelectorAll('#inputs input[data-path]')].filter((input) => /\\d [a-zA-ZµΩ]/.test(input.placeholder) && !input.labels[0].querySelector('.unit')).map((input) => input.dataset.path)");
+  for (const name of ["ground-steel", "lapped-seal", "wheel-rail"]) {
+    await page.scene(example(name));
+    assert.deepEqual(await bare(), []);
+  }
+  await page.change(["#way", "finish"]);
+  assert.deepEqual([await bare(), await page.run("return document.querySelector('label[for=field-surface-ra]').textContent")], [[], "Roughness Ra µm"]);
+});
+
+test("tables are offered of models that have one, and the page says why others have none", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.browser.until("return document.getElementById('export-model').options.length > 0", "tables");
+  const offered = await page.run("return [...document.getElementById('export-model').options].map(({ value }) => value)");
+  assert.ok(offered.includes("ke") && !offered.includes("persson-fudge"), String(offered));
+  assert.match(await page.text("no-table"), /^No table of persson-fudge: .*hurst/);
+  assert.equal(await page.run("return document.getElementById('save-table').disabled"), false);
 });
 
 test("an implausible number is noted at its field, and its values are not saved", async () => {

@@ -8,7 +8,7 @@ import { open } from "./webdriver.mjs";
 import { serve } from "./server.mjs";
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
-export const page = join(root, "target/page");
+export const page = process.env.ASPERITY_PAGE ?? join(root, "target/page");
 export const program = process.env.ASPERITY;
 export const READY = "return document.documentElement.dataset.state === 'ready'";
 export const SETTLED = "return ['ready', 'failed'].includes(document.documentElement.dataset.state)";

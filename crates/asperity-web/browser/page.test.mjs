@@ -145,3 +145,24 @@ test("every control has a name, and no width scrolls sideways", async () => {
     }
   }
 });
+
+test("what is printed fits the sheet", async () => {
+  for (const [name, sheets] of [["bolted-joint", 1], ["made-here", 4]]) {
+    await page.change(["#example", name]);
+    await page.browser.until(READY);
+    // The width of A4 between margins of 10 mm.
+    const width = Math.round((190 / 25.4) * 96);
+    await page.browser.cdp("Emulation.setEmulatedMedia", { media: "print" });
+    await page.browser.cdp("Emulation.setDeviceMetricsOverride", { width, height: 1000, deviceScaleFactor: 1, mobile: false });
+    const wide = await page.run(`return [...document.querySelectorAll("main *")].filter((one) => one.getClientRects().length > 0 && !one.closest("svg, .unseen"))
+      .filter((one) => one.getBoundingClientRect().right > arguments[0] + 1 || one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== "visible")
+      .map((one) => one.outerHTML.slice(0, 100))`, width);
+    assert.deepEqual(wide, []);
+    assert.ok(await page.run("return document.getElementById('load').getClientRects().length > 0"));
+    await page.browser.cdp("Emulation.setEmulatedMedia", { media: "" });
+    await page.browser.cdp("Emulation.clearDeviceMetricsOverride", {});
+    const { data } = await page.browser.cdp("Page.printToPDF", { paperWidth: 210 / 25.4, paperHeight: 297 / 25.4, preferCSSPageSize: true });
+    const pdf = Buffer.from(data, "base64").toString("latin1");
+    assert.ok(pdf.match(/\/Type\s*\/Page\b/g).length <= sheets, `${name}: ${pdf.match(/\/Type\s*\/Page\b/g).length} sheets`);
+  }
+});

@@ -172,3 +172,33 @@ test("a changed example no longer has its description", async () => {
   assert.doesNotMatch(scene, /hardened steel/);
   assert.equal(scene.match(/Changed from/g).length, 1);
 });
+
+test("the answer of the scene before is dimmed as soon as another is opened, and is not read out", async () => {
+  await page.scene(example("wheel-rail"));
+  const now = () => page.run("return [document.documentElement.hasAttribute('data-stale'), document.getElementById('spoken').textContent]");
+  assert.match((await now())[1], /^At .*real area/);
+  const opened = await page.run(`const field = document.getElementById("example");
+    field.value = "made-here";
+    field.dispatchEvent(new Event("change", { bubbles: true }));
+    return [document.documentElement.hasAttribute("data-stale"), getComputedStyle(document.querySelector("#answer dl")).opacity, document.getElementById("spoken").textContent]`);
+  assert.deepEqual(opened, [true, "0.4", ""]);
+  await page.browser.until(SETTLED);
+  assert.equal((await now())[0], false);
+  assert.match((await now())[1], /^At /);
+  await page.scene("nominal_area = ");
+  assert.deepEqual(await now(), [false, ""]);
+  await page.scene(example("wheel-rail"));
+  await page.change(["#load", "0,3 N"]);
+  assert.deepEqual(await now(), [true, ""]);
+  assert.equal(await page.text("load-other"), "");
+  await page.change(["#load", "3 N"]);
+  assert.match((await now())[1], /^At 3 N/);
+  assert.match(await page.text("load-other"), /Pa$/);
+});
+
+test("psi is a unit behind a number", async () => {
+  await page.scene(example("wheel-rail"));
+  await page.change(["[data-path='body[1].youngs_modulus']", "30e6 psi"]);
+  assert.match(await page.text("inputs"), /30e6 psi is [\d.e]+ [kG]Pa/);
+  assert.doesNotMatch(await page.text("inputs"), /30e6 ψ/);
+});

@@ -307,14 +307,16 @@ mod tests {
     #[test]
     fn curves_have_their_ends_and_single_numbers_are_refused() {
         let mut desk = Desk::default();
-        call(&mut desk, json!({ "call": "show", "text": GROUND }));
+        let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
         let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
         let rows = curves["ke"].as_str().unwrap();
+        let head = shown["head"].as_str().unwrap();
         let of = |name: &str| -> Vec<f64> {
-            let own = rows.lines().filter(|line| line.starts_with(&format!("{name},")));
-            own.map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect()
+            let place = head.split(',').position(|known| known == name).unwrap();
+            rows.lines().map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
         };
-        let (own, lower, upper) = (of("ke"), of("ke lower"), of("ke upper"));
+        let [own, lower, upper] =
+            ["area_fraction", "area_fraction_lower", "area_fraction_upper"].map(of);
         assert_eq!((own.len(), lower.len(), upper.len()), (200, 200, 200));
         assert!((0..200).all(|k| lower[k] <= own[k] && own[k] <= upper[k]));
         let load = json!({ "text": "1 MPa" });

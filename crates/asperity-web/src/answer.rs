@@ -4,7 +4,7 @@ use asperity::{
     At, Check, ContactError, Described, Finding, Findings, Quantity, Request, Severity,
     shortest_digits,
 };
-use asperity_answer::{ADHESIVE, Asked, Line, NO_RANGE, OPENING};
+use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -65,6 +65,13 @@ impl Column {
         let from = file.map_or_else(Default::default, |file| file.separation_from);
         let definition = format!("Distance of the surfaces, from {from} to the other surface.");
         Self::new(["separation_m", "m", "separation"], definition)
+    }
+
+    /// Its names in a csv: its own and, on a surface that is known within ranges, those of its ends.
+    pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
+        let ends = ENDS.map(|end| column_of_end(&self.head, end));
+        let ends = ends.into_iter().filter(|_| !file.spreads().is_empty());
+        [self.head.clone()].into_iter().chain(ends).collect()
     }
 
     /// A value as shown with all its digits in SI units.
@@ -250,30 +257,31 @@ impl Row {
 }
 
 /// The rows of a model at pressures, as a csv without its head; blank where there is no value. Of
-/// a surface that is known within ranges, the ends follow as those of further models.
+/// a surface that is known within ranges, each value has its ends behind it.
 pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &[f64]) -> String {
     let places: Vec<At> = pressures.iter().map(|pressure| At::Pressure(*pressure)).collect();
     let (rows, _) = values(scenes, asked, &places);
     let digits = |number: Option<f64>| {
         number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
     };
-    let curves = [("", None), (" lower", Some(0)), (" upper", Some(1))];
     let mut csv = String::new();
-    for (name, end) in curves.into_iter().take(if scenes.len() > 1 { 3 } else { 1 }) {
-        for (at, row) in places.iter().zip(&rows) {
-            let of = |known: &Known| end.zip(known.ends).map_or(known.value, |(k, ends)| ends[k]);
-            let place = [at.load(&scenes[0].scene), at.pressure(&scenes[0].scene)];
-            let values = row.iter().map(|cell| cell.as_ref().ok().map(of));
-            let cells: Vec<String> = place.into_iter().chain(values).map(digits).collect();
-            csv += &format!("{id}{name},{}\n", cells.join(","));
-        }
+    for (at, row) in places.iter().zip(&rows) {
+        let place = [at.load(&scenes[0].scene), at.pressure(&scenes[0].scene)];
+        let values = row.iter().flat_map(|cell| {
+            let known = cell.as_ref().ok();
+            let ends = [0, 1].map(|k| Some(known?.ends?[k]));
+            let ends = ends.into_iter().filter(|_| scenes.len() > 1);
+            [known.map(|known| known.value)].into_iter().chain(ends)
+        });
+        let cells: Vec<String> = place.into_iter().chain(values).map(digits).collect();
+        csv += &format!("{id},{}\n", cells.join(","));
     }
     csv
 }
 
-/// The head of [`rows`].
-pub(crate) fn head(columns: &[Column]) -> String {
-    let heads: Vec<&str> = columns.iter().map(|column| &*column.head).collect();
+/// The head of [`rows`]: of each column its own name and, within ranges, those of its ends.
+pub(crate) fn head(file: &SceneFile, columns: &[Column]) -> String {
+    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
     format!("model,load_N,pressure_Pa,{}", heads.join(","))
 }
 
@@ -334,7 +342,7 @@ mod tests {
         }
         let csv = rows(&scenes, "ke", &ke, &[1e6, 2e6]);
         let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-        let head = head(&columns(Some(&scenes[0])));
+        let head = head(&scenes[0], &columns(Some(&scenes[0])));
         assert_eq!(first.len(), head.split(',').count());
         let area = head.split(',').position(|name| name == "area_fraction").unwrap();
         // Several loads are evaluated together.

@@ -32,6 +32,8 @@ pub struct Desk {
     compiled: BTreeMap<String, Result<Vec<Asked>, String>>,
     /// Models corrected by the evidence.
     corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
+    /// The text whose surface was described in another way, and what was made of it.
+    described: Option<[String; 2]>,
 }
 
 impl Desk {
@@ -87,7 +89,8 @@ impl Desk {
     }
 
     fn forget(&mut self) {
-        *self = Self { files: std::mem::take(&mut self.files), ..Self::default() };
+        let (files, described) = (std::mem::take(&mut self.files), self.described.take());
+        *self = Self { files, described, ..Self::default() };
     }
 
     /// Compiles models on the scene, each once.
@@ -102,7 +105,9 @@ impl Desk {
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
         Ok(match message {
             Message::Show { text } => self.show(&text),
-            Message::Edit { text, changes } => fields::edit(&text, &changes)?.into(),
+            Message::Edit { text, changes, another } => {
+                surface_keys::edited(&text, &changes, another)?.into()
+            }
             Message::Changed { text } => fields::changed(&text).into(),
             Message::Form => {
                 let materials = asperity_inputs::materials().iter().map(read_scene::material);
@@ -110,9 +115,7 @@ impl Desk {
                 form["materials"] = materials.collect();
                 form
             }
-            Message::Surface { text, way, typed } => {
-                surface_keys::described(&text, &way, &typed, self.scene()?)?.into()
-            }
+            Message::Surface { text, way } => self.describe(&text, &way)?.into(),
             Message::UseScan { text, name } => surface_keys::with_scan(&text, &name)?.into(),
             Message::Usable { name } => usable(&name, self.file(&name).unwrap_or_default())?,
             Message::Admit { name, size } => admit(&name, size)?.into(),
@@ -135,10 +138,34 @@ impl Desk {
             Message::Export { model, form, units } => {
                 table::table(self.scene()?, &model, &form, &units)?
             }
+            Message::Tables { models, form } => table::refusals(self.scene()?, &models, &form)?,
             Message::Law { model } => law::law(self.scene()?, &model)?,
             Message::Link { state } => link::link(state)?.into(),
             Message::Unlink { link } => link::unlink(&link)?,
         })
+    }
+
+    /// The text with its surface described in another way. Where the page made the present
+    /// description, the surface as the user gave it is described, so that a look changes nothing.
+    fn describe(&mut self, text: &str, way: &str) -> Result<String, Refusal> {
+        let surface = |text: &str| -> Vec<(String, String)> {
+            let is_surface = |(path, _): &(String, String)| path.starts_with("surface.");
+            fields::fields(text).into_iter().filter(is_surface).collect()
+        };
+        let given = match &self.described {
+            Some([given, made]) if surface(made) == surface(text) => {
+                fields::with_surface_of(text, given)?
+            }
+            _ => text.into(),
+        };
+        let made = match asperity_inputs::parse_handed(&given, &self.files) {
+            _ if surface_keys::way(&fields::fields(&given)) == way => given.clone(),
+            Ok(file) => surface_keys::described(&given, way, &file)?,
+            // The scan that was given is not among the files any more.
+            Err(_) => surface_keys::described(text, way, self.scene()?)?,
+        };
+        self.described = Some([given, made.clone()]);
+        Ok(made)
     }
 
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
@@ -271,6 +298,45 @@ mod tests {
         assert!(large.contains("b.x3p has 2048 MB, and the page reads at most 128 MB"), "{large}");
         let right = json!({ "call": "admit", "name": "b.x3p", "size": MOST_FILE });
         assert!(call(&mut desk, right)["ok"].is_null());
+    }
+
+    #[test]
+    fn a_look_at_another_description_changes_nothing() {
+        let template = asperity_inputs::template();
+        let (head, _) = template.split_once("\n[surface]").unwrap();
+        for surface in [
+            "sq = \"95 nm\"  # measured\nspd = \"20000 1/mm2\"\nspc = \"50 1/mm\"",
+            "asperity_radius = \"18.3 um\"\nasperity_density = 6.4e9\nasperity_height_std = 1e-7",
+            "ra = \"0.8 um\"\nfinish = \"ground\"\ncounterface = { ra = 4e-7, finish = \"honed\" }",
+        ] {
+            let given = format!("{head}\n[surface]\n{surface}\n");
+            let mut desk = Desk::default();
+            let mut show = |text: &str| call(&mut desk, json!({ "call": "show", "text": text }));
+            let first = show(&given)["ok"]["way"].as_str().unwrap().to_string();
+            let mut turned = |text: &str, way: &str| {
+                call(&mut desk, json!({ "call": "show", "text": text }));
+                let made = call(&mut desk, json!({ "call": "surface", "text": text, "way": way }));
+                made["ok"].as_str().unwrap_or_else(|| panic!("{made}")).to_string()
+            };
+            // Over all others and back, also where something else is changed meanwhile.
+            let mut text = given.clone();
+            for way in ["moments", "finish", "iso", "asperities", "index", "finish"] {
+                text = turned(&text, way);
+            }
+            let wider = |text: &str| text.replacen("1e-4", "2e-4", 1);
+            assert_ne!(wider(&text), text);
+            assert_eq!(turned(&wider(&text), &first), wider(&given));
+            let moments = turned(&given, "moments");
+            assert_eq!(turned(&moments, &first), given);
+            if first != "iso" {
+                continue;
+            }
+            // A surface that was changed there is another one.
+            let m0 = fields::fields(&moments)["surface.m0"].clone();
+            let changed = moments.replace(&m0, "1e-14");
+            let back = turned(&changed, "iso");
+            assert!(fields::fields(&back)["surface.sq"].starts_with("1e-7"), "{back}");
+        }
     }
 
     #[test]

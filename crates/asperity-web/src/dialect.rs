@@ -124,16 +124,17 @@ fn label(term: &str) -> String {
     }
 }
 
-/// Latin names of Greek letters as these, and squares and cubes as raised digits.
+/// Latin names of Greek letters as these, and squares and cubes as raised digits. `psi` behind a
+/// number is the unit.
 pub(crate) fn symbols(text: &str) -> String {
     let ends = [' ', '(', ')', '/', '^', ',', ';', ':'];
     let mut made = String::new();
     for piece in text.split_inclusive(ends) {
         let word = piece.trim_end_matches(ends);
         let (letter, index) = word.split_once('_').map_or((word, ""), |(a, b)| (a, b));
+        let number = made.strip_suffix(' ').unwrap_or(&made);
+        let is_unit = word == "psi" && number.ends_with(|c: char| c.is_ascii_digit());
         let greek = SYMBOLS.iter().find(|(latin, _)| *latin == letter && index.len() < 2);
-        // After a number, psi is the unit.
-        let is_unit = word == "psi" && made.trim_end().ends_with(|c: char| c.is_ascii_digit());
         let greek = greek.filter(|_| !is_unit);
         match (greek, word) {
             (Some((latin, greek)), _) => made += &word.replacen(latin, greek, 1),
@@ -198,6 +199,7 @@ mod tests {
             ("w_c = (pi S H/(2 E))^2 R", "w_c = (π S H/(2 E))² R"),
             ("theta = E sigma_z^1.5/(w_a sqrt(R))", "θ = E σ_z^1.5/(w_a √(R))"),
             ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),
+            ("30e6 psi is 206.8 GPa, psi 2, 2 pi", "30e6 psi is 206.8 GPa, ψ 2, 2 π"),
             ("`surface.pixel_size` is µm long – é", "pixel size is µm long – é"),
             ("my_scan.x3p of alpha.txt is empty", "my_scan.x3p of alpha.txt is empty"),
             ("`plasticity_index` = 14.5 (alpha 8, psi 2)", "plasticity index = 14.5 (α 8, ψ 2)"),

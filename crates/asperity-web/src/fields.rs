@@ -12,6 +12,8 @@ use crate::refusal::Refusal;
 /// How the description of a changed example begins.
 const CHANGED: &str = "Changed from:";
 
+const SYNTAX: &str = "the scene file has a syntax error; correct the text first";
+
 /// The values of all keys as typed: texts without their quotes.
 pub(crate) fn fields(text: &str) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
@@ -48,6 +50,13 @@ fn each_value(text: &str, mut each: impl FnMut(&str, &Value)) {
     }
 }
 
+/// Whether a text is TOML with any section of a scene.
+pub(crate) fn is_scene(text: &str) -> bool {
+    let document = text.parse::<DocumentMut>();
+    document
+        .is_ok_and(|all| ["body", "interface", "surface"].iter().any(|name| all.contains_key(name)))
+}
+
 /// The names of all files of a text, each once.
 pub(crate) fn files(text: &str) -> Vec<String> {
     let mut found = vec![];
@@ -63,21 +72,32 @@ pub(crate) fn files(text: &str) -> Vec<String> {
 /// The text with other values. A value that reads as TOML is written as it is, any other as text.
 /// Another material replaces the numbers of its body, and a rigid counterface the second body.
 pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
-    let reason = "the scene file has a syntax error; correct the text first";
-    let mut document: DocumentMut = text.parse().map_err(|_| Refusal::at("TOML", reason))?;
+    let mut document: DocumentMut = text.parse().map_err(|_| Refusal::at("TOML", SYNTAX))?;
     let known = fields(text);
     for change in changes {
         if change.path == "rigid_counterface" {
             set_rigid(&mut document, change.value.is_some())?;
             continue;
         }
-        if change.value.is_none() && !known.contains_key(&change.path) {
+        let below = format!("{}.", change.path);
+        let is_here = |path: &String| *path == change.path || path.starts_with(&below);
+        if change.value.is_none() && !known.keys().any(is_here) {
             continue;
         }
         set(&mut document, change)?;
         for number in numbers_of_material(change, &known) {
             set(&mut document, &number)?;
         }
+    }
+    Ok(document.to_string())
+}
+
+/// The text with the `[surface]` of another, as it is written there.
+pub(crate) fn with_surface_of(text: &str, other: &str) -> Result<String, Refusal> {
+    let parsed = |text: &str| text.parse::<DocumentMut>().map_err(|_| Refusal::new(SYNTAX));
+    let (mut document, other) = (parsed(text)?, parsed(other)?);
+    if let Some(surface) = other.get("surface") {
+        document.insert("surface", surface.clone());
     }
     Ok(document.to_string())
 }
@@ -101,7 +121,9 @@ fn set(document: &mut DocumentMut, Change { path, value }: &Change) -> Result<()
             // Comments above the key stay; the one behind it describes the old value.
             if let Some(old) = item.as_value() {
                 *value.decor_mut() = old.decor().clone();
-                if plain(old) != plain(&value) {
+                let suffix = old.decor().suffix().and_then(toml_edit::RawString::as_str);
+                let has_comment = suffix.is_some_and(|suffix| suffix.contains('#'));
+                if has_comment && plain(old) != plain(&value) {
                     value.decor_mut().set_suffix("");
                 }
             }

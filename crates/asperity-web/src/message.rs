@@ -16,13 +16,17 @@ pub(crate) enum Message {
     Show { text: String },
     /// The text of an example that was changed.
     Changed { text: String },
-    /// The text with other values.
-    Edit { text: String, changes: Vec<Change> },
+    /// The text with other values; `another`: the other surface is not to be that of the first.
+    Edit {
+        text: String,
+        changes: Vec<Change>,
+        #[serde(default)]
+        another: bool,
+    },
     /// The fields of the form, and the materials of its list.
     Form,
-    /// The text with the surface described in another way; fields of the scene that was described
-    /// so before.
-    Surface { text: String, way: String, typed: BTreeMap<String, String> },
+    /// The text with the surface described in another way.
+    Surface { text: String, way: String },
     /// The text whose surface is a file that was handed over.
     UseScan { text: String, name: String },
     /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
@@ -49,6 +53,8 @@ pub(crate) enum Message {
     Flow { viscosity: String, pressure_drop: String, gaps: Vec<[f64; 2]> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
+    /// Why models have no such table in a form.
+    Tables { models: Vec<String>, form: String },
     /// The law of one asperity.
     Law { model: String },
     /// The link of a state of the page.

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use crate::answer::{Column, columns};
 use crate::message::Draw;
 use crate::refusal::Refusal;
-use crate::shown::shown;
+use crate::shown::{ranged, shown};
 use crate::span::Load;
 
 /// Largest side of a drawn map, in pixels.
@@ -27,25 +27,33 @@ const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
 const BEM: &str = "boundary elements";
 
+/// A model at a load, its value there, and the ends of that.
+type Found<'r> = (&'r str, Option<f64>, Option<[f64; 2]>);
+
 /// Curves of rows against the load, with the load marked, the spread of the models shaded and
 /// boundary elements as points.
 pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
     let load = Load::of(&asked.load, &file.scene)?;
     let columns = columns(Some(file));
-    let width = 3 + columns.len();
+    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
+    let width = 3 + heads.len();
     let k = columns.iter().position(|known| known.id == asked.view);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {}", asked.view)))?;
-    let Column { head, unit, label: name, .. } = &columns[k];
+    let column = &columns[k];
+    let Column { head, unit, label: name, .. } = column;
     // The values of all models at each load; positive numbers sort as their bits do.
-    let mut at_loads: BTreeMap<u64, Vec<(&str, Option<f64>)>> = BTreeMap::new();
+    let mut at_loads: BTreeMap<u64, Vec<Found<'_>>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
+    let (place, named) = (3 + k * heads.len() / columns.len(), column.heads(file));
     for line in asked.rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
         let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());
         let pressure = pressure.filter(|_| cells.len() == width);
         let pressure = pressure.ok_or_else(|| Refusal::new("rows of another scene"))?;
-        let value = cells[3 + k].parse::<f64>().ok();
-        at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value));
+        let number = |k: usize| cells.get(place + k)?.parse::<f64>().ok();
+        let ends = number(1).zip(number(2)).filter(|_| named.len() > 1);
+        let (value, ends) = (number(0), ends.map(|(lower, upper)| [lower, upper]));
+        at_loads.entry(pressure.to_bits()).or_default().push((cells[0], value, ends));
         values.extend(value.map(|value| (cells[0], pressure, value)));
         ids.push(cells[0]);
     }
@@ -62,7 +70,7 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     let mut drawn: Vec<&str> = values.iter().map(|(id, ..)| *id).chain([BEM]).collect();
     drawn.dedup();
     for [pressure, value] in &asked.solved {
-        at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value)));
+        at_loads.entry(pressure.to_bits()).or_default().push((BEM, Some(*value), None));
     }
 
     let area = file.scene.nominal_area;
@@ -78,8 +86,7 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     y.scale = Scale::fitting(&numbers);
     let mut panel = Panel::new(x.log(), y);
     panel.curve_column = "model".into();
-    // The ends of the ranges of a model look like it.
-    let look = |id: &&str| id.split(' ').next().and_then(look_of).unwrap_or(0);
+    let look = |id: &&str| look_of(id).unwrap_or(0);
     let curves = ids.iter().filter(|id| drawn.contains(id));
     panel.curves = curves.map(|id| Curve::new(look(id), id, id)).collect();
     if !asked.solved.is_empty() {
@@ -93,25 +100,29 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     }
     let mut valid = ids.clone();
     valid.retain(|id| asked.outside.iter().all(|known| known != id));
-    let mut csv = format!("model,load_N,pressure_Pa,{head}\n");
+    let mut csv = format!("model,load_N,pressure_Pa,{}\n", named.join(","));
     for (pressure, found) in at_loads.iter().map(|(bits, found)| (f64::from_bits(*bits), found)) {
-        let mut add = |name: &str, value: Option<f64>| {
-            let value = value.map_or(String::new(), |value| value.to_string());
-            csv += &format!("{name},{},{pressure},{value}\n", pressure * area);
+        let mut add = |name: &str, value: Option<f64>, ends: Option<[f64; 2]>| {
+            let ends = [0, 1].map(|k| ends.map(|ends| ends[k]));
+            let numbers = [value].into_iter().chain(ends).take(named.len());
+            let cells = numbers.map(|value| value.map_or(String::new(), |value| value.to_string()));
+            let cells = cells.collect::<Vec<_>>().join(",");
+            csv += &format!("{name},{},{pressure},{cells}\n", pressure * area);
         };
         let mut reading = shown(pressure * of_load, load.unit);
-        for (id, value) in found.iter().filter(|(id, _)| drawn.contains(id)) {
-            add(id, *value);
-            reading.extend(value.map(|value| format!("\n{id} {}", shown(value, unit))));
+        for (id, value, ends) in found.iter().filter(|(id, ..)| drawn.contains(id)) {
+            add(id, *value, *ends);
+            reading.extend(value.map(|value| format!("\n{id} {}", ranged(value, *ends, unit))));
         }
         if reading.contains('\n') {
             panel.readings.push(Mark::new(pressure * of_load, &reading));
         }
-        let of_models = found.iter().filter(|(id, _)| valid.contains(id));
-        let of_models: Vec<f64> = of_models.filter_map(|(_, value)| *value).collect();
+        // Within ranges each model has a band of its own.
+        let of_models = found.iter().filter(|(id, ..)| valid.contains(id) && named.len() == 1);
+        let of_models: Vec<f64> = of_models.filter_map(|(_, value, _)| *value).collect();
         if of_models.len() == valid.len() && valid.len() > 1 {
-            add(LOWEST, of_models.iter().copied().reduce(f64::min));
-            add(HIGHEST, of_models.iter().copied().reduce(f64::max));
+            add(LOWEST, of_models.iter().copied().reduce(f64::min), None);
+            add(HIGHEST, of_models.iter().copied().reduce(f64::max), None);
             let (lower, upper) = (LOWEST.into(), HIGHEST.into());
             let label = "range of models".into();
             panel.between = vec![Between { lower, upper, look: 9, label }];
@@ -207,6 +218,27 @@ mod tests {
         assert!(small.contains("viewBox=\"0 0 340 300\"") && !small.contains("range of models"));
         assert!(draw(&["x,1\n".into()], "tangent", "1 MPa", &[]).is_err());
         assert!(draw(&rows, "speed", "1 MPa", &[]).is_err());
+    }
+
+    #[test]
+    fn models_within_ranges_have_a_band_each_and_their_ends_under_the_pointer() {
+        let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+            poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
+        let file = asperity_inputs::parse(ground, std::path::Path::new(".")).unwrap();
+        let (middle, ends) = file.corners().unwrap();
+        let scenes: Vec<SceneFile> = [middle].into_iter().chain(ends).collect();
+        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
+        let all = ["gw", "ke"].map(of);
+        let svg = curves(&file, &asked(&all, "tangent", "100 N", &[])).unwrap();
+        assert_eq!(svg.matches(">lower to upper end<").count(), 1);
+        assert!(!svg.contains("range of models"));
+        // Each model is drawn once, in a band.
+        for id in ["gw", "ke"] {
+            assert_eq!(svg.matches(&format!(">{id}<")).count(), 1);
+        }
+        let reading = svg.split("<title>").find(|part| part.starts_with("100 N\n")).unwrap();
+        let line = reading.lines().find(|line| line.starts_with("ke ")).unwrap();
+        assert!(line.contains("N/m (") && line.contains(" to "), "{line}");
     }
 
     #[test]

@@ -16,6 +16,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     let typed = fields::fields(text);
     let mut found = json!({
         "way": surface_keys::way(&typed),
+        "other": surface_keys::other_surface(&typed),
         "files": fields::files(text),
         "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
     });
@@ -38,13 +39,18 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["findings"] = dialect::findings(&findings, &file);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
-            found["head"] = answer::head(&columns).into();
+            found["head"] = answer::head(&file, &columns).into();
+            found["ends"] = (!file.spreads().is_empty()).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();
             (found, Some(file))
         }
         Err(error) => {
+            // Not a scene with an error, which is corrected in the page.
+            if !fields::is_scene(text) {
+                found["unreadable"] = error.message.clone().into();
+            }
             found["error"] = json!(error);
             (found, None)
         }
@@ -117,6 +123,11 @@ mod tests {
         let (found, file) = read("[surface]\nfile = \"a.x3p\"\n", &HandedFiles::new());
         assert!(file.is_none() && !found["error"].is_null());
         assert_eq!((&found["way"], &found["files"]), (&json!("scan"), &json!(["a.x3p"])));
+        assert!(found["unreadable"].is_null());
+        for text in ["[surface]\nm0 = \n", "\u{fffd}PNG", "a = 1\n", ""] {
+            let (found, _) = read(text, &HandedFiles::new());
+            assert!(found["unreadable"].is_string(), "{text}: {found}");
+        }
     }
 
     #[test]

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::path::Path;
 
 use asperity_answer::rounded;
 use asperity_inputs::{KEYS, Key, SceneFile, Subject};
 use serde_json::{Value, json};
 
+use crate::dialect::symbols;
 use crate::fields::{edit, fields, files};
 use crate::message::Change;
 use crate::random::RANDOM;
@@ -23,12 +23,15 @@ const WAYS: [(&str, &[&str]); 6] = [
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
 const FINISH: &str = "finish";
+/// Lengths of a drawing, where a number without a unit is in µm: in the form, not in a file.
+const OF_DRAWING: [&str; 4] = ["ra", "rq", "rz", "rsm"];
 /// The keys of the other surface that the form has beside a finish, with what the form says of it.
 const OTHER: [&str; 2] = ["ra", "finish"];
+/// The path under which the form says what the other surface is, as [`other_surface`] does.
+const OTHER_SURFACE: &str = "surface.other";
+const COUNTERFACE: &str = "surface.counterface";
 /// Keys that say how a scan is treated, whatever its file.
 const OF_TREATMENT: [&str; 5] = ["estimator", "level", "filter", "smooth", "despike"];
-/// Largest relative difference of a surface from the numbers that were typed for it.
-const SAME: f64 = 2e-5;
 /// Keys of a scan that the form always shows.
 const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
 /// Keys that another description of the surface leaves: the second surface, and what models make of
@@ -36,10 +39,15 @@ const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
 const OF_BOTH: [&str; 3] = ["counterface", "asperities", "separation_from"];
 
 /// The fields of the form, of the two bodies, their contact and every surface, of each way to
-/// describe a surface, and those that are rarely set for a scan. Each is a key with its label, and
-/// a value as it may be typed, or the values to choose from, separated by `|`.
+/// describe a surface, and those that are rarely set for a scan. Each is a key with its label, a
+/// value as it may be typed, or the values to choose from, separated by `|`, and the unit of a
+/// number without one.
 pub(crate) fn form() -> Value {
-    let field = |key: &Key| [key.name, key.form[0], key.form[1]];
+    let unit = |key: &Key| match OF_DRAWING.contains(&key.name) {
+        true => "µm".into(),
+        false => symbols(key.unit).replace("ohm", "Ω"),
+    };
+    let field = |key: &Key| [key.name.into(), key.form[0].into(), key.form[1].into(), unit(key)];
     let of = |is_of: &dyn Fn(&Key) -> bool| -> Vec<_> {
         KEYS.iter().filter(|key| !key.form[0].is_empty() && is_of(key)).map(field).collect()
     };
@@ -47,18 +55,19 @@ pub(crate) fn form() -> Value {
     let named = |name: &&str| Key::find("surface", name);
     let ways = WAYS.map(|(way, keys)| {
         let keys = if way == "scan" { &OF_SCANS[..] } else { keys };
-        let fields = keys.iter().filter_map(named).map(|key| field(key).map(String::from));
-        let other = OTHER.iter().filter(|_| way == FINISH).filter_map(named).map(|key| {
-            let [name, label, typed] = field(key);
-            [format!("counterface.{name}"), format!("{label}, other surface"), typed.into()]
-        });
-        (way, fields.chain(other).collect::<Vec<_>>())
+        (way, keys.iter().filter_map(named).map(field).collect::<Vec<_>>())
     });
+    let other = OTHER.iter().filter_map(named).map(|key| {
+        let [name, label, typed, unit] = field(key);
+        [format!("counterface.{name}"), format!("{label}, other surface"), typed, unit]
+    });
+    let other: Vec<_> = other.collect();
     json!({
         "area": Key::find("", "nominal_area").map(field),
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),
+        "other": other,
         "more": of(&is_more),
         "every": of(&|key| key.subject == Subject::Surface),
     })
@@ -73,48 +82,77 @@ pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
     WAYS.iter().find(of).map_or("asperities", |(way, _)| way)
 }
 
-/// The text with the surface of its scene described in another way: with the fields that were
-/// `typed` before in that way if the surface is still the same, else to six digits.
-pub(crate) fn described(
-    text: &str,
-    way: &str,
-    typed: &BTreeMap<String, String>,
-    file: &SceneFile,
-) -> Result<String, Refusal> {
-    let asperities = |file: &SceneFile| {
-        let surface = file.scene.surface;
-        [surface.asperity_radius, surface.asperity_density, surface.asperity_height_std]
+/// What the other surface of a finish is: `same` as the first, `smooth` or `another`.
+pub(crate) fn other_surface(fields: &BTreeMap<String, String>) -> Option<&'static str> {
+    let is_same = |key: &Key| {
+        fields.get(&format!("surface.{}", key.name))
+            == fields.get(&format!("{COUNTERFACE}.{}", key.name))
     };
-    let [radius, density, std] = asperities(file);
-    let moments = file.scene.surface.moments();
+    match fields.keys().any(|path| path.starts_with(COUNTERFACE)) {
+        _ if way(fields) != FINISH => None,
+        false => Some("smooth"),
+        true if of_roughness().all(is_same) => Some("same"),
+        true => Some("another"),
+    }
+}
+
+fn of_roughness() -> impl Iterator<Item = &'static Key> {
+    KEYS.iter().filter(|key| key.subject == Subject::Roughness)
+}
+
+/// The text after changes in the form: lengths of a drawing have their unit, and the other surface
+/// is changed as the first where they are the same, unless it is to be `another`.
+pub(crate) fn edited(text: &str, changes: &[Change], another: bool) -> Result<String, Refusal> {
+    let known = fields(text);
+    let is_same = other_surface(&known) == Some("same") && !another;
+    let mut all = vec![];
+    for change in changes {
+        if change.path == OTHER_SURFACE {
+            all.push(surface_key("counterface", None));
+            if change.value.as_deref() != Some("smooth") {
+                all.extend(copies(&known));
+            }
+            continue;
+        }
+        let key = change.path.strip_prefix("surface.").unwrap_or_default();
+        let name = key.trim_start_matches("counterface.");
+        let mut change = change.clone();
+        let typed = change.value.as_deref().map(str::trim);
+        let plain = typed.filter(|typed| typed.parse::<f64>().is_ok());
+        if let Some(plain) = plain.filter(|_| !key.is_empty() && OF_DRAWING.contains(&name)) {
+            change.value = Some(format!("{plain} um"));
+        }
+        if is_same && of_roughness().any(|of| of.name == key) {
+            all.push(Change { path: format!("{COUNTERFACE}.{key}"), ..change.clone() });
+        }
+        all.push(change);
+    }
+    edit(text, &all)
+}
+
+/// The numbers of the first surface as those of the other.
+fn copies(known: &BTreeMap<String, String>) -> Vec<Change> {
+    let copy = |key: &Key| {
+        let value = known.get(&format!("surface.{}", key.name))?;
+        Some(Change { path: format!("{COUNTERFACE}.{}", key.name), value: Some(value.clone()) })
+    };
+    of_roughness().filter_map(copy).collect()
+}
+
+/// The text with the surface of its scene described in another way, to six digits.
+pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<String, Refusal> {
+    let surface = file.scene.surface;
+    let [radius, density] = [surface.asperity_radius, surface.asperity_density];
+    let (std, moments) = (surface.asperity_height_std, surface.moments());
     let known = WAYS.iter().find(|(name, _)| *name == way && way != "scan");
     let (_, keys) = known.ok_or_else(|| Refusal::new("drop or choose a scan file instead"))?;
-    let with = |values: Vec<Change>| {
-        let mut changes = removals(|key| keys.contains(&key.name));
-        // The numbers are those of both surfaces together.
-        changes.push(surface_key("counterface", None));
-        changes.extend(values);
-        edit(text, &changes)
-    };
-    let as_typed = |key: &Key| {
-        let value = typed.get(&format!("surface.{}", key.name))?;
-        Some(surface_key(key.name, Some(value.clone())))
-    };
-    let numbers_of = KEYS.iter().filter(|key| key.subject == Subject::Roughness);
-    let of_other = typed.iter().filter(|(path, _)| path.starts_with("surface.counterface."));
-    let of_other =
-        of_other.map(|(path, value)| Change { path: path.clone(), value: Some(value.clone()) });
-    let before = with(numbers_of.filter_map(as_typed).chain(of_other).collect())?;
-    let is_same = |before: SceneFile| {
-        let both = asperities(&before).into_iter().zip(asperities(file));
-        both.into_iter().all(|(then, now)| (then / now - 1.0).abs() < SAME)
-    };
-    if asperity_inputs::parse(&before, Path::new("")).is_ok_and(is_same) {
-        return Ok(before);
-    }
     let values = match way {
-        // Ra of Gaussian heights.
-        FINISH => vec![rounded((2.0 * moments.m0 / PI).sqrt()), "unknown".into()],
+        // Ra of Gaussian heights, of two like bodies that of each of two like surfaces.
+        FINISH => {
+            let surfaces = if is_of_like_bodies(file) { 2.0 } else { 1.0 };
+            let ra = (2.0 * moments.m0 / (PI * surfaces)).sqrt();
+            vec![format!("{} um", rounded(1e6 * ra)), "unknown".into()]
+        }
         "moments" => [moments.m0, moments.m2, moments.m4].map(rounded).into(),
         "iso" => [moments.m0.sqrt(), density, 1.0 / radius].map(rounded).into(),
         "index" => {
@@ -122,7 +160,19 @@ pub(crate) fn described(
         }
         _ => [radius, density, std].map(rounded).into(),
     };
-    with(keys.iter().zip(values).map(|(key, value)| surface_key(key, Some(value))).collect())
+    let mut changes = removals(|key| keys.contains(&key.name));
+    // The numbers are those of both surfaces together.
+    changes.push(surface_key("counterface", None));
+    let set = keys.iter().zip(values).map(|(key, value)| surface_key(key, Some(value)));
+    let made = edit(text, &changes.into_iter().chain(set).collect::<Vec<_>>())?;
+    match way == FINISH && is_of_like_bodies(file) {
+        true => edit(&made, &copies(&fields(&made))),
+        false => Ok(made),
+    }
+}
+
+fn is_of_like_bodies(file: &SceneFile) -> bool {
+    matches!(&*file.bodies, [first, second] if first == second)
 }
 
 /// The text whose surface is a file. In place of another file it is levelled and filtered with the
@@ -139,7 +189,7 @@ pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
         old.is_some() && (is_kept || key.name == "file")
     });
     // No scan has a second surface that is known within ranges.
-    if OTHER.iter().any(|key| fields.contains_key(&format!("surface.counterface.{key}"))) {
+    if OTHER.iter().any(|key| fields.contains_key(&format!("{COUNTERFACE}.{key}"))) {
         changes.push(surface_key("counterface", None));
     }
     // In quotes, so that no name of a file reads as anything else.
@@ -163,6 +213,8 @@ fn removals(is_kept: impl Fn(&Key) -> bool) -> Vec<Change> {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
 
     #[test]
@@ -172,7 +224,7 @@ mod tests {
         let file = asperity_inputs::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
         for (name, _) in &WAYS[2..] {
-            let edited = described(text, name, &BTreeMap::new(), &file).unwrap();
+            let edited = described(text, name, &file).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
             let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
             let wanted = file.scene.surface;
@@ -185,7 +237,7 @@ mod tests {
         assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
         assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
         for way in ["scan", "x"] {
-            assert!(described(text, way, &BTreeMap::new(), &file).is_err());
+            assert!(described(text, way, &file).is_err());
         }
     }
 
@@ -201,7 +253,7 @@ mod tests {
             let text = format!("{head}\n[surface]\n{surface}\n");
             let file = asperity_inputs::parse(&text, folder).unwrap();
             for (name, _) in &WAYS[2..] {
-                let edited = described(&text, name, &BTreeMap::new(), &file).unwrap();
+                let edited = described(&text, name, &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
                 let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
                 let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
@@ -212,60 +264,96 @@ mod tests {
         }
     }
 
-    #[test]
-    fn the_way_back_has_the_texts_that_were_typed_unless_the_surface_changed() {
-        let template = asperity_inputs::template();
-        let (head, _) = template.split_once("\n[surface]").unwrap();
-        let text = format!(
-            "{head}\n[surface]\nsq = \"95 nm\"\nspd = \"20000 1/mm2\"\nspc = \"50 1/mm\"\n"
-        );
-        let typed = fields(&text);
-        let parse = |text: &str| asperity_inputs::parse(text, Path::new("")).unwrap();
-        let moments = described(&text, "moments", &BTreeMap::new(), &parse(&text)).unwrap();
-        let back = described(&moments, "iso", &typed, &parse(&moments)).unwrap();
-        assert_eq!(fields(&back), fields(&text));
-        let m0 = |value: &str| surface_key("m0", Some(value.into()));
-        let changed = edit(&moments, &[m0("1e-14")]).unwrap();
-        let back = described(&changed, "iso", &typed, &parse(&changed)).unwrap();
-        assert!(fields(&back)["surface.sq"].starts_with("1e-7"), "{back}");
+    fn parse(text: &str) -> SceneFile {
+        asperity_inputs::parse(text, Path::new("")).unwrap()
+    }
+
+    fn set(path: &str, value: &str) -> Change {
+        Change { path: path.into(), value: Some(value.into()) }
+    }
+
+    /// Bodies, of which the second may be harder, with Ra 0.8 um typed for a ground surface.
+    fn ground(template: &str) -> String {
+        let text = described(template, FINISH, &parse(template)).unwrap();
+        edited(&text, &[set("surface.ra", "0.8"), set("surface.finish", "ground")], false).unwrap()
     }
 
     #[test]
-    fn a_surface_becomes_one_of_unknown_finish_and_its_finish_comes_back() {
-        let parse = |text: &str| asperity_inputs::parse(text, Path::new("")).unwrap();
-        let template = asperity_inputs::template();
-        let file = parse(template);
-        let text = described(template, FINISH, &BTreeMap::new(), &file).unwrap();
-        let typed = fields(&text);
-        assert_eq!((way(&typed), typed["surface.finish"].as_str()), (FINISH, "unknown"));
-        let ra: f64 = typed["surface.ra"].parse().unwrap();
-        let wanted = (2.0 * file.scene.surface.moments().m0 / PI).sqrt();
-        assert!((ra / wanted - 1.0).abs() < 1e-5, "{ra}");
-        let set = |path: &str, value: &str| Change { path: path.into(), value: Some(value.into()) };
-        let ground = [
-            set("surface.ra", "0.8 um"),
-            set("surface.finish", "ground"),
-            set("surface.counterface.ra", "0.8 um"),
-            set("surface.counterface.finish", "ground"),
+    fn roughness_without_a_unit_is_in_um_and_other_numbers_as_typed() {
+        let text = ground(asperity_inputs::template());
+        assert_eq!(fields(&text)["surface.ra"], "0.8 um");
+        let changes = [
+            set("surface.rz", "5 "),
+            set("surface.rsm", "0.12 mm"),
+            set("surface.rdq", "0.1"),
+            set("surface.counterface.ra", "1.6"),
+            set("body[1].hardness", "3e9"),
         ];
-        let text = edit(&text, &ground).unwrap();
-        assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");
-        // Numbers are those of both surfaces, and the way back is to what was typed.
-        let typed = fields(&text);
-        let moments = described(&text, "moments", &BTreeMap::new(), &parse(&text)).unwrap();
+        let found = fields(&edited(&text, &changes, true).unwrap());
+        for (path, wanted) in [
+            ("surface.rz", "5 um"),
+            ("surface.rsm", "0.12 mm"),
+            ("surface.rdq", "0.1"),
+            ("surface.counterface.ra", "1.6 um"),
+            ("body[1].hardness", "3e9"),
+        ] {
+            assert_eq!(found[path], wanted);
+        }
+        // As the program reads the file.
+        let rq = parse(&edited(&text, &[set("surface.rq", "1")], false).unwrap());
+        let height = rq.scene.surface.moments().m0.sqrt();
+        assert!((height / (2f64.sqrt() * 1e-6) - 1.0).abs() < 1e-9, "{height}");
+    }
+
+    #[test]
+    fn every_number_of_the_form_has_its_unit() {
+        let form = form();
+        let lists = ["body", "interface", "more", "every", "other"].map(|list| &form[list]);
+        let ways = form["ways"].as_object().unwrap().values();
+        let all = lists.into_iter().chain(ways).flat_map(|list| list.as_array().unwrap());
+        let mut count = 0;
+        for field in all.chain([&form["area"]]) {
+            let [name, _, typed, unit] = [0, 1, 2, 3].map(|k| field[k].as_str().unwrap());
+            let name = name.rsplit('.').next().unwrap();
+            let needs = Key::find("", name).is_some_and(|key| !key.unit.is_empty());
+            assert_eq!(!unit.is_empty(), needs && !typed.contains('|'), "{field}");
+            count += usize::from(needs);
+        }
+        assert!(count > 20, "{count}");
+    }
+
+    #[test]
+    fn the_other_surface_of_two_like_bodies_is_the_same_until_another_is_chosen() {
+        let other = |text: &str| other_surface(&fields(text)).unwrap();
         let has_other = |text: &str| fields(text).keys().any(|path| path.contains("counterface"));
-        assert!(!has_other(&moments));
-        let back = described(&moments, FINISH, &typed, &parse(&moments)).unwrap();
-        let each = |text: &BTreeMap<String, String>| {
-            let mut text = text.clone();
-            text.remove("surface.counterface");
-            text
-        };
-        assert_eq!(each(&fields(&back)), each(&typed));
-        assert!(!has_other(&with_scan(&text, "a.x3p").unwrap()));
-        let none = |path: &str| Change { path: path.into(), value: None };
-        let smooth = ["surface.counterface.ra", "surface.counterface.finish"].map(none);
-        assert!(!has_other(&edit(&text, &smooth).unwrap()));
+        let template = asperity_inputs::template();
+        let text = ground(template);
+        assert_eq!(other(&text), "same");
+        assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");
+        // Both together are as rough as the surface was; Rq of the middle of its range is 7 % above
+        // that of Gaussian heights.
+        let as_it_was = described(template, FINISH, &parse(template)).unwrap();
+        let m0 = |text: &str| parse(text).scene.surface.moments().m0;
+        assert!((m0(&as_it_was) / m0(template) - 1.0).abs() < 0.2, "{}", m0(&as_it_was));
+        let choose = |text: &str, value| edited(text, &[set(OTHER_SURFACE, value)], false).unwrap();
+        let smooth = choose(&text, "smooth");
+        assert_eq!((other(&smooth), has_other(&smooth)), ("smooth", false));
+        assert_eq!(choose(&smooth, "same"), text);
+        assert!((m0(&text) / m0(&smooth) - 2.0).abs() < 1e-9);
+        let another = choose(&smooth, "another");
+        let another = edited(&another, &[set("surface.ra", "1.6")], true).unwrap();
+        assert_eq!((other(&another), &*fields(&another)["surface.ra"]), ("another", "1.6 um"));
+        assert_eq!(fields(&another)["surface.counterface.ra"], "0.8 um");
+        // As a section of its own as well.
+        let section =
+            smooth.clone() + "[surface.counterface]\nra = \"0.8 um\"\nfinish = \"ground\"\n";
+        assert_eq!((other(&section), has_other(&choose(&section, "smooth"))), ("same", false));
+        let unlike = template.replacen("hardness = 2e9", "hardness = 3e9", 1);
+        assert_eq!(other(&ground(&unlike)), "smooth");
+        assert_eq!(other_surface(&fields(template)), None);
+        // Another description and a scan have none.
+        let moments = described(&text, "moments", &parse(&text)).unwrap();
+        assert!(!has_other(&moments) && !has_other(&with_scan(&text, "a.x3p").unwrap()));
     }
 
     #[test]

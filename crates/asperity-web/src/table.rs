@@ -9,32 +9,62 @@ use crate::refusal::Refusal;
 use crate::span::Span;
 
 /// Largest error of interpolation in a table, and larger ones for programs that take few nodes.
-const ERROR: f64 = 0.01;
-const LARGER: [f64; 3] = [0.03, 0.1, 0.3];
+const ERRORS: [f64; 4] = [0.01, 0.03, 0.1, 0.3];
 
 /// The table of a model over the range of the slider for a finite-element program, as a file.
 pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
-    let refused = |_| Refusal::new(format!("{form:?} is no form of a table"));
-    let format: TableFormat = form.parse().map_err(refused)?;
+    let (format, units) = (format(form)?, units.parse().map_err(Refusal::new)?);
+    let within = |error: &f64| text(file, id, format, units, *error);
+    let found = ERRORS
+        .iter()
+        .skip(1)
+        .fold(within(&ERRORS[0]), |found, larger| found.or_else(|_| within(larger)));
     let extension = match format {
         TableFormat::Csv => "csv",
         TableFormat::Ansys => "mac",
         _ => "inp",
     };
-    let units: UnitSystem = units.parse().map_err(Refusal::new)?;
+    Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": found? }))
+}
+
+/// Why models have no table in a form, by id; nothing for those that have one.
+pub(crate) fn refusals(file: &SceneFile, ids: &[String], form: &str) -> Result<Value, Refusal> {
+    let (format, largest) = (format(form)?, ERRORS[ERRORS.len() - 1]);
+    let why = |id: &String| {
+        let refused = text(file, id, format, UnitSystem::default(), largest).err();
+        (id.clone(), json!(refused.map(|refused| refused.message)))
+    };
+    Ok(ids.iter().map(why).collect())
+}
+
+fn format(form: &str) -> Result<TableFormat, Refusal> {
+    form.parse().map_err(|_| Refusal::new(format!("{form:?} is no form of a table")))
+}
+
+fn text(
+    file: &SceneFile,
+    id: &str,
+    format: TableFormat,
+    units: UnitSystem,
+    error: f64,
+) -> Result<String, Refusal> {
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
-    let within = |error| {
-        let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
-        Export { subject, ends, nodes, log: false, max_error, format, units, conductance, friction }
-            .answer(&mut Sheet::default(), &Silent)
+    let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
+    let export = Export {
+        subject,
+        ends,
+        nodes,
+        log: false,
+        max_error,
+        format,
+        units,
+        conductance,
+        friction,
     };
-    let found =
-        LARGER.into_iter().fold(within(ERROR), |found, larger| found.or_else(|_| within(larger)));
-    let text = found.map_err(Refusal::new)?.text;
-    Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": text }))
+    Ok(export.answer(&mut Sheet::default(), &Silent).map_err(Refusal::new)?.text)
 }
 
 #[cfg(test)]
@@ -54,5 +84,24 @@ mod tests {
         }
         assert!(table(&file, "ke", "nastran", "SI").is_err());
         assert!(table(&file, "ke", "csv", "furlong").is_err());
+    }
+
+    #[test]
+    fn models_without_a_table_are_known_before_one_is_asked_for() {
+        let file = |text: &str| asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let ranges = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+            poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
+        let ids = ["ke", "gw", "persson-fudge", "af", "dmt"].map(String::from);
+        for text in [asperity_inputs::template(), ranges] {
+            let file = file(text);
+            for form in ["csv", "ansys"] {
+                let found = refusals(&file, &ids, form).unwrap();
+                for id in &ids {
+                    let made = table(&file, id, form, "SI");
+                    assert_eq!(found[id].is_null(), made.is_ok(), "{id} {form}: {found}");
+                }
+                assert_eq!(found["ke"].is_null(), text != ranges, "{form}: {found}");
+            }
+        }
     }
 }

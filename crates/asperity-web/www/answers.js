@@ -60,12 +60,15 @@ export function load(shown, typed) {
   field.removeAttribute("aria-invalid");
 }
 
-// Why no model answers: each reason once, with its models where there are several.
-export function commonRefusal(rows) {
+// Each reason once, with its models.
+export function byReason(rows) {
   const models = new Map();
   for (const { model, reason, mark } of rows) models.set(reason ?? mark, [...(models.get(reason ?? mark) ?? []), model]);
-  return [...models].map(([reason, ids]) => (models.size > 1 ? `${ids.join(", ")}: ${reason}` : reason)).join("; ");
+  return [...models];
 }
+
+// Why no model answers, with the models of a reason where there are several.
+export const commonRefusal = (rows) => byReason(rows).map(([reason, ids], _, { length }) => (length > 1 ? `${ids.join(", ")}: ${reason}` : reason)).join("; ");
 
 // A load at which every model has a reason or a mark: the values stand with their marks.
 export function undescribed(rows) {
@@ -77,6 +80,8 @@ export function undescribed(rows) {
 
 export function refuseLoad(message, typed = $("load").value) {
   put($("load"), typed);
+  // Beside it stood the load before.
+  $("load-other").textContent = "";
   $("load-error").textContent = message;
   $("load").setAttribute("aria-invalid", "true");
 }

@@ -1,22 +1,23 @@
 // The form: a view of the text of the scene. An edited field is a change of the text.
-import { $, element, lowered, put, typing } from "./page.js";
+import { $, element, lowered, options, put, typing } from "./page.js";
 
 // A labelled field of a path; choices, between bars, make a select. `of` tells it from that of the
-// other body.
-export function field(path, label, hint, edit, of = "") {
+// other body. A number without a unit is in the one beside the label.
+export function field(path, [label, hint, unit], edit, of = "") {
   const id = `field-${path.replace(/[^a-z0-9]+/gi, "-")}`;
   let input;
   if (hint.includes("|")) {
-    input = element("select", { id, data: { path } });
+    input = element("select", { id, data: { path, label } });
     input.append(element("option", { value: "" }, "default"), ...hint.split("|").map((name) => element("option", {}, name)));
   } else {
-    input = element("input", { id, type: "text", placeholder: hint && `e.g. ${hint}`, autocomplete: "off", data: { path } });
+    input = element("input", { id, type: "text", placeholder: hint && `e.g. ${hint}`, autocomplete: "off", data: { path, label } });
   }
   input.setAttribute("aria-describedby", `${id}-note`);
-  if (of) input.setAttribute("aria-label", `${label} of the ${of}`);
+  if (of) input.setAttribute("aria-label", `${label} of the ${of}${unit && `, in ${unit}`}`);
   input.addEventListener("change", () => edit([{ path, value: input.value.trim() || null }]));
   const note = element("p", { id: `${id}-note`, className: "note", hidden: true });
-  return element("div", { className: "row" }, element("label", { htmlFor: id }, ...lowered(label)), input, note);
+  const units = unit ? [" ", element("small", { className: "unit", title: `a number without a unit is in ${unit}` }, unit)] : [];
+  return element("div", { className: "row" }, element("label", { htmlFor: id }, ...lowered(label), ...units), input, note);
 }
 
 // The fields of a body before those that are folded.
@@ -31,7 +32,7 @@ function body(k, edit, form) {
   const name = k === 1 ? "first body" : "second body";
   const box = element("fieldset", { className: "body" }, element("legend", {}, k === 1 ? "First body" : "Second body"));
   const path = `body[${k}].material`;
-  const pick = element("select", { id: `material-${k}`, data: { path } });
+  const pick = element("select", { id: `material-${k}`, data: { path, label: "Material" } });
   pick.append(element("option", { value: "" }, "own values"));
   pick.append(...form.materials.map(({ id, name }) => element("option", { value: id }, name)));
   pick.addEventListener("change", () => edit([{ path, value: pick.value }]));
@@ -40,17 +41,33 @@ function body(k, edit, form) {
   box.append(element("div", { className: "row wide" }, element("label", { htmlFor: pick.id }, "Material"), pick));
   box.append(element("p", { id: `${pick.id}-note`, className: "note", hidden: true }));
   box.append(element("p", { className: "source", id: `source-${k}`, hidden: true }));
-  const fields = form.body.map(([key, label, hint]) => field(`body[${k}].${key}`, label, hint, edit, name));
+  const fields = form.body.map(([key, ...about]) => field(`body[${k}].${key}`, about, edit, name));
   const [main, rare] = [fields.slice(0, MAIN), fields.slice(MAIN)];
   box.append(...main, element("details", { className: "rare" }, element("summary", {}, "More about this body"), ...rare));
   return box;
 }
 
+// What the other of two rough surfaces is, with its fields if it is another.
+const OTHER = [["same", "the same"], ["smooth", "smooth"], ["another", "another"]];
+let isAnother = false;
+
+function other(edit, fields) {
+  const pick = element("select", { id: "other-surface" });
+  options(pick, OTHER);
+  pick.addEventListener("change", () => {
+    isAnother = pick.value === "another";
+    edit([{ path: "surface.other", value: pick.value }]);
+  });
+  const row = element("div", { className: "row" }, element("label", { htmlFor: pick.id }, "Other surface"), pick);
+  return [row, element("div", { id: "other-fields" }, ...fields)];
+}
+
 let built = "";
 
 // Builds the fields that the scene needs, and fills them.
-export function fill(shown, edit, form) {
+export function fill(shown, edits, form) {
   const { fields, way } = shown;
+  const edit = (changes) => edits(changes, isAnother);
   const has = (start) => Object.keys(fields).some((path) => path.startsWith(start));
   const rigid = fields.rigid_counterface === "true";
   const kind = [has("interface."), rigid, way].join();
@@ -62,7 +79,7 @@ export function fill(shown, edit, form) {
     const bodies = $("bodies");
     bodies.replaceChildren(element("legend", {}, "Bodies"));
     if (has("interface.")) {
-      bodies.append(...form.interface.map(([key, label, hint]) => field(`interface.${key}`, label, hint, edit)));
+      bodies.append(...form.interface.map(([key, ...about]) => field(`interface.${key}`, about, edit)));
     } else {
       bodies.append(body(1, edit, form));
       const check = element("input", { type: "checkbox", id: "rigid", checked: rigid });
@@ -70,10 +87,13 @@ export function fill(shown, edit, form) {
       bodies.append(element("label", {}, check, " rigid counterface"));
       if (!rigid) bodies.append(body(2, edit, form));
     }
-    bodies.append(field(...form.area, edit));
-    const ofSurface = ([key, label, hint]) => field(`surface.${key}`, label, hint, edit);
+    const [area, ...ofArea] = form.area;
+    bodies.append(field(area, ofArea, edit));
+    const ofSurface = ([key, ...about]) => field(`surface.${key}`, about, edit);
+    isAnother = false;
     const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
-    $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...rest);
+    const ofOther = shown.other ? other(edit, form.other.map(ofSurface)) : [];
+    $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...ofOther, ...rest);
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
       again.value = value;
@@ -83,6 +103,12 @@ export function fill(shown, edit, form) {
     again?.focus();
   }
   $("way").value = way;
+  if (shown.other) {
+    // Another one may still have the numbers of the first.
+    isAnother = shown.other === "another" || (isAnother && shown.other === "same");
+    $("other-surface").value = isAnother ? "another" : shown.other;
+    $("other-fields").hidden = !isAnother;
+  }
   for (const input of document.querySelectorAll("[data-path]")) {
     put(input, fields[input.dataset.path] ?? "");
     if (input.dataset.path in fields) unfold(input);
@@ -109,7 +135,7 @@ export function mark(error, findings) {
     const { path } = input.dataset;
     let [text, severity] = of.get(path) ?? of.get(path.replace(/^surface\./, "")) ?? [];
     // The form has names and no lines.
-    if (severity === "error" && error?.field_message) text = `${input.labels[0].textContent}: ${error.field_message}`;
+    if (severity === "error" && error?.field_message) text = `${input.dataset.label}: ${error.field_message}`;
     const note = $(`${input.id}-note`);
     note.hidden = !text;
     note.textContent = text ?? "";

@@ -1,5 +1,5 @@
 // The explorer: one state, whose scene is a text; everything on the page follows from it.
-import { $, options, readings, tell } from "./page.js";
+import { $, lacking, options, readings, tell } from "./page.js";
 import { desks, page, report, state, work } from "./state.js";
 import { answer, change, describe, edit, redraw, setModels, setScene, setView, typed, typingEnds } from "./scene.js";
 import { note, openLink, rest, writeLink } from "./link.js";
@@ -72,9 +72,6 @@ async function open() {
 }
 
 async function start() {
-  if (typeof WebAssembly !== "object") {
-    return fail("This browser has no WebAssembly: use another browser, or the program asperity.");
-  }
   // The address holds the state of the page: it does not become that of a place.
   $("to-answers").addEventListener("click", (event) => {
     event.preventDefault();
@@ -89,6 +86,7 @@ async function start() {
   });
   tabs();
   clear("");
+  if (lacking()) return fail(lacking());
   $("first-warning").addEventListener("click", () => {
     openTab("findings");
     $("tab-findings").focus();

@@ -1,5 +1,5 @@
 // The law of every model, drawn for the asperity of a scene: that of the link, or the ground steel.
-import { $, element, lowered, picture, readings, tell } from "./page.js";
+import { $, element, lacking, lowered, picture, readings, tell } from "./page.js";
 import { Desk } from "./desk.js";
 
 const EXAMPLE = "examples/ground-steel.toml";
@@ -71,7 +71,7 @@ async function start() {
     say("ready", "ready");
   } catch (error) {
     say("failed", "failed");
-    tell(typeof WebAssembly === "object" ? error.message : "This browser has no WebAssembly: the guide shows the laws without it.");
+    tell(lacking() || error.message);
   }
 }
 

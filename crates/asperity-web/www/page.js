@@ -85,6 +85,16 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
+// The smallest module with arithmetic on two numbers at once.
+const PAIRS = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
+
+// What this browser lacks to calculate, with what to do; empty for one that lacks nothing.
+export function lacking() {
+  const instead = "or use the program asperity, which needs no browser";
+  if (typeof WebAssembly !== "object") return `This page calculates by WebAssembly, which this browser does not have or has switched off, as some security settings do: allow it for this page, use another browser, ${instead}.`;
+  return WebAssembly.validate(new Uint8Array(PAIRS)) ? "" : `This browser is too old for the calculations of this page: use Chrome or Edge from version 91, Firefox from 89 or Safari from 16.4, ${instead}.`;
+}
+
 // A message above the page, until something else is shown or it is closed.
 export function tell(text) {
   const box = $("message");

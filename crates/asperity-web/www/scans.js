@@ -100,7 +100,8 @@ async function use(source, changed, also = "") {
 async function openScene(file, scans, changed) {
   await desks.quick.call("admit", { name: file.name, size: file.size });
   let text = await file.text();
-  const { files: names } = await desks.quick.show(text);
+  const { files: names, unreadable } = await desks.quick.show(text);
+  if (unreadable) throw new Error(`${file.name}: ${unreadable}`);
   let scan = null;
   const unused = [];
   for (const one of scans) {

@@ -16,6 +16,7 @@ const USUAL = 0.6;
 // Another text of the scene; `kind` names what the user did, for the history.
 export function setScene(text, kind = "edit") {
   state.text = text;
+  page.old = true;
   editor.write(text);
   note(kind);
   forgive();
@@ -45,11 +46,19 @@ export function change(make, kind) {
 
 const tools = (call, keys) => desks.quick.sure(() => desks.quick.call(call, keys));
 
-// Changes by paths.
-export const edit = (changes) => change((text) => tools("edit", { text, changes }));
+// Changes by paths; whether the other surface is another one than the first.
+export const edit = (changes, another = false) => change((text) => tools("edit", { text, changes, another }));
 
 async function showScene() {
   const text = state.text;
+  try {
+    await show(text);
+  } finally {
+    page.old = state.text !== text;
+  }
+}
+
+async function show(text) {
   try {
     Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "", refused: "" });
   } catch (error) {
@@ -83,16 +92,12 @@ async function showScene() {
   takeAway.models(shown, chosen());
   elements.allow(shown.scan);
   showReport(Boolean(shown.scan));
-  typedIn.set(shown.way, shown.fields);
   await values(state.load ? { text: state.load } : { position: USUAL });
   reportScan();
 }
 
-// The fields of the last scene whose surface is described in each way.
-const typedIn = new Map();
-
-// The surface described in another way: as it was typed there, if it is still the same.
-export const describe = (text, way) => desks.quick.ask(text, "surface", { text, way, typed: typedIn.get(way) ?? {} });
+// The surface described in another way.
+export const describe = (text, way) => desks.quick.ask(text, "surface", { text, way });
 
 // Nothing of another scene stays on the page.
 function clear(why) {
@@ -268,7 +273,7 @@ export function setView(view) {
 // Typed text of the scene is shown after a pause; it counts at once.
 export function typed(text) {
   state.text = text;
-  page.typing = true;
+  Object.assign(page, { typing: true, old: true });
   report();
 }
 

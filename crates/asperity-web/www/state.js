@@ -16,7 +16,7 @@ export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], lo
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", form: null, text: "", shown: null,
-  load: null, best: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null,
+  load: null, best: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null, old: false,
 };
 
 // The scan without which the scene cannot be shown.
@@ -35,10 +35,12 @@ export function report() {
   document.documentElement.dataset.state = phase;
   const wrong = page.shown?.error ? (missing() ? `waiting for ${missing()}` : "the scene has an error") : page.refused ? "the load is refused" : "failed";
   $("status").textContent = { loading: "loading", busy: "calculating", failed: wrong, ready: page.undescribed ? "no model describes the load" : implausible() ? "implausible number" : "ready" }[phase];
-  // Spoken when the values are there, not at every step of the slider.
-  if (phase === "ready" && $("spoken").textContent !== page.best?.spoken) $("spoken").textContent = page.best?.spoken ?? "";
-  // Values at the load before a refused one.
-  document.documentElement.toggleAttribute("data-stale", Boolean(page.refused));
+  // Spoken when the values are there, not at every step of the slider; nothing of another scene or
+  // of the load before a refused one.
+  const spoken = phase === "failed" || page.old ? "" : phase === "ready" ? page.best?.spoken ?? "" : $("spoken").textContent;
+  if ($("spoken").textContent !== spoken) $("spoken").textContent = spoken;
+  // Values at the load before a refused one, or of the scene before.
+  document.documentElement.toggleAttribute("data-stale", Boolean(page.refused) || page.old);
   // Values of numbers that cannot be meant.
   document.documentElement.toggleAttribute("data-implausible", implausible());
   $("copy-link").disabled = Boolean(page.refused);

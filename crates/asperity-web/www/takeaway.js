@@ -1,7 +1,7 @@
 // Files and lines to take away.
 import { $, download, element, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
-import { columns } from "./answers.js";
+import { byReason, columns } from "./answers.js";
 import { elements } from "./elements.js";
 import { writeLink } from "./link.js";
 
@@ -18,11 +18,12 @@ function saves() {
   });
   on("save-values", () => {
     const { newtons, pascals } = page.load;
-    const { views, head } = page.shown;
+    const { views, head, ends } = page.shown;
+    const numbers = ({ digits = "", lower = "", upper = "" } = {}) => (ends ? [digits, lower, upper] : [digits]);
     const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
     const solved = elements.at(pascals);
     if (solved) rows.push(["bem", columns(views, solved)]);
-    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.map((_, k) => cells[k]?.digits ?? "")].join());
+    const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.flatMap((_, k) => numbers(cells[k]))].join());
     download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });
   // Of the usual size, not that of the screen.
@@ -57,6 +58,26 @@ async function copyLink() {
     field.hidden = false;
     field.select();
   }
+}
+
+// The models that have a table in the chosen form; why the others have none.
+function tables() {
+  const { shown } = page;
+  const form = $("export-form").value;
+  const ids = chosen();
+  work("page", "tables", async () => {
+    const refused = {};
+    for (const slow of [false, true]) {
+      const models = ids.filter((id) => isSlow(id) === slow);
+      if (answers() && models.length > 0) Object.assign(refused, await ask(slow ? desks.slow : desks.quick, "tables", { models, form }));
+    }
+    if (page.shown !== shown || $("export-form").value !== form || String(chosen()) !== String(ids)) return;
+    const offered = ids.filter((id) => !refused[id]);
+    options($("export-model"), offered.map((id) => [id, id]), [picked, shown?.usual].find((id) => offered.includes(id)) ?? offered[0]);
+    $("save-table").disabled = offered.length === 0;
+    const rows = ids.filter((id) => refused[id]).map((model) => ({ model, reason: refused[model] }));
+    $("no-table").textContent = byReason(rows).map(([reason, models]) => `No table of ${models.join(", ")}: ${reason}`).join("; ");
+  });
 }
 
 // Lines that give the digits of the page beside its scene file: the same models at the same load.
@@ -101,6 +122,7 @@ export const takeAway = {
     $("law").addEventListener("toggle", law);
     $("law-model").addEventListener("change", law);
     for (const id of ["export-model", "law-model"]) $(id).addEventListener("change", () => takeAway.pick($(id).value));
+    $("export-form").addEventListener("change", tables);
     readings($("law-picture"), $("law-reading"));
   },
   // The code of the present load.
@@ -118,13 +140,18 @@ export const takeAway = {
     // Theories of the whole surface have no law of one asperity.
     const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
     const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
-    options($("export-model"), ids.map((id) => [id, id]), first(ids));
+    options($("export-model"), [], "");
+    $("no-table").textContent = "";
     options($("law-model"), allowed, first(allowed.map(([id]) => id)));
-    for (const id of ["save-table", "law-model"]) $(id).disabled = ids.length === 0;
+    $("save-table").disabled = true;
+    $("law-model").disabled = ids.length === 0;
     if (ids.length === 0) {
       noPicture($("law-picture"));
       $("law-source").replaceChildren();
       for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
-    } else law();
+    } else {
+      law();
+      tables();
+    }
   },
 };

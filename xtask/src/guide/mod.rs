@@ -22,7 +22,7 @@ use serde::Serialize;
 
 use crate::command::run;
 use crate::docs;
-use crate::folder::{copy, remove, root, target_folder, write as save};
+use crate::folder::{copy, remove, root, write as save};
 use crate::html::{self, escape};
 use chapters::Chapter;
 use markdown::Outline;
@@ -137,7 +137,7 @@ pub fn write_api(page_folder: &Path) -> Result<()> {
     // A lock of cargo.
     let _ = std::fs::remove_file(rust.join(".lock"));
     remove(&python)?;
-    let interpreter = target_folder().join("python/bin/python");
+    let interpreter = root().join("target/python/bin/python");
     ensure!(interpreter.is_file(), "target/python is missing: run .ci/python");
     let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "pdoc"];
     run(Command::new(&interpreter).args(pip))?;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness};
 use asperity::{At, Interface, Quantity, nearest_hint, nearest_name};
-use asperity_answer::{Conductance as Question, Gas, Sheet, drawn_with_ranges, with_ranges};
+use asperity_answer::{Conductance as Question, Gas, Sheet, with_ranges};
 use asperity_inputs::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
@@ -76,8 +76,7 @@ impl Conductance {
             Question { file, ..question }.answer(&places, sheet)
         };
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let drawn = || drawn_with_ranges(&scene.file, &sheet);
-        self.output.write(&sheet, || picture(&drawn(), &scene.file.scene))
+        self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
     }
 
     /// The scene, with the conductivity given.

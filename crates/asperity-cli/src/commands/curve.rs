@@ -8,7 +8,7 @@ use asperity::bem::Bem;
 use asperity::fit::DataColumn;
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, drawn_with_ranges, models, one_model, with_ranges};
+use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
@@ -110,10 +110,9 @@ impl Curve {
         let both = flows > 0 && flows < ids.len() && request.quantities == usual;
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let drawn = || drawn_with_ranges(&scene.file, &sheet);
         let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
         let from = scene.file.separation_from;
-        self.output.write(&sheet, || plot::svg(&drawn(), &request, from, &points))
+        self.output.write(&sheet, || plot::svg(&sheet, &request, from, &points))
     }
 
     fn answer(

@@ -39,11 +39,7 @@ pub fn svg(
     if !is_even(&along) {
         x.scale = Scale::fitting(&along);
     }
-    let curves = curves(table, |k, id| {
-        // The ends of the ranges of a model look like it, as does the model corrected.
-        let of = id.split(' ').next().unwrap_or(id);
-        Curve::new(look_of(of).unwrap_or(k), id, id)
-    });
+    let curves = curves(table, |k, id| Curve::new(look_of(id).unwrap_or(k), id, id));
 
     let (mut panels, mut hidden, mut any) = (vec![], vec![], false);
     for &quantity in &request.quantities {

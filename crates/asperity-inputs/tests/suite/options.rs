@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use asperity::{Asperities, Model, Quantity, Request, Tolerance};
+use asperity::{Model, Quantity, Request, Tolerance};
 use asperity_inputs::{ModelOptions, SceneFile, parse, template};
 
 /// The template's scene with one line of `[options]` instead of its own.

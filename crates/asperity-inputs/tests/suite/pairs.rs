@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use asperity::{
-    Asperities, At, ContactModel, Datum, Model, Pair, Quantity, Request, Separation,
-    SeparationUnit, Surface,
+    Asperities, At, ContactModel, Datum, Pair, Quantity, Request, Separation, SeparationUnit,
+    Surface,
 };
 use asperity_inputs::{SceneFile, parse};
 

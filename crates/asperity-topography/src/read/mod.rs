@@ -26,7 +26,7 @@ use flate2::read::MultiGzDecoder;
 pub use scan::ReadOptions;
 
 use self::format::Format;
-use crate::error::{at_most, incomplete, refuse};
+use crate::error::{at_most, damaged, refuse};
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -132,10 +132,12 @@ fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     let limit = packed.len().saturating_mul(MAX_RATIO).max(SMALL).min(MAX_FILE_BYTES as usize);
     let refuse = |found: &dyn Display, required: &str| refuse("gzip content", found, required);
     let mut bytes = Vec::new();
-    MultiGzDecoder::new(packed)
-        .take(limit as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|_| incomplete("gzip", "its packed content"))?;
+    MultiGzDecoder::new(packed).take(limit as u64 + 1).read_to_end(&mut bytes).map_err(|_| {
+        damaged(
+            "gzip",
+            "it is cut short, or its bytes are not those that were packed; copy the file again",
+        )
+    })?;
     if bytes.len() > limit {
         let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
         return Err(refuse(&"more", &required));

@@ -53,9 +53,9 @@ pub(super) fn profile(
     let (first, last) = (first.min(last), first.max(last));
     let step = (last - first) / (places.len().max(2) - 1) as f64;
     if !(step > 0.0 && step.is_finite()) {
-        return Err(wrong(match places[..] {
-            [only] => format!("a single position, {only:?},"),
-            _ => format!("a list of {} positions from {first:?} to {last:?}", places.len()),
+        return Err(wrong(match places.len() {
+            1 => format!("a single position, {first:?},"),
+            many => format!("a profile of {many} positions from {first:?} to {last:?}"),
         }));
     }
     let found = |heights: Vec<f64>, notes| {
@@ -171,9 +171,9 @@ mod tests {
     fn positions_without_order_are_refused() {
         assert!(message(&[0.0, 2.0, 1.0, 3.0]).contains("1.0 as position 3 after 2.0"));
         assert!(message(&[0.0, 0.0, 3.0]).contains("0.0 as position 2 after 0.0"));
-        assert!(message(&[1.0]).contains("a single position, 1.0, was found"));
+        assert!(message(&[1.0]).starts_with("x: a single position, 1.0, was found"));
         assert!(message(&[]).contains("no position"));
         assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
-        assert!(message(&[0.0, f64::NAN]).contains("a list of 2 positions from 0.0"));
+        assert!(message(&[0.0, f64::NAN]).contains("a profile of 2 positions from 0.0"));
     }
 }

@@ -2,8 +2,7 @@
 //!
 //! The layout follows the readers of SurfaceTopography and x3pio, not the standard.
 
-use std::fmt::Display;
-use std::io::{Cursor, Read};
+use std::io::{Cursor, ErrorKind, Read};
 
 use zip::ZipArchive;
 
@@ -13,18 +12,20 @@ use super::profile::profile;
 use super::scan::{DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
-use crate::error::{damaged, incomplete, refuse};
+use crate::error::{damaged, excerpt, refuse};
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 /// The largest size of `main.xml` \[bytes\].
 const MAX_XML: u64 = 1 << 20;
 
+/// What an archive lacks that was not copied whole.
+const CUT_SHORT: &str = "the list of its parts, at its end, is missing or broken, as after an incomplete copy; copy or export the file again";
+
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let mut archive =
-        ZipArchive::new(Cursor::new(bytes)).map_err(|_| incomplete("x3p", "its zip archive"))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged("x3p", CUT_SHORT))?;
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
@@ -112,9 +113,9 @@ fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyErr
     let folder = folders.min_by_key(String::len).unwrap_or_default();
     let entry = archive
         .by_name(&(folder.clone() + NAME))
-        .map_err(|_| damaged("x3p", "its archive has no readable main.xml"))?;
+        .map_err(|_| damaged("x3p", "it has no main.xml, which describes the scan"))?;
     let mut xml = Vec::new();
-    entry.take(MAX_XML + 1).read_to_end(&mut xml).map_err(|_| incomplete("x3p", "its main.xml"))?;
+    entry.take(MAX_XML + 1).read_to_end(&mut xml).map_err(|_| damaged("x3p", broken(NAME)))?;
     if xml.len() as u64 > MAX_XML {
         return Err(refuse("x3p main.xml", "more", format!("at most {MAX_XML} bytes")));
     }
@@ -132,26 +133,34 @@ fn unpack(
     [n, size]: [usize; 2],
     mut with: impl FnMut(&[u8]),
 ) -> Result<(), TopographyError> {
-    let refuse = |found: &dyn Display, required: &str| {
-        refuse("x3p DataLink", format!("{name}: {found}"), required)
-    };
-    let mut entry =
-        archive.by_name(name).map_err(|_| refuse(&"no readable entry", "an entry of this name"))?;
+    let refuse =
+        |found: &str, required: &str| refuse("x3p DataLink", format!("{name}: {found}"), required);
+    let mut entry = archive
+        .by_name(name)
+        .map_err(|_| refuse("no such part", "a part of this name in the file"))?;
     let required = format!("{} bytes, by main.xml", n * size);
     let mut buffer = [0; 1 << 13];
     let whole = buffer.len() / size * size;
     let mut left = n * size;
     while left > 0 {
         let part = &mut buffer[..left.min(whole)];
-        let unread = |_| refuse(&"fewer bytes, or changed ones,", &required);
-        entry.read_exact(part).map_err(unread)?;
+        entry.read_exact(part).map_err(|error| match error.kind() {
+            ErrorKind::UnexpectedEof => refuse("fewer bytes", &required),
+            _ => damaged("x3p", broken(name)),
+        })?;
         part.chunks(size).for_each(&mut with);
         left -= part.len();
     }
     // Reading to the end also checks the checksum.
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
-        Ok(_) => Err(refuse(&"more", &required)),
-        Err(_) => Err(incomplete("x3p", name)),
+        Ok(_) => Err(refuse("more", &required)),
+        Err(_) => Err(damaged("x3p", broken(name))),
     }
+}
+
+/// What is wrong with a part that cannot be unpacked or has another checksum.
+fn broken(name: &str) -> String {
+    let name = excerpt(name);
+    format!("the bytes of {name} are not those that were stored; copy or export the file again")
 }
