@@ -1,6 +1,6 @@
 //! A lay askew to the axes of a scan: turning the sample under the instrument changes no answer.
 
-use asperity::{At, Compared, Evidence, Quantity, Request, Surface};
+use asperity::{At, Quantity, Request, Surface};
 use asperity_bem::RandomSurface;
 use asperity_inputs::{SceneFile, parse};
 use asperity_topography::Topography;
@@ -8,11 +8,10 @@ use asperity_topography::Topography;
 use crate::two_surfaces::HEAD;
 
 const PIXELS: usize = 256;
-const PRESSURE: f64 = 5e7;
 
 /// Slopes 4:1, with 16 pixels in the shortest wave across the lay.
 fn rough(degrees: f64) -> RandomSurface {
-    let rough = RandomSurface::new(6.0, 6.0, 16.0).unwrap().side(128e-6).unwrap();
+    let rough = RandomSurface::new(4.0, 4.0, 16.0).unwrap().side(128e-6).unwrap();
     rough.gradient(0.06).unwrap().lay(4.0, degrees).unwrap()
 }
 
@@ -24,17 +23,11 @@ fn scene(degrees: f64) -> SceneFile {
     parse(&format!("{HEAD}file = \"lay.x3p\"\nperiodic = true\n"), folder.path()).unwrap()
 }
 
-/// The area by `ke`, and that which boundary elements are expected to find.
-fn areas(file: &SceneFile) -> [f64; 2] {
-    let asked = Request::new([Quantity::AreaFraction]).at([At::Pressure(PRESSURE)]);
+/// The area by `ke`.
+fn area(file: &SceneFile) -> f64 {
+    let asked = Request::new([Quantity::AreaFraction]).at([At::Pressure(5e7)]);
     let ke = file.model("ke").unwrap().solve(&file.scene, &asked).unwrap();
-    let shape = file.surface_shape().unwrap();
-    let evidence = Evidence::committed().unwrap();
-    let expected = evidence.expected(&file.scene, shape, PRESSURE, None).unwrap();
-    [
-        ke.values(Quantity::AreaFraction).unwrap()[0],
-        expected.estimate(Compared::Area).unwrap().value,
-    ]
+    ke.values(Quantity::AreaFraction).unwrap()[0]
 }
 
 #[test]
@@ -51,17 +44,16 @@ fn a_turned_lay_has_the_same_answers_and_its_warning() {
             ("sigma", found.asperity_height_std, wanted.asperity_height_std, 0.002),
         ] {
             let off = found / wanted - 1.0;
-            println!("{degrees} {name} {off:.4}");
             assert!(off.abs() < within, "{degrees} degrees: {name} is {found:e}, not {wanted:e}");
         }
         let lay = file.warnings.iter().find(|found| found.code == "anisotropic").unwrap();
-        println!("{degrees} ratio {}", lay.value);
         assert!((lay.value / 4.0 - 1.0).abs() < 0.05, "{degrees} degrees: {lay}");
-        let areas = areas(&file);
-        let first = *along_rows.get_or_insert(areas);
-        for (area, first) in areas.iter().zip(first) {
-            println!("{degrees} area {:.4}", area / first - 1.0);
-            assert!((area / first - 1.0).abs() < 0.02, "{degrees} degrees: {areas:?}, {first}");
-        }
+        // By which evidence is chosen.
+        let shape = file.surface_shape().unwrap().unwrap();
+        assert!((shape.slope_ratio / lay.value - 1.0).abs() < 1e-12, "{shape:?}");
+        let area = area(&file);
+        let first = *along_rows.get_or_insert(area);
+        // The few long waves that fit on the side give alphas of 3.5 to 4.8.
+        assert!((area / first - 1.0).abs() < 0.08, "{degrees} degrees: {area}, {first}");
     }
 }

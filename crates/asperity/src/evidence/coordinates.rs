@@ -6,8 +6,9 @@ use crate::evidence::Evidence;
 use crate::evidence::case::EvidenceCase;
 use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface, short};
 
-/// Scenes farther than this factor beyond the solved range have no evidence.
-const BEYOND: f64 = 1.15;
+/// Scenes farther than this factor beyond the solved range have no evidence. The intervals hold the
+/// values of single scans with an alpha of 2.71, where 3.117 is solved.
+const BEYOND: f64 = 1.16;
 /// ... and plasticity indices, which determine how much yields, beyond this one.
 const BEYOND_INDEX: f64 = 1.05;
 /// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below,
