@@ -57,6 +57,10 @@ impl Solution<'_> {
         if misfit.is_none() && !is_exact && limits.is_empty() {
             found.extend(self.other_stiffness()?);
         }
+        if misfit.is_some() {
+            // Where nothing is described, the end of the search means nothing.
+            found.retain(|one| one.code != NOT_CONVERGED);
+        }
         found.extend(misfit);
         Ok(Doubts::new(found))
     }

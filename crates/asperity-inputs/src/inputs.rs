@@ -148,8 +148,8 @@ impl SceneFile {
         SceneError::Input { name: name.into(), reason }
     }
 
-    /// The value of an input; `None` for a number that the scene does not give, and for one in which
-    /// its bodies differ.
+    /// The value of an input; `None` for a number that the scene does not give, and for one in
+    /// which its bodies differ.
     #[must_use]
     pub fn value_of(&self, input: SceneInput) -> Option<f64> {
         let scene = &self.scene;

@@ -125,8 +125,8 @@ impl SceneFile {
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models)
-    /// and their variants, with those of random asperities and of the whole surface where these have the same joint;
-    /// and those that the scene does not allow, each with the reason.
+    /// and their variants, with those of random asperities and of the whole surface where these
+    /// have the same joint; and those that the scene does not allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.allowed(Model::of_asperities());

@@ -1,6 +1,7 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
-/// Ids with the numbers of their looks; correlations of conductance have those of models without one.
+/// Ids with the numbers of their looks; correlations of conductance have those of models without
+/// one.
 const LOOKS: [(&str, usize); 22] = [
     ("gw", 0),
     ("ceb", 1),

@@ -36,10 +36,10 @@ def test_separations_of_pairs_are_those_of_both_surfaces_on_one_scene_and_on_sev
     pairs = asperity.Scene(INTERFACE, SURFACE, 3e-5, options=PAIRS)
     std = math.sqrt(2) * SURFACE.asperity_height_std
     ke = asperity.model("ke")
-    sigmas, metres = (ke.separation(pairs, load=1.0, separation_unit=u) for u in UNITS)
+    sigmas, metres = (ke.separation_at(pairs, load=1.0, separation_unit=u) for u in UNITS)
     assert float(metres) == pytest.approx(std * float(sigmas), rel=1e-12)
     varied = pairs.vary(hardness=[1.12e9, 1.12e9 * (1 + 1e-9)])
-    found = ke.separation(varied, load=1.0, separation_unit="m")
+    found = ke.separation_at(varied, load=1.0, separation_unit="m")
     assert np.asarray(found) == pytest.approx(float(metres), rel=1e-6)
 
 

@@ -181,8 +181,12 @@ def test_a_wave_has_statistics_without_asperities() -> None:
     turn = 2 * np.pi * 4 * np.arange(64) / 64
     wave = np.cos(turn + turn[:, None])
     surface = asperity.Topography(wave, 1.0, "um", periodic=True)
-    with pytest.warns(asperity.ContactWarning, match="no asperities for asperity models"):
+    with pytest.warns(asperity.ContactWarning) as recorded:
         found = surface.statistics()
+    texts = [str(one.message) for one in recorded]
+    assert any("no asperities for asperity models" in text for text in texts), texts
+    # Its lay is at 45 degrees to the rows.
+    assert any(text.startswith("anisotropic: ") for text in texts), texts
     assert found["sq"] == pytest.approx(np.sqrt(0.5) * 1e-6) and found["asperity_radius"] is None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

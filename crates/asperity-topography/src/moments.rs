@@ -11,9 +11,10 @@ use crate::{Topography, TopographyError};
 /// ```
 /// of the differences z_x = (z₁ - z₀)/dx of all pairs of measured neighbours, z_xx = (z₂ - 2 z₁ +
 /// z₀)/dx² of all triples and z_xy = (z₁₁ - z₁₀ - z₀₁ + z₀₀)/(dx dy) of all squares and pairs of
-/// squares. Turning a surface changes neither \[derived\]; those of an isotropic surface are those of each profile,
-/// and m₂ and m₄ of a single profile those along it. Sampling reduces the slope of a wave of length L by the factor s =
-/// sin(π dx/L)/(π dx/L) and its curvature by s²: by 1.6 % and 3.3 % at ten points per wave.
+/// squares. Turning a surface changes neither \[derived\]; those of an isotropic surface are those
+/// of each profile, and m₂ and m₄ of a single profile those along it. Sampling reduces the slope of
+/// a wave of length L by the factor s = sin(π dx/L)/(π dx/L) and its curvature by s²: by 1.6 % and
+/// 3.3 % at ten points per wave.
 /// \[derived\] The forward difference is consistent with this second difference; the central one
 /// would reduce the slopes of short waves more than their curvatures.
 #[derive(Debug, Clone, Copy, PartialEq)]

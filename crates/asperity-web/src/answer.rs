@@ -67,7 +67,8 @@ impl Column {
         Self::new(["separation_m", "m", "separation"], definition)
     }
 
-    /// Its names in a csv: its own and, on a surface that is known within ranges, those of its ends.
+    /// Its names in a csv: its own and, on a surface that is known within ranges, those of its
+    /// ends.
     pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
         let ends = ENDS.map(|end| column_of_end(&self.head, end));
         let ends = ends.into_iter().filter(|_| !file.spreads().is_empty());

@@ -36,16 +36,17 @@ const SYMBOLS: [(&str, &str); 9] = [
     ("nu", "ν"),
 ];
 
+/// What describes yielding where contacts merge.
+const WITHOUT_ASPERITIES: &str = "boundary elements or persson-plastic";
+
 /// The dialect of the page.
 pub(crate) struct Page {
     /// The models of the scene that describe yielding.
     yielding: Cow<'static, str>,
-    /// Whether contacts merge, so that no model of asperities is advised.
-    merged: bool,
 }
 
 /// The dialect without a scene.
-pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING), merged: false };
+pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING) };
 
 /// A text with what the page offers in place of commands; other words in backticks keep these.
 pub(crate) fn offered(text: &str) -> String {
@@ -59,9 +60,8 @@ impl Dialect for Page {
         if let Some((_, offer)) = OFFERS.iter().find(|(known, _)| *known == term) {
             return (*offer).into();
         }
-        if let Some(lead) = term.strip_suffix(YIELDING) {
-            let silent = self.merged && !lead.is_empty();
-            return if silent { String::new() } else { format!("{lead}{}", self.yielding) };
+        if term == YIELDING {
+            return self.yielding.to_string();
         }
         if let Some(number) = term.strip_suffix(" asperity_height_std") {
             return format!("{number} σ_z");
@@ -165,8 +165,12 @@ impl Page {
 /// All findings as shown, with the models that the scene has: of random asperities those for them.
 pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Value {
     let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
-    let yielding = YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ").into();
-    let page = Page { yielding, merged: all.iter().any(|found| found.code == "crowded") };
+    // Where contacts merge, no model of asperities is advised.
+    let yielding = match all.iter().any(|found| found.code == "crowded") {
+        true => WITHOUT_ASPERITIES.into(),
+        false => YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ").into(),
+    };
+    let page = Page { yielding };
     all.iter().map(|found| page.finding(found)).collect()
 }
 

@@ -9,8 +9,8 @@ use asperity_plot::{Axis, Figure};
 use super::models::{NOMINAL_AREA, beside, interface, named, of, panel, solve};
 use crate::table::Table;
 
-/// σ of the sum of the heights \[m\], η β σ with the η and β of each surface, and ψ of the contacts: all but ψ
-/// cancel.
+/// σ of the sum of the heights \[m\], η β σ with the η and β of each surface, and ψ of the
+/// contacts: all but ψ cancel.
 const STD: f64 = 1e-6;
 const ROUGHNESS_PARAMETER: f64 = 0.04;
 const PLASTICITY_INDEX: f64 = 2.0;

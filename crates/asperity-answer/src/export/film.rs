@@ -76,7 +76,8 @@ impl Export<'_> {
         Ok(text)
     }
 
-    /// The options of the scene with the surfaces of the model, which the factors of flow have, too.
+    /// The options of the scene with the surfaces of the model, which the factors of flow have,
+    /// too.
     fn film_options(&self) -> ModelOptions {
         let asperities = self.subject.model.asperities();
         ModelOptions { asperities, ..self.subject.file.options }

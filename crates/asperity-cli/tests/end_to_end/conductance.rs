@@ -36,7 +36,7 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     );
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(run.messages.contains("left out: gao"), "{}", run.messages);
-    assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
+    assert_eq!(csv(&run.out).1.len(), 7, "gw to af");
     let radii = column(&run.out, "contact_radius_sum_m");
     for (name, factor) in
         [("thermal_conductance_W_per_K", 2.0 * 50.0), ("electrical_conductance_S", 2.0 / 1.7e-7)]

@@ -239,7 +239,7 @@ fn measured_points_stand_over_the_curves_of_their_quantities() {
     refused("load_N,force_N\n2,1e-7\n", "none of the plotted columns: area_m2, tangent_N_per_m");
     let written =
         bench.run(&format!("{asked} --plot points.csv.svg --data points.csv --output points.csv"));
-    assert!(written.messages.contains("points.csv"), "{}", written.messages);
+    assert!(written.messages.contains("--data and --output"), "{}", written.messages);
     assert_eq!(written.code, Some(2), "{}", written.messages);
     let pdf = bench.run("curve scene.toml --plot p.pdf").messages;
     assert!(pdf.contains("inkscape plot.svg -o plot.pdf"), "{pdf}");
@@ -248,11 +248,11 @@ fn measured_points_stand_over_the_curves_of_their_quantities() {
 #[test]
 fn a_model_has_one_look_in_every_plot() {
     let bench = Bench::new();
-    let stroke = |models: &str| {
-        bench.data(&format!("curve scene.toml --model {models} --quantity area --plot p.svg"));
-        let svg = bench.read("p.svg");
-        let line = svg.lines().filter(|line| line.contains("stroke-width=\"2\"")).last().unwrap();
-        line.split("stroke=\"").nth(1).unwrap().split('"').next().unwrap().to_string()
-    };
-    assert_eq!([stroke("ke"), stroke("gw,jg,ke")], ["#D55E00", "#D55E00"]);
+    for models in ["ke", "gw,jg,ke", "ke,ke-corrected"] {
+        let [asked, at] = ["curve scene.toml --quantity area --plot p.svg", "--load 20000"];
+        let more = if models.ends_with("corrected") { "--corrected" } else { "" };
+        let models = models.trim_end_matches(",ke-corrected");
+        bench.data(&format!("{asked} {at} --model {models} {more}"));
+        assert!(bench.read("p.svg").contains("stroke=\"#D55E00\""), "{models}");
+    }
 }

@@ -102,8 +102,8 @@ impl Check {
 const LEAST_TABOR: f64 = 0.1;
 const MOST_TABOR: f64 = 5.0;
 
-/// Distance of two atoms \[m\]: asperities with a smaller w_c are plastic from the onset of contact,
-/// and smaller gaps are closed.
+/// Distance of two atoms \[m\]: asperities with a smaller w_c are plastic from the onset of
+/// contact, and smaller gaps are closed.
 pub const ATOMIC_DISTANCE: f64 = 3e-10;
 
 impl Scene {

@@ -187,8 +187,8 @@ pub trait Contact: fmt::Debug + Send + Sync {
     }
 }
 
-/// Separations \[σ_z\] so dense that every range with an integral of its own holds one: a unit below
-/// 0, a fifth of the distance from -4.5 above. Below -64 each value is integrated anew.
+/// Separations \[σ_z\] so dense that every range with an integral of its own holds one: a unit
+/// below 0, a fifth of the distance from -4.5 above. Below -64 each value is integrated anew.
 fn ranges(from: f64, to: f64) -> impl Iterator<Item = f64> {
     let next = move |s: &f64| (*s < to).then(|| (s + 0.5f64.max(0.1 * (s + 4.5))).min(to));
     std::iter::successors(Some(from.clamp(-64.0, to.max(-64.0))), next)

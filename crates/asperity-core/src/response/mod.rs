@@ -52,8 +52,8 @@ pub struct Response {
     pub model: String,
     /// The places of the rows, in the caller's units.
     pub at: Vec<At>,
-    /// The separations of the rows: as given, or those that carry the loads, the largest where there
-    /// are several (of a tension, the smallest).
+    /// The separations of the rows: as given, or those that carry the loads, the largest where
+    /// there are several (of a tension, the smallest).
     pub separations: Vec<Result<Separation, Box<ContactError>>>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
@@ -86,9 +86,9 @@ pub(crate) type Answered = Result<Evaluation, Box<ContactError>>;
 /// Rows that are held before they join their columns.
 const ROWS_PER_BLOCK: usize = 8192;
 
-/// Puts columns of runs of rows together, with their findings. `answered` may return one column more
-/// than there are quantities: the separations, in σ_z from the mean of the asperity heights. `behind`
-/// returns the value whose sign a logarithm or share hides, where it may be negative.
+/// Puts columns of runs of rows together, with their findings. `answered` may return one column
+/// more than there are quantities: the separations, in σ_z from the mean of the asperity heights.
+/// `behind` returns the value whose sign a logarithm or share hides, where it may be negative.
 pub(crate) fn respond(
     contact: &(impl Contact + ?Sized),
     request: &Request,

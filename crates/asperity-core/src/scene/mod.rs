@@ -14,9 +14,9 @@ use crate::{Asperity, ContactError, HeightDistribution, Interface, Pair, Surface
 
 /// Two bodies, their rough surface and its nominal area.
 ///
-/// Models of one rough surface press `surface` on a flat. Models of pairs press two surfaces on each
-/// other: those of `pair`, or two like `surface`; [`of_contacts`](Self::of_contacts) has the numbers
-/// of both together.
+/// Models of one rough surface press `surface` on a flat. Models of pairs press two surfaces on
+/// each other: those of `pair`, or two like `surface`; [`of_contacts`](Self::of_contacts) has the
+/// numbers of both together.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -34,8 +34,8 @@ pub struct Scene {
     /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
-    /// Measured or given standard deviation of the heights of `surface` \[m\]; by default that of an
-    /// isotropic Gaussian surface.
+    /// Measured or given standard deviation of the heights of `surface` \[m\]; by default that of
+    /// an isotropic Gaussian surface.
     #[serde(default)]
     pub surface_height_std: Option<f64>,
     /// The two rough surfaces in contact, each by itself; only models of pairs use them. By default
@@ -88,8 +88,8 @@ impl Scene {
         self.mean_plane_offset.unwrap_or_else(|| self.surface.mean_plane_offset())
     }
 
-    /// σ \[m\]: the standard deviation of the heights of `surface` (not of its asperities); films are
-    /// measured in it.
+    /// σ \[m\]: the standard deviation of the heights of `surface` (not of its asperities); films
+    /// are measured in it.
     #[must_use]
     pub fn surface_height_std(&self) -> f64 {
         self.surface_height_std.unwrap_or_else(|| self.surface.moments().m0.sqrt())

@@ -12,9 +12,10 @@ from asperity._asperity import ContactWarning
 #: Numbers in a message, not the digits of names: one cause has others at every load.
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
 
-#: What has been shown: file, line and cause. Python forgets what it has shown when any library
-#: changes the filters, as NumPy and SciPy do in passing.
-_shown: set[tuple[str, int, str]] = set()
+#: What has been shown under a list of filters, kept so that no other list has its id: file, line and
+#: cause. Python forgets what it has shown when any library changes the filters, as NumPy and SciPy do
+#: in passing; each context of warnings has a list of its own.
+_shown: dict[int, tuple[Any, set[tuple[str, int, str]]]] = {}
 
 
 def _action(message: str, module: str, line: int) -> str:
@@ -43,9 +44,11 @@ def warn(message: str, above: int) -> None:
     registry: dict[Any, Any] = {}
     if _action(message, name, line) == "default":
         cause = file, line, _NUMBER.sub("#", message)
-        if cause in _shown:
+        filters = warnings.filters
+        shown = _shown.setdefault(id(filters), (filters, set()))[1]
+        if cause in shown:
             return
-        _shown.add(cause)
+        shown.add(cause)
     else:
         registry = frame.f_globals.setdefault("__warningregistry__", {})
     warnings.warn_explicit(message, ContactWarning, file, line, name, registry)

@@ -15,18 +15,14 @@ fn run(example: &str) -> String {
     String::from_utf8(output.stdout).expect("examples print UTF-8")
 }
 
-/// That of the crate, and that of the project.
-const READMES: [&str; 2] = [include_str!("../../README.md"), include_str!("../../../../README.md")];
-
 #[test]
 fn the_readme_shows_its_example_and_what_it_prints() {
     let example = include_str!("../../examples/readme.rs");
     let (_, code) = example.split_once("\n\n").expect("a head comment");
     let printed = run("readme");
-    for readme in READMES {
-        assert!(readme.contains(code), "the first code block differs from examples/readme.rs");
-        assert!(readme.contains(&format!("```text\n{printed}```")), "it should show\n{printed}");
-    }
+    let readme = include_str!("../../README.md");
+    assert!(readme.contains(code), "the first code block differs from examples/readme.rs");
+    assert!(readme.contains(&format!("```text\n{printed}```")), "it should show\n{printed}");
 }
 
 #[test]
