@@ -13,6 +13,7 @@ use crate::convert::{Object, value_error};
 #[derive(FromPyObject)]
 pub(crate) enum KeyValue {
     Text(String),
+    Flag(bool),
     Number(f64),
     Keys(BTreeMap<String, KeyValue>),
 }
@@ -21,6 +22,7 @@ impl From<KeyValue> for asperity_inputs::OptionValue {
     fn from(value: KeyValue) -> Self {
         match value {
             KeyValue::Text(text) => text.into(),
+            KeyValue::Flag(flag) => flag.into(),
             KeyValue::Number(number) => number.into(),
             KeyValue::Keys(keys) => keys_of(keys).into(),
         }
