@@ -2,7 +2,7 @@
 
 use asperity::bem::{BemOptions, Continuation};
 use asperity::film::friction_factor;
-use asperity::recommended::FLOW;
+use asperity::recommended::{BEM, FLOW};
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Described,
     Displacement, FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen,
@@ -73,7 +73,7 @@ pub struct ModelOptions {
 
 /// Options of some models, with their ids on equal asperities; `asperities` is one of all models of
 /// asperities.
-const OF_MODELS: [(&str, &[&str]); 9] = [
+const OF_MODELS: [(&str, &[&str]); 11] = [
     ("at_reading", &["at"]),
     ("angle_density", LATERAL),
     ("displacement", LATERAL),
@@ -83,6 +83,8 @@ const OF_MODELS: [(&str, &[&str]); 9] = [
     ("af_flow_pressure", &["af"]),
     ("hurst_exponent", &["persson", "persson-fudge"]),
     ("friction_cut_off", &[FLOW]),
+    ("boundary", &[BEM]),
+    ("elastic", &[BEM]),
 ];
 const LATERAL: &[&str] = &["gao", "at", "at-additive", "at-overlap"];
 
