@@ -121,7 +121,7 @@ fn drawn(k: u32) -> (Scene, f64) {
     let std = log(1e-8, 1e-5, 0.162_278);
     let radius = std * log(10.0, 2000.0, 0.605_551);
     let scene = Scene::new(interface, Surface::new(radius, 0.04 / (radius * std), std), 1e-4);
-    (scene, if k % 3 == 0 { log(0.1, 20.0, 0.872_983) } else { -log(0.1, 1e5, 0.872_983) })
+    (scene, if k.is_multiple_of(3) { log(0.1, 20.0, 0.872_983) } else { -log(0.1, 1e5, 0.872_983) })
 }
 
 #[test]

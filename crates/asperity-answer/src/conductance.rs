@@ -2,7 +2,8 @@
 
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
 use asperity::{
-    At, ContactModel, Datum, Finding, Model, Quantity, Request, SeparationUnit, usual_reference,
+    ATOMIC_DISTANCE, At, ContactModel, Datum, Finding, Model, Quantity, Request, SeparationUnit,
+    usual_reference,
 };
 use asperity_inputs::SceneFile;
 
@@ -113,8 +114,13 @@ impl Conductance<'_> {
             if let Some(Gas { conductivity, jump }) = self.gas {
                 let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
                 let gap = compiled.separation_in(unit, plane, *at)?;
-                let gas = gap_conductance(conductivity, gap.max(0.0), jump)?;
-                beside.extend([gas, contacts + gas].map(Cell::from));
+                let is_open = gap > ATOMIC_DISTANCE;
+                let gas = is_open.then(|| gap_conductance(conductivity, gap, jump)).transpose()?;
+                beside.extend([gas, gas.map(|gas| contacts + gas)].map(Cell::from));
+                if !is_open {
+                    let gap = rounded(gap);
+                    sheet.warn("atomic", format!("{id}: the mean gap at {at} is {gap} m: no even gap is left for the gas, and its conductance is blank"));
+                }
             }
             let numbers = [at.load(scene), at.pressure(scene), None, Some(contacts)];
             sheet.add(&[id], numbers.map(Cell::from).into_iter().chain(beside));

@@ -10,7 +10,7 @@ use asperity::{At, Finding, Interface, Model, Quantity, Scene, Severity, short};
 
 use crate::free::bounds_in_other_unit;
 use crate::free::unit_of_free;
-use crate::{Free, Place, SceneError, SceneFile, key_of_input};
+use crate::{BODY, Free, Place, SceneError, SceneFile, key_of_input};
 
 impl SceneFile {
     /// The measured values of a table, whose separations are measured from the plane of this scene.
@@ -74,8 +74,15 @@ impl SceneFile {
         };
         let unit = unit_of_free(&free.name).unwrap_or_default();
         let Some([low, high]) = free.bounds.or(usual) else {
-            let give = "the scene gives no value above 0 to start from: give bounds,";
-            return Err(refused(&free.name, format!("{give} {}=low:high", free.name)));
+            let name = &free.name;
+            let of_body = BODY.iter().find(|field| field.name == name);
+            let differs = of_body
+                .is_some_and(|field| self.bodies.iter().any(|body| (field.get)(body).is_some()));
+            let reason = match differs {
+                true => format!("the bodies differ in it: free body1_{name} or body2_{name}, or"),
+                false => "the scene gives no value above 0 to start from:".into(),
+            };
+            return Err(refused(name, format!("{reason} give bounds, {name}=low:high")));
         };
         // What a rig adds has no value in the scene to compare with.
         let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);

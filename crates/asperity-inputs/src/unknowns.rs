@@ -173,6 +173,10 @@ impl SceneFile {
             let (surface, pair) = surfaces(&self.faces, place)?;
             let mut file = Self { faces: vec![], ..self.clone() };
             (file.scene.surface, file.scene.pair) = (surface, pair);
+            let offsets = self.mean_plane_offsets();
+            if offsets.iter().any(Option::is_some) {
+                file.set_mean_plane_offsets(offsets);
+            }
             Ok(file)
         };
         let corner = |corner: usize| {

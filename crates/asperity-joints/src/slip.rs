@@ -50,7 +50,7 @@ impl PartialSlip {
     pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
         let friction = coefficient_of_friction(friction)?;
         if normal.sums_contacts() {
-            let what = "partial slip: contacts beside the tops of asperities are inclined, which counts under friction; use gao or at";
+            let what = "partial slip: contacts beside the tops of asperities are inclined, which counts under friction; use a model without -pairs";
             let (model, what) = (normal.name().into(), what.into());
             return Err(ContactError::Unsupported { model, what });
         }

@@ -26,8 +26,9 @@ const LOOKS: [(&str, usize); 22] = [
     ("cmy", 8),
     ("mikic", 7),
 ];
-/// Endings of ids, and what they add: the colour stays, dash and marker change.
-const ENDINGS: [(&str, usize); 3] = [("-random", 20), ("-pairs", 40), ("-corrected", 60)];
+/// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black
+/// cross.
+const ENDINGS: [(&str, usize); 3] = [("-random", 20), ("-pairs", 50), ("-corrected", 60)];
 
 /// The look of measured points and of boundary elements, which no model has: black crosses.
 pub const MEASURED: usize = 100;

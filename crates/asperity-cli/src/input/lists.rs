@@ -90,14 +90,16 @@ impl Span {
     }
 }
 
-/// Whether the values of a list, or the ends of a range, have units: all of them or none (0 needs
-/// none), because the 1 of `1:20kN:5` is ambiguous.
+/// Whether the values of a list, or the ends of a range, have units: all of them or none, because the
+/// 1 of `1:20kN:5` is ambiguous. 0 needs none, but in `0,5um`, which may be a decimal comma.
 pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     let parts: Vec<&str> = match text.contains(':') {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
     };
-    let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
+    let is_decimal = text.contains(',') && parts.len() == 2;
+    let plain =
+        |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0 || is_decimal);
     let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
     let units = parts.iter().any(has_unit);
     match parts.iter().find(plain).filter(|_| units) {
@@ -195,9 +197,13 @@ mod tests {
         let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
-        for (mixed, part) in
-            [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has"), ("1, 2kN", "1 has")]
-        {
+        for (mixed, part) in [
+            ("1:20kN:5", "1 has"),
+            ("1kN:20:5", "20 has"),
+            ("1kN,2", "2 has"),
+            ("1, 2kN", "1 has"),
+            ("0,5kN", "0 has"),
+        ] {
             let refused = [all(load)(mixed).unwrap_err(), all(load_or_tension)(mixed).unwrap_err()];
             assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
         }

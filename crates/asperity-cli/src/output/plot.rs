@@ -33,7 +33,7 @@ pub fn svg(
 ) -> Result<String> {
     let mut x = axis(table, request, from);
     if !measured.is_empty() && !has(measured, &x.column) {
-        x = axis_of(table, measured)?;
+        x = axis_of(table, request, measured)?;
     }
     let along = numbers(table, &x.column)?;
     if !is_even(&along) {
@@ -106,8 +106,12 @@ fn axis(table: &Sheet, request: &Request, from: Datum) -> Axis {
 }
 
 /// The horizontal axis of places that the table and the measured points have.
-fn axis_of(table: &Sheet, measured: &[DataColumn]) -> Result<Axis> {
-    let known = || PLACES.into_iter().filter(|(name, ..)| table.column(name).is_some());
+fn axis_of(table: &Sheet, request: &Request, measured: &[DataColumn]) -> Result<Axis> {
+    let is_drawn = |name: &str| request.quantities.iter().any(|drawn| drawn.column() == name);
+    let known = || {
+        let has = |name: &str| table.column(name).is_some() && !is_drawn(name);
+        PLACES.into_iter().filter(move |(name, ..)| has(name))
+    };
     let names = || known().map(|(name, ..)| name).collect::<Vec<_>>().join(", ");
     let found = known().find(|(name, ..)| has(measured, name));
     let (name, label, factor) =

@@ -175,7 +175,7 @@ fn all_laws_have_their_loss_and_end_of_contact() {
     assert!(run.messages.contains(&end), "{}", run.messages);
     assert_eq!(run.messages.matches("loss factor 0.0").count(), 3, "{}", run.messages);
     // Lengths have units, and likely unit errors have a warning.
-    let short = "unload scene.toml --model ke --closest 1um --retreat 0,100nm,200nm";
+    let short = "unload scene.toml --model ke --closest 1um --retreat 0nm,100nm,200nm";
     let retreats = column(&bench.data(short), "retreat_m");
     assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
     let odd = bench.run("unload scene.toml --model ke --closest 1 --retreat 1e-7");
@@ -260,7 +260,7 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let rail = include_str!("../../../asperity-inputs/examples/wheel-rail.toml");
     let heights = "heights = \"exponential\"";
     bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
-    let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0,100nm");
+    let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0nm,100nm");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let forces = column(&run.out, "force_N");
     assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");

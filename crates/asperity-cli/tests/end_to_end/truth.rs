@@ -35,7 +35,7 @@ fn models_are_compared_with_boundary_elements() {
     }
     // A fifth of the area and more: one warning for both models.
     assert_eq!(run.messages.matches("warning[crowded]").count(), 1, "{}", run.messages);
-    let path = bench.run("joint scan.toml --model bem --pressure 1e7 --retreat 0,1um");
+    let path = bench.run("joint scan.toml --model bem --pressure 1e7 --retreat 0um,1um");
     assert!(path.code == Some(0) && path.messages.contains("[few-patches]"), "{}", path.messages);
     // Its shortest waves are 3.5 pixels long.
     let coarse = "models are not ranked: the grid is too coarse for the shortest waves";

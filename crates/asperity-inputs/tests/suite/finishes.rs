@@ -132,6 +132,28 @@ fn two_faces_add_and_vary_together() {
     near(spreads[0], spreads[1], 1e-3);
 }
 
+/// Each corner is the scene that has its numbers alone, given offset and all.
+#[test]
+fn a_given_offset_holds_at_the_ends_of_the_ranges() {
+    let counterface = "counterface = { rq = \"0.5 um\", rdq = 0.1, bandwidth = 10.0 }";
+    let of = |rest: &str| {
+        scene(&format!("rq = \"0.6 um\"\nmean_plane_offset = 3e-7\n{rest}\n{counterface}"))
+    };
+    let open = of("rdq = 0.1\nfinish = \"unknown\"");
+    let mut ends: Vec<f64> = vec![];
+    for corner in open.corners().unwrap().1 {
+        let pair = corner.scene.pair.unwrap();
+        assert_eq!(pair.surfaces[0].mean_plane_offset, Some(3e-7));
+        // The surface that is equivalent to both has its share of the given sum.
+        let [first, second] = pair.surfaces.map(|one| one.asperities.mean_plane_offset());
+        let share = (3e-7 + second) / (first + second);
+        let wanted = corner.scene.surface.mean_plane_offset() * share;
+        near(corner.scene.mean_plane_offset.unwrap(), wanted, 1e-12);
+        ends.push(wanted);
+    }
+    assert!(ends.len() > 1 && ends.iter().any(|end| (end / ends[0] - 1.0).abs() > 0.01));
+}
+
 #[test]
 fn single_numbers_are_refused_and_the_keys_are_written_again() {
     let file = scene("ra = \"0.8 um\"\nfinish = \"ground\"");
