@@ -8,6 +8,7 @@ use asperity_quadrature::{Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::height_integral::{HeightIntegral, with_slope_within};
+use crate::engine::inverse::above::{Halves, ROUGH};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
@@ -164,6 +165,12 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         self.laws.rises_above(self.scene, s)
     }
 
+    fn halves(&mut self, s: f64) -> Result<Option<Halves>, ContactError> {
+        let tolerance = self.laws.tolerance.relative();
+        let halves = self.law(Quantity::Force)?.halves(s, tolerance);
+        halves.map_err(integral_failed(Quantity::Force, &s.into()))
+    }
+
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
         self.laws.falls(self.scene)
     }
@@ -220,6 +227,31 @@ impl LawIntegrals<'_> {
             sum = with_slope_within(sum, finer, (scale, s), tolerance);
         }
         Ok(onset.widened(given, sum))
+    }
+
+    /// The sums over the added and over the subtracted parts, both as positive.
+    fn halves(&mut self, s: f64, tolerance: f64) -> Result<Option<Halves>, QuadratureError> {
+        if self.sources.is_empty() || self.units.onset.is_nonzero() {
+            return Ok(None);
+        }
+        let (scale, mut halves) = (self.units.scale, [Moments::NONE; 2]);
+        for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
+            let (factor, m) = match source {
+                PartIntegral::Alone(made) => match made {
+                    Some(made) if (made.from() - s).abs() <= SETTLED => (1.0, made.at(s)),
+                    _ => (1.0, Nearby::new(&part.density(), scale, s, ROUGH)?.at(s)),
+                },
+                shared => shared.at(part, (s, scale), true, tolerance)?,
+            };
+            let m = Moments::NONE.plus(factor, &m);
+            // Where a sum of numbers is as large as that of their sizes, all have one sign.
+            if m.value.abs() < (1.0 - 1e-12) * m.sizes[0] {
+                return Ok(None);
+            }
+            let (half, sign) = if m.value < 0.0 { (1, -1.0) } else { (0, 1.0) };
+            halves[half] = halves[half].plus(sign, &m);
+        }
+        Ok(Some(halves))
     }
 
     /// Makes integrals for s if they were made too far from it for their bounds to hold; returns
