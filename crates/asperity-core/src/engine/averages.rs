@@ -129,7 +129,7 @@ pub(crate) fn separation_of_load<'s>(
         && let Ok(found) = target.newton(&mut Force(averages))
     {
         let found = match subtracts {
-            true => target.largest_from(&mut Force(averages), found)?,
+            true => target.largest_from(&mut Force(averages), found),
             false => averages.rises_above(found.s)?.then_some(found),
         };
         if let Some(found) = found {

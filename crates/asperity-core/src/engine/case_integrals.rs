@@ -24,8 +24,8 @@ const SETTLED: f64 = 1e-3;
 enum PartIntegral {
     /// For a part that recurs: rules for any scale.
     Shared(Rc<LocalShape>),
-    /// Made for one s, and kept for its neighbourhood.
-    Alone(Option<Nearby>),
+    /// Made for one s to a tolerance, and kept for its neighbourhood.
+    Alone(Option<(Nearby, f64)>),
 }
 
 /// The integral of one law of the case.
@@ -193,10 +193,12 @@ impl PartIntegral {
         Ok(match self {
             Self::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
             Self::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
-            Self::Alone(Some(made)) if made.serves(s) => (1.0, made.at(s)),
+            Self::Alone(Some((made, to))) if *to <= tolerance && made.serves(s) => {
+                (1.0, made.at(s))
+            }
             Self::Alone(made) => {
                 let new = Nearby::new(&part.density(), scale, s, tolerance)?;
-                (1.0, made.insert(new).at(s))
+                (1.0, made.insert((new, tolerance)).0.at(s))
             }
         })
     }
@@ -218,8 +220,10 @@ impl LawIntegrals<'_> {
         }
         let (given, s, slope) = (s, onset.shifted(s), slope || onset.is_nonzero());
         let mut sum = Moments::NONE;
+        // A search is settled where it ends.
+        let enough = if within { tolerance } else { tolerance.max(ROUGH) };
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
-            let (factor, m) = source.at(part, (s, scale), slope, tolerance)?;
+            let (factor, m) = source.at(part, (s, scale), slope, enough)?;
             sum = sum.plus(factor, &m);
         }
         if slope && within {
@@ -238,7 +242,7 @@ impl LawIntegrals<'_> {
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = match source {
                 PartIntegral::Alone(made) => match made {
-                    Some(made) if (made.from() - s).abs() <= SETTLED => (1.0, made.at(s)),
+                    Some((made, _)) if (made.from() - s).abs() <= SETTLED => (1.0, made.at(s)),
                     _ => (1.0, Nearby::new(&part.density(), scale, s, ROUGH)?.at(s)),
                 },
                 shared => shared.at(part, (s, scale), true, tolerance)?,
@@ -260,8 +264,11 @@ impl LawIntegrals<'_> {
         let (mut moved, s) = (false, self.units.onset.shifted(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let PartIntegral::Alone(made) = source else { continue };
-            if !made.as_ref().is_some_and(|made| (made.from() - s).abs() <= SETTLED) {
-                *made = Some(Nearby::new(&part.density(), self.units.scale, s, tolerance)?);
+            let settled =
+                |(made, to): &(Nearby, f64)| *to <= tolerance && (made.from() - s).abs() <= SETTLED;
+            if !made.as_ref().is_some_and(settled) {
+                let new = Nearby::new(&part.density(), self.units.scale, s, tolerance)?;
+                *made = Some((new, tolerance));
                 moved = true;
             }
         }

@@ -60,48 +60,38 @@ impl CarriedLoad {
         &self,
         force: &mut impl HalvedForce,
         mut found: SeparationInSigma,
-    ) -> Result<Option<SeparationInSigma>, ContactError> {
-        let mut nodes = 0;
+    ) -> Option<SeparationInSigma> {
+        let mut left = MOST;
         while found.s >= DEEPEST {
-            let Some(mut low) = self.node(force, found.s)? else { return Ok(None) };
+            let mut low = self.node(force, found.s)?;
             // Those to look at, the nearest last; and the last one with more than the load.
-            let (mut ahead, mut above) = (vec![], None);
+            let (mut ahead, mut above, mut step) = (vec![], None, STEP);
             loop {
                 if low.stays_below() {
-                    return Ok(Some(found));
+                    return Some(found);
                 }
-                let Some(high) = (match ahead.pop() {
-                    Some(high) => Some(high),
-                    None => self.node(force, low.s + STEP)?,
-                }) else {
-                    return Ok(None);
-                };
-                nodes += 1;
-                if nodes > MOST {
-                    return Ok(None);
-                }
+                left = usize::checked_sub(left, 1)?;
+                let high = ahead.pop().map_or_else(|| self.node(force, low.s + step), Some)?;
                 if high.exceeds() {
                     (low, above) = (high, Some(high.s));
                 } else if let Some(from) = above.filter(|_| high.is_less()) {
-                    found = self.newton_between(force, (from, high.s))?;
+                    found = self.newton_between(force, (from, high.s)).ok()?;
                     break;
                 } else if above.is_none() && is_below(&low, &high) {
-                    low = high;
+                    (low, step) = (high, 2.0 * (high.s - low.s));
                 } else if high.s - low.s > 2.0 * LEAST {
-                    let Some(middle) = self.node(force, 0.5 * (low.s + high.s))? else {
-                        return Ok(None);
-                    };
+                    let middle = self.node(force, 0.5 * (low.s + high.s))?;
                     ahead.extend([high, middle]);
                 } else {
-                    return Ok(None);
+                    return None;
                 }
             }
         }
-        Ok(None)
+        None
     }
 
-    fn node(&self, force: &mut impl HalvedForce, s: f64) -> Result<Option<Node>, ContactError> {
-        let Ok(Some(halves)) = force.halves(s) else { return Ok(None) };
+    fn node(&self, force: &mut impl HalvedForce, s: f64) -> Option<Node> {
+        let halves = force.halves(s).ok()??;
         let [added, subtracted] = halves.map(|m| {
             let (above, fall) = self.measure(&m);
             let [off, rise_off] = m.sizes.map(|size| m.error * size);
@@ -110,8 +100,7 @@ impl CarriedLoad {
             // ln(1 + off) and -ln(1 - off).
             Half { ln: above, off: 2.0 * off, rise: -fall, rise_off: 2.0 * rise_off }
         });
-        let rough = added.off.max(subtracted.off);
-        Ok((rough < 0.1).then_some(Node { s, added, subtracted }))
+        (added.off.max(subtracted.off) < 0.1).then_some(Node { s, added, subtracted })
     }
 }
 
