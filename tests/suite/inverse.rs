@@ -87,7 +87,7 @@ fn no_crossing_of_a_printed_sum_is_missed() {
                     );
                     let largest = contact.separation_at(load).unwrap();
                     assert_eq!(Some(&largest), found.last(), "{index} {load}");
-                    if (j as usize + k) % 4 == 0 {
+                    if (j as usize + k).is_multiple_of(4) {
                         // Asked alone, nothing is tabulated: another search, the same separation.
                         let alone = at.contact(contact.scene(), &request.clone().at_loads([load]));
                         let alone = alone.unwrap().separation_at(load).unwrap().value;

@@ -142,7 +142,7 @@ impl Bounds<'_> {
     /// The largest ln between two places, by the chord: a concave parabola.
     fn most(&self, from: f64, to: f64) -> f64 {
         let [a, b] = [self.low.most(), self.high.most()];
-        if a == f64::NEG_INFINITY && b == a {
+        if a.max(b) == f64::NEG_INFINITY {
             return a;
         }
         let vertex = 0.5 * self.h + (b - a) / self.h;
@@ -184,4 +184,39 @@ fn is_below(low: &Node, high: &Node) -> bool {
             + bound(-gentlest, least, subtracted.most(from, to).exp())
             < 0.0
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ln F, and its derivative, for two asperities of interference w at s = 0: exact.
+    fn two(s: f64) -> Half {
+        let terms = [(3.0, 0.2), (0.5, 2.5)].map(|(mass, w): (f64, f64)| {
+            let term = mass * (-s * w - 0.5 * s * s).exp();
+            (term, -(s + w) * term)
+        });
+        let (value, rise) = (terms[0].0 + terms[1].0, terms[0].1 + terms[1].1);
+        Half { ln: value.ln(), off: 0.0, rise: rise / value, rise_off: 0.0 }
+    }
+
+    #[test]
+    fn chords_and_tangents_bound_an_integral_and_its_derivative() {
+        for (from, h) in [(-3.0, 1.0), (-0.5, 2.0), (0.3, 0.25), (2.0, 1.5)] {
+            let (low, high) = (two(from), two(from + h));
+            let bounds = Bounds { low: &low, high: &high, h };
+            for k in 0..40 {
+                let [t, to] = [k, k + 1].map(|k| h * f64::from(k) / 40.0);
+                let [most, least] = [bounds.most(t, to), bounds.least(t, to)];
+                let [largest, smallest] = bounds.rises(t, to);
+                for place in [t, 0.5 * (t + to), to] {
+                    let Half { ln, rise, .. } = two(from + place);
+                    assert!(least <= ln + 1e-12 && ln <= most + 1e-12, "{from} {place}: {ln}");
+                    assert!(smallest <= rise + 1e-12 && rise <= largest + 1e-12, "{from} {place}");
+                }
+                // No looser than the spread of the two interferences makes them.
+                assert!(most - least < 1.4 * h * h + 3.0 * (to - t) * (1.0 + from.abs() + h));
+            }
+        }
+    }
 }
