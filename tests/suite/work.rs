@@ -286,6 +286,58 @@ fn a_lateral_law_that_is_integrated_once_is_not_tabulated() {
     assert!(averages.load(Ordering::Relaxed) < 3 * single);
 }
 
+/// A law like AT's as printed: elastic, less a part that begins at x = 1, and one from 6 on.
+#[derive(Debug)]
+struct SignedSpy(Arc<AtomicUsize>);
+
+impl Described for SignedSpy {
+    fn citation(&self) -> &Citation {
+        &SOURCE
+    }
+}
+
+impl AsperityModel for SignedSpy {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        let mut law = Law::in_units(asperity.critical_interference()?, 1.0);
+        for (range, sign) in [(0.0..1.0, 1.0), (1.0..6.0, -1.0), (6.0..f64::INFINITY, 1.0)] {
+            let contact = Arc::new(Counted(self.0.clone()));
+            let density = AngleDensity::default();
+            let (form, kinks) = angle_average(contact, range, density, tolerance.relative());
+            law = law.elastic(0.0..f64::INFINITY, form);
+            if let Some(part) = law.parts.last_mut() {
+                (part.sign, part.kinks) = (sign, kinks);
+            }
+        }
+        Ok(law)
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.force(asperity, tolerance)
+    }
+}
+
+/// A load takes the averages of a few integrals, also where parts are subtracted and another
+/// separation may carry it: the steps to a root, its last place, and bounds above it.
+#[test]
+fn a_load_on_a_law_with_subtracted_parts_is_not_tabulated() {
+    let averages = Arc::new(AtomicUsize::new(0));
+    let model = SignedSpy(averages.clone());
+    let count = |index: f64, at: At| {
+        averages.store(0, Ordering::Relaxed);
+        let request = Request::new([Quantity::Force]).at([at]);
+        let contact = model.contact(&with_index(index), &request).unwrap();
+        let force = contact.evaluate(Quantity::Force, at).unwrap().value();
+        (averages.load(Ordering::Relaxed), force)
+    };
+    for (index, s) in [(0.8, 0.0), (0.8, 2.0), (4.0, -1.0), (4.0, 1.0), (4.0, 3.0)] {
+        let (once, load) = count(index, s.into());
+        let (inverted, force) = count(index, At::Load(load));
+        assert!((force / load - 1.0).abs() < 1e-9, "{index} {s}: {force} {load}");
+        // Tables of the law take 6 to 9 times as many as one separation.
+        assert!(inverted <= 5 * once, "{index} {s}: {inverted} averages, {once} at a separation");
+    }
+}
+
 #[test]
 fn another_asperity_is_refused() {
     let scene = with_index(2.0);

@@ -64,10 +64,14 @@ fn all_separations_of_a_load_are_rows_on_request() {
     // The first that is met on approach.
     let one = bench.data(&arguments);
     let largest: f64 = cells(&one, "separation_over_sigma")[0].parse().unwrap();
-    assert!((largest - 5.0).abs() < 1e-9 && found.last() == Some(&largest), "{largest}");
+    // One row and tables for many have integrals of their own, each with a tolerance of 1e-10.
+    let last = found.last().copied().unwrap_or(f64::NAN);
+    assert!((largest - 5.0).abs() < 1e-9 && (last - largest).abs() < 1e-9, "{largest} {last}");
     // How ill-conditioned a load near a zero of the force is, is in the bound.
     let near = bench.data("solve scene.toml --model at --load 1e-3 --errors --quantity force");
-    assert!(column(&near, "force_error")[0] > 1e-9, "{near}");
+    let additive = "solve scene.toml --model at-additive --load 1e-3 --errors --quantity force";
+    let sum = column(&bench.data(additive), "force_error")[0];
+    assert!(column(&near, "force_error")[0] > 10.0 * sum, "{near} {sum:e}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Moments, QuadratureError};
 
+use crate::engine::inverse::above::{HalvedForce, Halves};
 use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{CarriedLoad, ForceCurve, check_load};
 use crate::engine::laws::Laws;
@@ -57,6 +58,12 @@ pub(crate) trait Averages<'s> {
 
     /// Whether the heights meet only a rising part of the law of the force from this separation on.
     fn rises_above(&self, s: f64) -> Result<bool, ContactError>;
+
+    /// The integrals of the added and of the subtracted parts of the law of the force at s, to a
+    /// few digits; `None` if any changes its sign, or where the [`falls`](Self::falls) are at hand.
+    fn halves(&mut self, _s: f64) -> Result<Option<Halves>, ContactError> {
+        Ok(None)
+    }
 
     /// The falls of the law of the force, if there are any: the force may then rise with the
     /// separation.
@@ -119,11 +126,15 @@ pub(crate) fn separation_of_load<'s>(
     // Where the heights meet only a rising law, one separation carries the load.
     let subtracts = averages.laws().law(Quantity::Force).is_some_and(|law| law.is_signed());
     if target.load > 0.0
-        && !subtracts
         && let Ok(found) = target.newton(&mut Force(averages))
-        && averages.rises_above(found.s)?
     {
-        return Ok(found);
+        let found = match subtracts {
+            true => target.largest_from(&mut Force(averages), found),
+            false => averages.rises_above(found.s)?.then_some(found),
+        };
+        if let Some(found) = found {
+            return Ok(found);
+        }
     }
     let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
     target.first(&ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls })
@@ -178,6 +189,12 @@ impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
         self.0.settle(Quantity::Force, (s, &s.into()))
+    }
+}
+
+impl<'s, A: Averages<'s>> HalvedForce for Force<'_, A> {
+    fn halves(&mut self, s: f64) -> Result<Option<Halves>, ContactError> {
+        self.0.halves(s)
     }
 }
 

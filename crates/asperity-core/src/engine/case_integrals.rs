@@ -8,6 +8,7 @@ use asperity_quadrature::{Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::height_integral::{HeightIntegral, with_slope_within};
+use crate::engine::inverse::above::{Halves, ROUGH};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
@@ -23,8 +24,8 @@ const SETTLED: f64 = 1e-3;
 enum PartIntegral {
     /// For a part that recurs: rules for any scale.
     Shared(Rc<LocalShape>),
-    /// Made for one s, and kept for its neighbourhood.
-    Alone(Option<Nearby>),
+    /// Made for one s to a tolerance, and kept for its neighbourhood.
+    Alone(Option<(Nearby, f64)>),
 }
 
 /// The integral of one law of the case.
@@ -164,6 +165,12 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         self.laws.rises_above(self.scene, s)
     }
 
+    fn halves(&mut self, s: f64) -> Result<Option<Halves>, ContactError> {
+        let tolerance = self.laws.tolerance.relative();
+        let halves = self.law(Quantity::Force)?.halves(s, tolerance);
+        halves.map_err(integral_failed(Quantity::Force, &s.into()))
+    }
+
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
         self.laws.falls(self.scene)
     }
@@ -186,10 +193,12 @@ impl PartIntegral {
         Ok(match self {
             Self::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
             Self::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
-            Self::Alone(Some(made)) if made.serves(s) => (1.0, made.at(s)),
+            Self::Alone(Some((made, to))) if *to <= tolerance && made.serves(s) => {
+                (1.0, made.at(s))
+            }
             Self::Alone(made) => {
                 let new = Nearby::new(&part.density(), scale, s, tolerance)?;
-                (1.0, made.insert(new).at(s))
+                (1.0, made.insert((new, tolerance)).0.at(s))
             }
         })
     }
@@ -211,8 +220,10 @@ impl LawIntegrals<'_> {
         }
         let (given, s, slope) = (s, onset.shifted(s), slope || onset.is_nonzero());
         let mut sum = Moments::NONE;
+        // A search is settled where it ends.
+        let enough = if within { tolerance } else { tolerance.max(ROUGH) };
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
-            let (factor, m) = source.at(part, (s, scale), slope, tolerance)?;
+            let (factor, m) = source.at(part, (s, scale), slope, enough)?;
             sum = sum.plus(factor, &m);
         }
         if slope && within {
@@ -222,14 +233,42 @@ impl LawIntegrals<'_> {
         Ok(onset.widened(given, sum))
     }
 
+    /// The sums over the added and over the subtracted parts, both as positive.
+    fn halves(&mut self, s: f64, tolerance: f64) -> Result<Option<Halves>, QuadratureError> {
+        if self.sources.is_empty() || self.units.onset.is_nonzero() {
+            return Ok(None);
+        }
+        let (scale, mut halves) = (self.units.scale, [Moments::NONE; 2]);
+        for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
+            let (factor, m) = match source {
+                PartIntegral::Alone(made) => match made {
+                    Some((made, _)) if (made.from() - s).abs() <= SETTLED => (1.0, made.at(s)),
+                    _ => (1.0, Nearby::new(&part.density(), scale, s, ROUGH)?.at(s)),
+                },
+                shared => shared.at(part, (s, scale), true, tolerance)?,
+            };
+            let m = Moments::NONE.plus(factor, &m);
+            // Where a sum of numbers is as large as that of their sizes, all have one sign.
+            if m.value.abs() < (1.0 - 1e-12) * m.sizes[0] {
+                return Ok(None);
+            }
+            let (half, sign) = if m.value < 0.0 { (1, -1.0) } else { (0, 1.0) };
+            halves[half] = halves[half].plus(sign, &m);
+        }
+        Ok(Some(halves))
+    }
+
     /// Makes integrals for s if they were made too far from it for their bounds to hold; returns
     /// whether there were any.
     fn settle(&mut self, s: f64, tolerance: f64) -> Result<bool, QuadratureError> {
         let (mut moved, s) = (false, self.units.onset.shifted(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let PartIntegral::Alone(made) = source else { continue };
-            if !made.as_ref().is_some_and(|made| (made.from() - s).abs() <= SETTLED) {
-                *made = Some(Nearby::new(&part.density(), self.units.scale, s, tolerance)?);
+            let settled =
+                |(made, to): &(Nearby, f64)| *to <= tolerance && (made.from() - s).abs() <= SETTLED;
+            if !made.as_ref().is_some_and(settled) {
+                let new = Nearby::new(&part.density(), self.units.scale, s, tolerance)?;
+                *made = Some((new, tolerance));
                 moved = true;
             }
         }

@@ -8,6 +8,7 @@ use crate::engine::inverse::interval::Level;
 use crate::error::{positive, require};
 use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
 
+pub(crate) mod above;
 pub(crate) mod force_at;
 pub(crate) mod interval;
 mod newton;

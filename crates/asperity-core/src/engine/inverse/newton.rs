@@ -12,7 +12,7 @@ const MOST: usize = 200;
 
 impl CarriedLoad {
     /// ln of an integral over the load, and its fall with s.
-    fn measure(&self, moments: &Moments) -> (f64, f64) {
+    pub(crate) fn measure(&self, moments: &Moments) -> (f64, f64) {
         let Moments { value, slope, ln_scale, .. } = *moments;
         if value > 0.0 {
             let ln = value.ln() + ln_scale + (self.factor / self.load.abs()).ln();
@@ -28,8 +28,27 @@ impl CarriedLoad {
         &self,
         curve: &mut impl ForceCurve,
     ) -> Result<SeparationInSigma, ContactError> {
-        let mut s = self.guess(&curve.at(0.0)?);
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let guess = self.guess(&curve.at(0.0)?);
+        self.steps(curve, guess, (f64::NEG_INFINITY, f64::INFINITY))
+    }
+
+    /// The root between two separations, with more than the load at the lower one and less at the
+    /// other.
+    pub(crate) fn newton_between(
+        &self,
+        curve: &mut impl ForceCurve,
+        (low, high): (f64, f64),
+    ) -> Result<SeparationInSigma, ContactError> {
+        self.steps(curve, 0.5 * (low + high), (low, high))
+    }
+
+    fn steps(
+        &self,
+        curve: &mut impl ForceCurve,
+        mut s: f64,
+        ends: (f64, f64),
+    ) -> Result<SeparationInSigma, ContactError> {
+        let (mut low, mut high) = ends;
         // Far below 0, integrals below this are refused.
         let mut refused = f64::NEG_INFINITY;
         // In a light tail of the heights, integrals above this are refused.
@@ -94,7 +113,7 @@ impl CarriedLoad {
             s = next;
             if step <= 4.0 * unit || remains <= 0.25 * unit || high - low <= 4.0 * unit {
                 if curve.settle(s)? {
-                    (low, high, last) = (f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+                    ((low, high), last) = (ends, f64::INFINITY);
                     continue;
                 }
                 if refused.is_finite() && low < refused {
