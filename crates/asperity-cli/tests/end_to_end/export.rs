@@ -191,7 +191,7 @@ fn conductance_and_friction_agree_with_the_model() {
             // A line instead of the table, with which no heat flows: to the last pair of this.
             let (_, table) = text.split_once("** *SURFACE BEHAVIOR").unwrap();
             let rows = table.lines().skip(1).take(pairs.len());
-            let row = |line: &str| line.strip_prefix("** ").map(|row| numbers(row)).unwrap();
+            let row = |line: &str| line.strip_prefix("** ").map(numbers).unwrap();
             let rows: Vec<Vec<f64>> = rows.map(row).collect();
             let last = &rows[pairs.len() - 1];
             same(last[0] / last[1], behavior[0][0]);
