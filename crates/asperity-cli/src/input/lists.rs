@@ -90,8 +90,8 @@ impl Span {
     }
 }
 
-/// Whether the values of a list, or the ends of a range, have units: all of them or none, because the
-/// 1 of `1:20kN:5` is ambiguous. 0 needs none, but in `0,5um`, which may be a decimal comma.
+/// Whether the values of a list, or the ends of a range, have units: all of them or none, because
+/// the 1 of `1:20kN:5` is ambiguous. 0 needs none, but in `0,5um`, which may be a decimal comma.
 pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     let parts: Vec<&str> = match text.contains(':') {
         true => text.split(':').take(2).collect(),

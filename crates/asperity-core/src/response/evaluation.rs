@@ -240,8 +240,8 @@ impl Evaluation {
     #[inline]
     fn moved(mut self, place: SeparationInSigma, moments: &Moments) -> Self {
         if place.rounding > 0.0 && moments.value != 0.0 {
-            // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more. Far
-            // below 0 both are a power of the overlap over the overlap.
+            // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
+            // Far below 0 both are a power of the overlap over the overlap.
             let own = 1.0 / (1.0 + (-place.s).max(0.0));
             let steepness = (moments.slope / moments.value).abs() + own;
             self.error += place.rounding * steepness;
