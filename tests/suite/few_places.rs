@@ -149,3 +149,22 @@ fn at_any_depth_a_force_is_that_of_a_list_and_its_load_leads_back() {
         }
     }
 }
+
+/// The separation of a load is as uncertain as its force, which far below 0 is a power of it.
+#[test]
+fn a_load_far_below_0_has_a_bound_within_the_tolerance() {
+    let mut scene = named("at-paper");
+    scene.interface.equivalent_shear_modulus = Some(41e9);
+    for id in ["gw", "ke", "gao", "at-additive"] {
+        let request = Request::new([Quantity::Force, Quantity::Area]);
+        let contact = id.parse::<Model>().unwrap().contact(&scene, &request).unwrap();
+        let load = contact.evaluate(Quantity::Force, -1000.0).unwrap().value();
+        for quantity in [Quantity::Force, Quantity::Area] {
+            let found = contact.evaluate(quantity, At::Load(load)).unwrap();
+            let alone = contact.evaluate(quantity, -1000.0).unwrap();
+            let (error, bound) =
+                ((found.value() / alone.value() - 1.0).abs(), found.relative_error());
+            assert!(bound < 1e-10 && error <= bound, "{id} {quantity}: {error:e} of {bound:e}");
+        }
+    }
+}
