@@ -6,8 +6,8 @@ use asperity::{
     Surface, TabulatedHeights, Tolerance, WeibullHeights,
 };
 
-use crate::is_long;
 use crate::scenes::model;
+use crate::{is_long, one_of};
 
 /// Evenly distributed numbers from 0 to 1.
 struct Spread(f64);
@@ -106,7 +106,7 @@ pub(crate) fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
 
 #[test]
 fn no_crossing_is_missed_on_any_heights() {
-    let count = if is_long() { 48 } else { 12 };
+    let count = if is_long() { 48 } else { 6 };
     let mut spread = Spread(0.123);
     let mut failures = vec![];
     let mut several = 0;
@@ -140,7 +140,7 @@ fn no_crossing_is_missed_on_any_heights() {
         failures.extend(found);
     }
     assert!(failures.is_empty(), "{} of {count}\n{}", failures.len(), failures.join("\n"));
-    assert!(several > count / 5, "{several}");
+    assert!(5 * several >= count, "{several}");
 }
 
 /// The AT paper's materials with this hardness, and the roughness of this plasticity index.
@@ -182,11 +182,11 @@ fn searches_for_one_and_for_all_separations_agree() {
     let mut weibull = printed(54_795_688.220_055_17, 43_460_555_176.572_68, 0.655_933_822_3);
     weibull.heights =
         HeightDistribution::Weibull(WeibullHeights::new(-0.002_243_123_609_956_265_7).unwrap());
-    for (scene, loads) in
-        [(exponential, [2.136_927e-5, 1.29, 318.0, 5e4]), (weibull, [1.54e-8, 1e-3, 1.0, 56.3587])]
-    {
+    let [of_exponential, of_weibull] =
+        [[2.136_927e-5, 1.29, 318.0, 5e4], [1.54e-8, 1e-3, 1.0, 56.3587]];
+    for (scene, loads) in [(exponential, of_exponential), (weibull, of_weibull)] {
         let contact = compiled("at", &scene);
-        for load in loads {
+        for load in one_of(2, loads) {
             let found = wrong(&*contact, load);
             assert_eq!(found, None, "{load}");
             // A single row is refused if the compiled scene refuses.
@@ -226,7 +226,7 @@ fn a_refusal_names_the_largest_force() {
         let contact = compiled(id, &scene);
         let (peak, at) = largest(&*contact);
         assert!(peak > 1e4, "{id}: {peak:e}");
-        for share in [1e-6, 1e-3, 0.9, 0.99, 0.999] {
+        for share in one_of(2, [1e-6, 1e-3, 0.9, 0.99, 0.999]) {
             assert_eq!(
                 wrong_deep(&*contact, share * peak),
                 None,

@@ -2,11 +2,13 @@
 //! state which, and how), computed another way by the script beside it: 45 digits with mpmath for
 //! GW..AF, 13 digits by integrating over (contact normal, tangential push) for Gao and AT.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use asperity::{
     Contact, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
 };
+
+use crate::one_of;
 
 struct Row<'a> {
     fields: Vec<&'a str>,
@@ -65,14 +67,18 @@ fn are_met(models: &[&str], count: usize) {
     assert_eq!(rows.len(), count, "every row of {models:?}");
     let mut compiled: HashMap<String, Box<dyn Contact>> = HashMap::new();
     let mut failures = vec![];
-    for row in &rows {
+    // Laws of lateral models are long to build: one of three scenes.
+    let scene = |row: &Row<'_>| row.fields[2..14].join(",");
+    let scenes: BTreeSet<String> = rows.iter().map(scene).collect();
+    let of = if rows[0].model().validity().angles { 3 } else { 1 };
+    let scenes: BTreeSet<String> = one_of(of, scenes).collect();
+    for row in rows.iter().filter(|row| scenes.contains(&scene(row))) {
         let (model, quantity) = (row.model(), row.quantity());
         let lateral = model.validity().angles;
         // The tightest tolerances of the models. The lateral references have 13 digits of the sum
         // of sizes.
         let (tolerance, reference) = if lateral { (1e-11, 1e-13) } else { (1e-13, 1e-15) };
-        let key = row.fields[2..14].join(",");
-        let scene = compiled.entry(key).or_insert_with(|| {
+        let scene = compiled.entry(scene(row)).or_insert_with(|| {
             let request = Request::new([quantity]).within(Tolerance::new(tolerance).unwrap());
             model.compile(&row.scene(), &request).unwrap()
         });
@@ -91,7 +97,7 @@ fn are_met(models: &[&str], count: usize) {
 }
 
 /// One test for each model with laws that take long to build, so that they are built in parallel;
-/// together they cover all 605 rows.
+/// together they cover all 605 rows where long cases run.
 macro_rules! hard_cases {
     ($($name:ident: $models:expr, $count:expr;)*) => {
         $(#[test]

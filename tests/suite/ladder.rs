@@ -1,10 +1,12 @@
 //! At every tolerance the error is below it and below the reported bound, and looser tolerances
 //! cost less: with compiled rules, and with the rules for any scale.
 
+use std::collections::BTreeSet;
+
 use asperity::{Case, Evaluation, Request, Sweep, Tolerance};
 
 use crate::reference::{meaning, rows};
-use crate::{is_long, scenes};
+use crate::{is_long, one_of, scenes};
 
 const RUNGS: [f64; 6] = [1e-3, 1e-11, 1e-13, 1e-5, 1e-7, 1e-9];
 
@@ -14,10 +16,11 @@ fn every_tolerance_is_met() {
     let mut count = 0;
     let mut rungs = RUNGS[..if is_long() { 6 } else { 3 }].to_vec();
     rungs.sort_by(|a, b| b.total_cmp(a));
+    let of_lateral = one_of(3, rows()).map(|(key, _)| key).collect::<BTreeSet<_>>();
     for ([case, id, words], rows) in rows() {
         let (model, quantity) = meaning(id, words);
         let lateral = model.validity().angles;
-        if lateral && case != "at-paper" {
+        if lateral && (case != "at-paper" || !of_lateral.contains(&[case, id, words])) {
             continue;
         }
         // The error of the references: 17 digits, or 13 for lateral models.

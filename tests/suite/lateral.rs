@@ -7,7 +7,7 @@ use asperity::{
     LateralOptions, Model, Quantity, Request, Scene, Stick, Surface, Sweep, Tolerance,
 };
 
-use crate::scenes;
+use crate::{is_long, one_of, scenes};
 
 /// The inputs of a row or of a draw.
 struct Asked {
@@ -54,7 +54,7 @@ fn rows_of_the_reference_are_met_within_their_bounds() {
         include_str!("../reference/lateral_cases.csv"),
         include_str!("../reference/lateral_depths.csv"),
     ];
-    for line in files.iter().flat_map(|file| file.lines().skip(1)) {
+    for line in one_of(3, files.iter().flat_map(|file| file.lines().skip(1))) {
         let fields: Vec<&str> = line.split(',').collect();
         let number = |k: usize| fields[k].parse::<f64>().unwrap();
         let displacement = match fields[11].split_once(' ') {
@@ -90,14 +90,14 @@ fn rows_of_the_reference_are_met_within_their_bounds() {
         }
         count += 1;
     }
-    assert!(count >= 16, "{count} rows");
+    assert!(count >= if is_long() { 16 } else { 5 }, "{count} rows");
 }
 
 #[test]
 fn integrated_once_and_tabulated_agree_within_their_bounds() {
     // Multiples of irrational numbers fill [0, 1) evenly, and repeat for every run.
     let share = |k: u32, step: f64| (f64::from(k) * step).fract();
-    for k in 1..=24 {
+    for k in one_of(5, 1..=24) {
         let size = |u: f64| match u {
             u if u < 0.1 => 0.0,
             u if u < 0.2 => 1e-6,

@@ -35,3 +35,8 @@ mod work;
 fn is_long() -> bool {
     std::env::var_os("ASPERITY_LONG").is_some()
 }
+
+/// Each case where long cases run, otherwise one of `of`.
+fn one_of<T>(of: usize, cases: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+    cases.into_iter().step_by(if is_long() { 1 } else { of })
+}

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use asperity::{Displacement, ForceComponent, LateralOptions, Model, Quantity};
 
-use crate::scenes;
+use crate::{is_long, one_of, scenes};
 
 /// The model and quantity of a row.
 pub fn meaning(model: &str, quantity: &str) -> (Model, Quantity) {
@@ -41,11 +41,15 @@ fn every_reference_value_is_met_within_the_reported_bound() {
     let mut worst = BTreeMap::<&str, f64>::new();
     let mut failures = vec![];
     let mut count = 0;
-    for ([case, id, words], rows) in rows() {
+    let is_lateral = |id: &str| scenes::model(id).validity().angles;
+    // Laws of lateral models are long to build: one of three.
+    let (lateral, upright): (Vec<_>, Vec<_>) =
+        rows().into_iter().partition(|(k, _)| is_lateral(k[1]));
+    for ([case, id, words], rows) in upright.into_iter().chain(one_of(3, lateral)) {
         let (model, quantity) = meaning(id, words);
         // The accuracy of the reference: 17 digits of a 40-digit value, or 13 digits for lateral
         // models, whose own tables miss 1e-12 (see below).
-        let own = if model.validity().angles { 3e-12 } else { 1e-13 };
+        let own = if is_lateral(id) { 3e-12 } else { 1e-13 };
         let compiled = scenes::compiled(&model, &scenes::named(case), &[quantity], 1e-12);
         for (separation, value) in rows {
             let found = compiled.evaluate(quantity, separation).unwrap();
@@ -69,10 +73,11 @@ fn every_reference_value_is_met_within_the_reported_bound() {
         println!("{id}: worst relative error {error:.1e}");
     }
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
-    assert!(count == 864, "{count} rows");
+    assert!(count == 864 || !is_long(), "{count} rows");
+    assert!(count > 500, "{count} rows");
     // Measured 3e-14 (upright) and 2.6e-12 (lateral).
     for (id, error) in worst {
-        let allowed = if scenes::model(id).validity().angles { 3e-12 } else { 1e-13 };
+        let allowed = if is_lateral(id) { 3e-12 } else { 1e-13 };
         assert!(error < allowed, "{id}: {error:.1e}");
     }
 }

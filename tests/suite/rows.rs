@@ -4,6 +4,7 @@ use asperity::{
     At, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace,
 };
 
+use crate::one_of;
 use crate::scenes::model;
 
 fn scene(plasticity: f64) -> Scene {
@@ -28,7 +29,7 @@ fn tangents(model: &Model, scene: &Scene, separations: &[f64], tolerance: f64) -
 fn tangents_far_below_0_are_the_same_singly_and_in_a_list() {
     let deep = [-60.0, -20.0, -10.0, -8.5];
     let list: Vec<f64> = deep.into_iter().chain(linspace(-8.0, 8.0, 33)).collect();
-    for id in ["gao", "at-additive", "at-overlap", "ke"] {
+    for id in one_of(2, ["at-additive", "gao", "ke", "at-overlap"]) {
         let (model, scene) = (model(id), scene(3.0));
         let listed = tangents(&model, &scene, &list, 1e-10);
         for (s, [value, bound]) in deep.iter().zip(&listed) {

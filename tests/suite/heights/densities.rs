@@ -7,6 +7,7 @@ use asperity::{
 };
 use statrs::distribution as statrs;
 
+use crate::one_of;
 use crate::scenes::{compiled, model};
 
 const ASKED: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
@@ -90,7 +91,7 @@ fn force_area_and_tangent_are_those_of_tanh_sinh() {
     assert!(names.len() >= 16, "{names:?}");
     let mut kept: Option<(String, HeightDistribution)> = None;
     let mut failed = vec![];
-    for row in &rows {
+    for row in one_of(3, &rows) {
         if kept.as_ref().is_none_or(|(name, _)| *name != row.heights) {
             kept = Some((row.heights.clone(), density(&row.heights)));
         }

@@ -50,8 +50,8 @@ fn plastic_contacts_open_to_zero_force() {
     let models: [&dyn ContactModel; 3] = [&AbdoFarhang::default(), &ChangEtsionBogy, &KogutEtsion];
     let skewnesses = [-0.9, 1.3, -0.6, 0.6];
     for skewness in skewnesses.into_iter().take(if is_long() { 4 } else { 1 }) {
-        for model in models {
-            let joint = joint(model, skewness);
+        for model in &models[..if is_long() { 3 } else { 1 }] {
+            let joint = joint(*model, skewness);
             for closest in [-1.0, 0.3, 2.06, 2.91] {
                 let way = joint.unloading(At::sigmas(closest)).unwrap();
                 let mut before = f64::INFINITY;
