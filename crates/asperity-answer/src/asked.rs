@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use asperity::film::{PatirCheng, not_gaussian};
 use asperity::{
     At, Contact, ContactError, ContactModel, Corrected, Datum, Evaluation, Finding, Findings,
     Model, Quantity, Request, Separation, SeparationUnit, Severity, compile_compared,
@@ -9,6 +10,7 @@ use asperity::{
 };
 use asperity_inputs::SceneFile;
 
+use crate::AnswerError;
 use crate::models::grouped;
 use crate::subject::measured;
 
@@ -18,6 +20,8 @@ pub struct Asked {
     model: Model,
     contact: Arc<dyn Contact>,
     request: Request,
+    /// The factors of flow, where some are asked for.
+    flow: Option<PatirCheng>,
     /// The quantities that the model does not have, and why.
     refused: Vec<(Quantity, ContactError)>,
     /// Whether a load has a row for every separation that carries it, not for the largest alone.
@@ -43,14 +47,18 @@ impl Asked {
     /// are judged; if `corrected`, also for those that are compared with boundary elements.
     ///
     /// # Errors
-    /// The reason why the scene refuses the model.
+    /// The reason why the scene refuses the model or its factors of flow.
     pub fn new(
         file: &SceneFile,
         model: &Model,
         request: &Request,
         (all, corrected): (bool, bool),
-    ) -> Result<Self, ContactError> {
+    ) -> Result<Self, AnswerError> {
         let scene = &file.scene;
+        let of_film = request.quantities.iter().any(|quantity| quantity.is_flow_factor());
+        let flow = of_film.then(|| file.flow(model)).transpose()?;
+        let of_model = request.quantities.iter().copied().filter(|q| !q.is_flow_factor());
+        let of_model: Vec<Quantity> = of_model.collect();
         // The law of an area that is not asked for is made for it: of inclined contacts, it takes
         // longer than to judge without tables. Boundary elements count no contacts.
         let (asperities, angles) = (model.validity().asperities, model.validity().angles);
@@ -65,11 +73,11 @@ impl Asked {
         };
         // Without any quantity, the separations are still known.
         let otherwise = [Quantity::Force];
-        let (contact, refused) = compile_known(&request.quantities, &otherwise, |quantities| {
+        let (contact, refused) = compile_known(&of_model, &otherwise, |quantities| {
             if corrected { compile_compared(quantities, alone) } else { alone(quantities) }
         })?;
         let (model, request) = (model.clone(), request.clone());
-        Ok(Self { model, contact: contact.into(), request, refused, all })
+        Ok(Self { model, contact: contact.into(), request, flow, refused, all })
     }
 
     /// The model.
@@ -101,7 +109,8 @@ impl Asked {
                 notes.filter(|note| note.severity == Severity::Note).cloned().collect()
             }
         };
-        [found, file.accepted(notes)]
+        let of_flow = self.flow.and_then(|_| not_gaussian(&file.scene.heights));
+        [found, file.accepted(notes.into_iter().chain(of_flow).collect())]
     }
 
     /// The model over its expected ratio to boundary elements, under the id by which it was asked
@@ -134,15 +143,23 @@ impl Asked {
     #[must_use]
     pub fn lines(&self, file: &SceneFile, places: &[At]) -> (Vec<Line>, Vec<Finding>) {
         let places: Vec<(At, At)> = places.iter().flat_map(|at| self.places(file, *at)).collect();
-        let had = self.request.quantities.iter().copied().filter(|q| self.has(*q));
+        let of_film = |q: &Quantity| q.is_flow_factor();
+        let had = self.request.quantities.iter().copied();
+        let had = had.filter(|quantity| self.has(*quantity) && !of_film(quantity));
         let request = Request::new(had).within(self.request.tolerance);
         let mut response = self.contact.respond(&request.at(places.iter().map(|place| place.1)));
         let mut columns: Vec<_> =
             response.columns.drain(..).map(|column| column.rows.into_iter()).collect();
         let rows = places.into_iter().zip(response.separations);
         let lines = rows.map(|((given, _), separation)| {
+            let separation = separation.map_err(|reason| *reason);
+            let (places, film) = self.separations(file, &separation);
             let mut found = columns.iter_mut().filter_map(Iterator::next);
             let value = |quantity: &Quantity| {
+                if let Some(flow) = self.flow.filter(|_| of_film(quantity)) {
+                    let film = separation.clone().and_then(|at| self.film_ratio(at));
+                    return film.and_then(|film| flow.factor(*quantity, film));
+                }
                 let lacks = self.refused.iter().find(|(lacks, _)| lacks == quantity);
                 match lacks.map_or_else(|| found.next(), |(_, why)| Some(Err(why.clone().into()))) {
                     Some(value) => value.map_err(|reason| *reason),
@@ -150,9 +167,7 @@ impl Asked {
                 }
             };
             let values = self.request.quantities.iter().map(value).collect();
-            let separation = separation.map_err(|reason| *reason);
-            let (separation, film) = self.separations(file, &separation);
-            Line { given, separation, film, values }
+            Line { given, separation: places, film, values }
         });
         (lines.collect(), response.warnings)
     }
@@ -165,11 +180,19 @@ impl Asked {
     ) -> ([Result<f64, ContactError>; 2], [Option<f64>; 2]) {
         let scene = self.contact.scene();
         let from_scene = |unit| measured(file, scene, separation.clone()?, unit);
-        let film =
-            |unit| separation.as_ref().ok()?.measured_in(unit, Datum::SurfaceMean, scene).ok();
         let (sigma, metres) = (SeparationUnit::Sigma, SeparationUnit::Metres);
-        let film = [metres, SeparationUnit::SurfaceStd].map(|unit| Some(film(unit)?.value));
-        ([sigma, metres].map(from_scene), film)
+        let ratio = separation.clone().and_then(|at| self.film_ratio(at)).ok();
+        let film = separation
+            .as_ref()
+            .ok()
+            .and_then(|at| Some(at.measured_in(metres, Datum::SurfaceMean, scene).ok()?.value));
+        ([sigma, metres].map(from_scene), [film, ratio])
+    }
+
+    /// A film over the standard deviation of the heights of both surfaces.
+    fn film_ratio(&self, at: Separation) -> Result<f64, ContactError> {
+        let unit = SeparationUnit::SurfaceStd;
+        Ok(at.measured_in(unit, Datum::SurfaceMean, self.contact.scene())?.value)
     }
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.

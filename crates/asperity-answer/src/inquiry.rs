@@ -30,8 +30,6 @@ pub struct Inquiry<'s> {
     pub films: bool,
     /// Whether nobody has chosen the separations: findings are about a typical one then.
     pub at_defaults: bool,
-    /// Whether each model is asked for those of the quantities alone that it has.
-    pub each_its_own: bool,
 }
 
 /// The columns beside each quantity.
@@ -54,8 +52,8 @@ impl<'s> Inquiry<'s> {
     #[must_use]
     pub fn new(file: &'s SceneFile, models: Vec<NamedModel>, request: Request) -> Self {
         let beside = Beside::Nothing;
-        let (all, films, at_defaults, each_its_own) = (false, false, false, false);
-        Self { file, models, request, beside, all, films, at_defaults, each_its_own }
+        let (all, films, at_defaults) = (false, false, false);
+        Self { file, models, request, beside, all, films, at_defaults }
     }
 
     /// Fills a sheet: model, load and pressure at loads, separation, and the quantities. Values
@@ -170,13 +168,15 @@ impl<'s> Inquiry<'s> {
         watch.progress(id);
         let corrected = matches!(self.beside, Beside::Intervals);
         let asked = Asked::new(self.file, model, &self.request, (self.all, corrected));
-        let placed = |error| match self.file.at_its_key(error) {
-            Ok(placed) => AnswerError::Scene(placed),
-            Err(error) => AnswerError::Contact(error),
+        let placed = |error| match error {
+            AnswerError::Contact(error) => match self.file.at_its_key(error) {
+                Ok(placed) => AnswerError::Scene(placed),
+                Err(error) => AnswerError::Contact(error),
+            },
+            error => error,
         };
         let asked = asked.map_err(placed)?;
-        let refusals = asked.refusals().into_iter().filter(|_| !self.each_its_own);
-        found.lacking.extend(refusals.map(|reason| (reason, id.clone())));
+        found.lacking.extend(asked.refusals().into_iter().map(|reason| (reason, id.clone())));
         // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
         let [of_places, notes] =

@@ -13,24 +13,16 @@ use crate::{AnswerError, Sheet};
 /// The name in a list of models that stands for all that the scene allows.
 pub const ALL_MODELS: &str = "all";
 
-/// A model under the name by which it was asked for: `ke`, which the options of a scene may make
-/// `ke-random`.
+/// A model under its id.
 pub type NamedModel = (String, Model);
 
-/// A model with the scene's options, under the given name.
+/// A model with the scene's options.
 ///
 /// # Errors
 /// Those of [`SceneFile::model`].
-pub(crate) fn named_model(
-    file: &SceneFile,
-    id: &str,
-    sheet: &mut Sheet,
-) -> Result<NamedModel, AnswerError> {
+pub(crate) fn named_model(file: &SceneFile, id: &str) -> Result<NamedModel, AnswerError> {
     let model = file.model(id)?;
-    if model.id() != id {
-        sheet.note("variant", format!("{id} means {} by the options of the scene", model.id()));
-    }
-    Ok((id.to_string(), model))
+    Ok((model.id().to_string(), model))
 }
 
 /// The one model of an answer, the usual one unless another is named; an error if the scene has
@@ -38,12 +30,8 @@ pub(crate) fn named_model(
 ///
 /// # Errors
 /// An unknown name, and the reason why the scene refuses the model.
-pub fn one_model(
-    file: &SceneFile,
-    id: Option<&str>,
-    sheet: &mut Sheet,
-) -> Result<NamedModel, AnswerError> {
-    let named = named_model(file, id.unwrap_or(usual_reference(&file.scene)), sheet)?;
+pub fn one_model(file: &SceneFile, id: Option<&str>) -> Result<NamedModel, AnswerError> {
+    let named = named_model(file, id.unwrap_or(usual_reference(&file.scene)))?;
     // Other models report what they lack with their answers.
     let averaged = named.1.asperity_model().is_some();
     match averaged.then(|| file.refusal(&named.1)).flatten() {
@@ -62,7 +50,7 @@ pub fn one_or_usual(
     id: Option<&str>,
     sheet: &mut Sheet,
 ) -> Result<NamedModel, AnswerError> {
-    let named = one_model(file, id, sheet)?;
+    let named = one_model(file, id)?;
     let elastic = file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
     if id.is_none() && elastic {
         let text = format!(
@@ -89,7 +77,7 @@ pub fn models(
 ) -> Result<Vec<NamedModel>, AnswerError> {
     let models: Vec<NamedModel> = if by_name(requested) {
         let models = once(requested).into_iter();
-        models.map(|id| named_model(file, &id, sheet)).collect::<Result<_, _>>()?
+        models.map(|id| named_model(file, &id)).collect::<Result<_, _>>()?
     } else {
         let (mut models, mut left_out) = allowed(file);
         let request = Request::new(quantities.iter().copied());

@@ -56,7 +56,7 @@ impl Recommend<'_> {
     pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
         self.check()?;
         let Self { request, within, .. } = self;
-        let (id, reference) = one_model(file, self.reference, sheet)?;
+        let (id, reference) = one_model(file, self.reference)?;
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
         let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();

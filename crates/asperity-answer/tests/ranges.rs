@@ -127,7 +127,7 @@ fn columns_of_ends_depend_on_what_is_asked_and_not_on_the_numbers() {
     let thick = At::from(Separation::film_ratio(2.0));
     let factor = Quantity::PressureFlowFactorX;
     let file = finished("ground", 0.8, 2e9);
-    let ([middle, lower, upper], sheet) = ends_at(&file, "patir-cheng", factor, thick);
+    let ([middle, lower, upper], sheet) = ends_at(&file, "ke", factor, thick);
     assert!((upper / lower - 1.0).abs() < 1e-9 && middle > 0.0, "{middle} {lower} {upper}");
     let heads = sheet.heads.join(" ");
     assert!(heads.contains("separation_m separation_lower_m separation_upper_m"), "{heads}");

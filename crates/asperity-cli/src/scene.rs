@@ -126,7 +126,7 @@ impl LoadedScene {
     /// The model of this id, or the usual one, with the scene's options; an error if the scene has
     /// not what it needs.
     pub fn model(&self, requested: Option<&str>) -> Result<NamedModel> {
-        Ok(self.answer(|sheet| one_model(&self.file, requested, sheet))?.1)
+        self.answer(|_| one_model(&self.file, requested)).map(|(_, model)| model)
     }
 
     /// The same with a note where the usual one may ignore a hardness that was forgotten.

@@ -11,8 +11,6 @@ pub const DMT: &str = "dmt";
 pub const JKR: &str = "jkr";
 /// The same on separation.
 pub const JKR_SEPARATION: &str = "jkr-separation";
-/// The flow factors of a film between rough surfaces.
-pub const FLOW: &str = "patir-cheng";
 /// Boundary elements on a scan.
 pub const BEM: &str = "bem";
 /// For merging contacts and real areas near the nominal one; one theory has yielding.

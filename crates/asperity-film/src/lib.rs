@@ -2,10 +2,8 @@
 
 mod factors;
 
-use asperity_core::recommended::FLOW;
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
-    HeightDistribution, Provenance, Quantity, Request, Scene, SeparationUnit, Validity,
+    Citation, ContactError, Evaluation, Finding, HeightDistribution, Provenance, Quantity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -26,26 +24,19 @@ pub struct PatirCheng {
     /// (σ₂/σ)²: the share of the second surface, which rests, in the mean square of all heights;
     /// 0 for one rough surface, which moves.
     pub share_at_rest: f64,
-    /// Whether films are those of models of pairs: between [both surfaces](Scene::of_contacts) of a
-    /// scene, two like ones where it has one. Otherwise `Scene::surface` meets a smooth one.
-    pub pairs: bool,
     /// The least gap over σ that carries fluid friction, 1e-6 to 0.1.
     pub friction_cut_off: f64,
 }
 
 impl Default for PatirCheng {
     fn default() -> Self {
-        Self {
-            peklenik_numbers: [1.0; 2],
-            share_at_rest: 0.0,
-            pairs: false,
-            friction_cut_off: 0.01,
-        }
+        Self { peklenik_numbers: [1.0; 2], share_at_rest: 0.0, friction_cut_off: 0.01 }
     }
 }
 
-const SOURCE: Citation = Citation {
-    id: FLOW,
+/// Where the factors were published.
+pub const SOURCE: Citation = Citation {
+    id: "patir-cheng",
     name: "Patir & Cheng",
     authors: "Patir & Cheng",
     year: 1978,
@@ -61,26 +52,15 @@ const SOURCE: Citation = Citation {
     ],
 };
 
-impl Described for PatirCheng {
-    fn citation(&self) -> &Citation {
-        &SOURCE
-    }
-
-    fn validity(&self) -> Validity {
-        Validity {
-            asperities: false,
-            hertz_limit: None,
-            valid_for: "flow factors of Gaussian surfaces at films of 0.5 to some sigma; no force",
-            ..Validity::default()
-        }
-    }
-}
-
 impl PatirCheng {
-    /// A factor at H: a mean of both surfaces weighted by their shares in the mean square of all
-    /// heights, which is exact for thick films; of the factors of shear the weighted difference,
-    /// whose error is that of its terms.
-    fn factor(&self, quantity: Quantity, film: f64) -> Result<Evaluation, ContactError> {
+    /// A factor at H, the film over σ: a mean of both surfaces weighted by their shares in the mean
+    /// square of all heights, which is exact for thick films; of the factors of shear the weighted
+    /// difference, whose error is that of its terms.
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] for a film or a Peklenik number outside the range of the fit,
+    /// [`ContactError::NotRequested`] for other quantities.
+    pub fn factor(&self, quantity: Quantity, film: f64) -> Result<Evaluation, ContactError> {
         let across = |film, gamma: f64| pressure_flow_factor(film, 1.0 / gamma);
         let (of, sign): (&dyn Fn(f64, f64) -> Result<f64, ContactError>, f64) = match quantity {
             Quantity::PressureFlowFactorX => (&pressure_flow_factor, 1.0),
@@ -88,10 +68,11 @@ impl PatirCheng {
             Quantity::ShearFlowFactor => (&shear_flow_factor, -1.0),
             Quantity::FrictionShearFactor => (&friction_shear_factor, -1.0),
             Quantity::FrictionPressureFactor => (&friction_pressure_factor, 1.0),
-            _ => {
+            Quantity::FrictionFlowFactor => {
                 let factor = friction_factor(film, self.friction_cut_off)?;
                 return Ok(Evaluation::new(factor, ERROR));
             }
+            _ => return Err(ContactError::NotRequested { quantity }),
         };
         let resting = self.share_at_rest;
         let shares = [(1.0 - resting, 1.0), (resting, sign)].into_iter().zip(self.peklenik_numbers);
@@ -104,37 +85,15 @@ impl PatirCheng {
     }
 }
 
-impl ContactModel for PatirCheng {
-    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        let scene = if self.pairs { scene.of_contacts()? } else { scene.clone() };
-        scene.asperity()?;
-        let notes = not_gaussian(&scene.heights).into_iter().collect();
-        let contact = Film { model: *self, scene, quantities: request.quantities.clone(), notes };
-        for quantity in &contact.quantities {
-            contact.check_asked(*quantity, Quantity::is_flow_factor)?;
-        }
-        Ok(Box::new(contact))
-    }
-}
-
-/// The factors on a scene.
-#[derive(Debug)]
-struct Film {
-    model: PatirCheng,
-    scene: Scene,
-    quantities: Vec<Quantity>,
-    notes: Vec<Finding>,
-}
-
 /// A warning of heights for which the factors were not made.
-fn not_gaussian(heights: &HeightDistribution) -> Option<Finding> {
+#[must_use]
+pub fn not_gaussian(heights: &HeightDistribution) -> Option<Finding> {
     let skewness = match heights {
         HeightDistribution::Gaussian => return None,
         HeightDistribution::Weibull(heights) => heights.skewness(),
         _ => f64::NAN,
     };
     let found = Finding::warning("gaussian-factors", "heights", skewness)
-        .of_model(FLOW)
         .fact(format!(
             "the flow factors are those of Gaussian surfaces, and the heights of this scene are {}",
             heights.name()
@@ -143,46 +102,12 @@ fn not_gaussian(heights: &HeightDistribution) -> Option<Finding> {
     Some(found)
 }
 
-impl Contact for Film {
-    fn model(&self) -> &str {
-        self.model.id()
-    }
-
-    fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
-    fn quantities(&self) -> &[Quantity] {
-        &self.quantities
-    }
-
-    fn notes(&self) -> &[Finding] {
-        &self.notes
-    }
-
-    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.check_asked(quantity, Quantity::is_flow_factor)?;
-        let At::Separation(separation) = at else {
-            let what = "factors at a load, which depends on the model of contact: use a film";
-            return Err(self.unsupported(what));
-        };
-        let (unit, from) = (SeparationUnit::SurfaceStd, Datum::SurfaceMean);
-        let film = separation.measured_in(unit, from, &self.scene)?.value;
-        self.model.factor(quantity, film)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_core::{Interface, Separation, Surface};
 
     fn values(model: PatirCheng, quantities: &[Quantity], film: f64) -> Vec<f64> {
-        let surface = Surface::new(2e-5, 5e9, 4e-7);
-        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
-        let request = Request::new(quantities.iter().copied()).at([Separation::film_ratio(film)]);
-        let answer = model.solve(&scene, &request).unwrap();
-        answer.columns.iter().map(|column| column.values().unwrap()[0]).collect()
+        quantities.iter().map(|one| model.factor(*one, film).unwrap().value()).collect()
     }
 
     #[test]
@@ -214,25 +139,8 @@ mod tests {
     }
 
     #[test]
-    fn loads_and_quantities_of_contact_are_refused() {
-        let surface = Surface::new(2e-5, 5e9, 4e-7);
-        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-4);
-        let request = |quantity| Request::new([quantity]).at([At::Load(1.0)]);
-        let refused = PatirCheng::default().compile(&scene, &request(Quantity::Force)).unwrap_err();
-        assert!(
-            refused
-                .to_string()
-                .starts_with("patir-cheng cannot give force (available: pressure-flow")
-        );
-        let at_load =
-            PatirCheng::default().compile(&scene, &request(Quantity::ShearFlowFactor)).unwrap();
-        let refused = at_load.evaluate(Quantity::ShearFlowFactor, At::Load(1.0)).unwrap_err();
-        assert!(refused.to_string().ends_with("depends on the model of contact: use a film"));
-    }
-
-    #[test]
     fn options_are_read_by_their_names() {
-        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"pairs":true,"friction_cut_off":0.001}"#;
+        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
         let model: PatirCheng = serde_json::from_str(text).unwrap();
         assert_eq!(serde_json::to_string(&model).unwrap(), text);
     }

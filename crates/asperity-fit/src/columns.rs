@@ -32,7 +32,7 @@ fn check(name: &str) -> Result<(), FitError> {
 }
 
 fn quantity(name: &str) -> Option<Quantity> {
-    let mut of_contact = Quantity::ALL.into_iter().filter(|quantity| quantity.only_of().is_none());
+    let mut of_contact = Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_models());
     of_contact.find(|quantity| quantity.column() == name)
 }
 

@@ -48,8 +48,7 @@ fn known_columns() -> Vec<Known> {
         [(LOAD, "load", "N"), (PRESSURE, "pressure", "Pa"), (SEPARATION, "separation", "m")]
             .map(|(column, quantity, si)| (column.to_string(), quantity.to_string(), si));
     // Pressure is a place and a quantity; no model of a fit has quantities of one model.
-    let is_own =
-        |quantity: &Quantity| *quantity != Quantity::Pressure && quantity.only_of().is_none();
+    let is_own = |quantity: &Quantity| *quantity != Quantity::Pressure && quantity.is_of_models();
     let quantities = Quantity::ALL.into_iter().filter(is_own);
     let quantities = quantities.map(|q| (q.column(), q.to_string().replace('-', "_"), q.unit()));
     let known = |(column, quantity, si)| Known { column, quantity, si: unit_in_name(si) };

@@ -137,14 +137,12 @@ impl SceneFile {
     }
 
     /// The roughness of the gap for correlations of its conductance: of the scan or, without one,
-    /// of an isotropic Gaussian surface with these asperities; of two such surfaces where models of
-    /// pairs press one on its like.
+    /// of an isotropic Gaussian surface with these asperities.
     #[must_use]
     pub fn gap_roughness(&self) -> GapRoughness {
         let measured = self.measured.as_ref().map(|measured| &measured.statistics);
         let measured = measured.map(|s| ProfileMoments { m0: s.m0, m2: s.m2, m4: s.m4 });
-        let one = measured.unwrap_or_else(|| self.scene.surface.moments());
-        GapRoughness::of(&if self.meets_its_like() { one.plus(&one) } else { one })
+        GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
     /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
@@ -159,9 +157,6 @@ impl SceneFile {
         }
         let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
-            None if self.is_pair(self.options.asperities) => {
-                self.scene.check_of(&self.scene.of_contacts()?)?
-            }
             None => self.scene.check()?,
         };
         let (theirs, of_scene) = (self.scene.findings(), self.findings());

@@ -1,9 +1,10 @@
 //! The lay of the surfaces of a scene, for the factors of flow.
 
 use asperity::film::PatirCheng;
+use asperity::{Asperities, Model};
 use asperity_topography::{Lay, Topography};
 
-use crate::{ModelOptions, Place, SceneError, SceneFile};
+use crate::{Place, SceneError, SceneFile};
 
 /// The largest angle between the lay of a scan and its rows or columns.
 const OBLIQUE: f64 = 10.0;
@@ -11,14 +12,14 @@ const OBLIQUE: f64 = 10.0;
 const ISOTROPIC: f64 = 1.5;
 
 impl SceneFile {
-    /// The factors of flow between the surfaces: the first moves, and a single one faces a smooth
-    /// counterface. A Peklenik number that is not given is that of the scan, or 1.
+    /// The factors of flow between the surfaces of a model: the first moves, and a single one faces
+    /// a smooth counterface or, for models of pairs, its like. A Peklenik number that is not given
+    /// is that of the scan, or 1.
     ///
     /// # Errors
     /// [`SceneError::Refused`] for a scan without one, and for one with an oblique lay.
-    pub fn flow(&self, options: &ModelOptions) -> Result<PatirCheng, SceneError> {
-        let pairs = self.is_pair(options.asperities);
-        let alike = pairs && self.scene.pair.is_none();
+    pub fn flow(&self, model: &Model) -> Result<PatirCheng, SceneError> {
+        let alike = model.asperities() == Asperities::Pairs && self.scene.pair.is_none();
         let share_at_rest = match self.scene.pair {
             None if !alike => self.counter_variance / self.scene.surface_height_std().powi(2),
             _ => self.scene.both_surfaces().share_of_second(),
@@ -44,11 +45,10 @@ impl SceneFile {
         // Two scans of `files` have one number, as they have one section; like surfaces as well.
         let of_scans = if self.measured.is_some() || alike { moving } else { 1.0 };
         let friction_cut_off =
-            options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
+            self.options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
             peklenik_numbers: [moving, resting.unwrap_or(of_scans)],
             share_at_rest,
-            pairs,
             friction_cut_off,
         })
     }
@@ -75,19 +75,13 @@ fn peklenik_number(scan: &Topography) -> Result<f64, String> {
 mod tests {
     use std::path::Path;
 
-    use asperity::{ContactModel, Quantity, Request, Scene};
-
     use super::*;
 
     const HEAD: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n[surface]\n";
 
     fn flow(surface: &str, folder: &Path) -> Result<PatirCheng, String> {
         let file = crate::parse(&format!("{HEAD}{surface}"), folder).map_err(|e| e.to_string())?;
-        // As a model, too.
-        let model = file.model("patir-cheng").map(|model| model.options());
-        let flow = file.flow(&file.options).map_err(|error| error.to_string());
-        assert_eq!(model.is_ok(), flow.is_ok());
-        flow
+        file.flow(&file.model("gw").unwrap()).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -115,24 +109,15 @@ mod tests {
     }
 
     #[test]
-    fn models_of_pairs_and_factors_of_flow_have_one_film() {
+    fn factors_of_flow_are_those_of_the_surfaces_of_the_model() {
         let given = "asperity_radius = 2e-5\nasperity_density = 4e9\nasperity_height_std = 4e-7\n";
         let roughness =
             "asperity_radius = 2e-5\nasperity_density = 5e9\nsurface_height_std = 4e-7\n";
         let facing = "counterface = { sq = 3e-7, spd = 3e10, spc = 2e5 }\n";
         for keys in [given, roughness, &format!("{roughness}{facing}")] {
-            let text = format!("{HEAD}{keys}asperities = \"pairs\"\npeklenik_number = 3\n");
+            let text = format!("{HEAD}{keys}peklenik_number = 3\n");
             let file = crate::parse(&text, Path::new(".")).unwrap();
-            let request = Request::new([Quantity::Area]);
-            let gw = file.model("gw").unwrap().compile(&file.scene, &request).unwrap();
-            let flow = file.model("patir-cheng").unwrap();
-            let factor = Request::new([Quantity::ShearFlowFactor]);
-            let flow = flow.compile(&file.scene, &factor).unwrap();
-            for length in [Scene::surface_height_std, Scene::mean_plane_offset] {
-                let [both, film] = [gw.scene(), flow.scene()].map(length);
-                assert!((both / film - 1.0).abs() < 1e-14, "{keys}: {both} {film}");
-            }
-            let flow = file.flow(&file.options).unwrap();
+            let flow = file.flow(&file.model("gw-pairs").unwrap()).unwrap();
             let alike = !keys.contains(facing);
             assert_eq!(
                 flow.peklenik_numbers[1].to_bits(),

@@ -48,7 +48,7 @@ impl Read {
             let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
             summits = heights.filter(|_| measured).cloned();
             // These keys follow from the scene when written.
-            for own in ["heights", "asperities", "separation_from", "mean_plane_offset"] {
+            for own in ["heights", "separation_from", "mean_plane_offset"] {
                 keys.remove(own);
             }
         }

@@ -1,6 +1,5 @@
 //! The models that a scene allows.
 
-use asperity::recommended::FLOW;
 use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 
@@ -33,7 +32,6 @@ impl SceneFile {
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         self.need_known()?;
         match id.trim().to_lowercase().as_str() {
-            FLOW => Ok(Model::known(self.flow(options)?)),
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;
@@ -62,16 +60,11 @@ impl SceneFile {
         let interface = &self.scene.interface;
         let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
         let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
-        let more = adhesive.into_iter().chain(hardening);
-        let more = more.map(|model| self.options.on_surface(model));
-        for model in self.options.models(known).into_iter().chain(more) {
+        for model in known.into_iter().chain(adhesive).chain(hardening) {
+            let model = self.options.model(model.id()).unwrap_or(model);
             match self.refusal(&model) {
                 None => allowed.push(model),
-                // Not every model has an id on random asperities.
-                Some(reason) => {
-                    let id = model.id().parse().map_or(model.equal().id(), |_: Model| model.id());
-                    left_out.push(LeftOut { id: id.into(), reason });
-                }
+                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
             }
         }
         (allowed, left_out)
@@ -94,10 +87,7 @@ impl SceneFile {
     pub fn other_joint<'m>(&self, models: impl Iterator<Item = &'m Model>) -> Option<Finding> {
         let (mut of_pairs, mut of_one) = (None, None);
         for model in models {
-            let is_pairs = match model.id() {
-                FLOW => self.meets_its_like(),
-                _ => model.asperities() == Asperities::Pairs,
-            };
+            let is_pairs = model.asperities() == Asperities::Pairs;
             if is_pairs { &mut of_pairs } else { &mut of_one }.get_or_insert(model.id());
         }
         let (pairs, one) = of_pairs.zip(of_one)?;
@@ -130,19 +120,13 @@ impl SceneFile {
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.allowed(Model::of_asperities());
-        let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
         let request = Request::new([Quantity::Area]);
-        // Of one surface on a flat, which is another joint than two without a counterface.
-        let others = match self.options.asperities {
-            Asperities::Pairs if !self.has_counterface() => vec![],
-            _ => [Model::all_on(Asperities::Random), Model::whole_surface()].concat(),
-        };
-        for other in others {
+        for other in [Model::all_on(Asperities::Random), Model::whole_surface()].concat() {
             let known = models.iter().any(|model| model.id() == other.id());
             if known || left_out.iter().any(|model| model.id == other.id()) {
                 continue;
             }
-            let model = self.model_with(&plain, other.id()).unwrap_or(other);
+            let model = self.model(other.id()).unwrap_or(other);
             let refuses = self.no_asperities.is_some() || !self.spreads().is_empty();
             let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {

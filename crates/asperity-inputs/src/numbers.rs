@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Asperities, Body, ContactError, Interface, Pair, ProfileMoments, Scene, Surface,
-    TabulatedHeights, positive,
+    Body, ContactError, Interface, Pair, ProfileMoments, Scene, Surface, TabulatedHeights, positive,
 };
 
 use crate::SceneFile;
@@ -321,16 +320,6 @@ impl SceneFile {
     pub(crate) fn mean_plane_offsets(&self) -> [Option<f64>; 2] {
         let alone = [self.scene.mean_plane_offset, None];
         self.scene.pair.map_or(alone, |pair| pair.surfaces.map(|one| one.mean_plane_offset))
-    }
-
-    /// Whether models on these asperities press two rough surfaces on each other.
-    pub(crate) fn is_pair(&self, asperities: Asperities) -> bool {
-        asperities == Asperities::Pairs && self.no_pair.is_none()
-    }
-
-    /// Whether the scene describes one surface, and its models press that on another one like it.
-    pub(crate) fn meets_its_like(&self) -> bool {
-        self.is_pair(self.options.asperities) && self.scene.pair.is_none()
     }
 
     /// An interface with the properties of this pair that do not follow from the bodies.

@@ -2,11 +2,10 @@
 
 use asperity::bem::{BemOptions, Continuation};
 use asperity::film::friction_factor;
-use asperity::recommended::{BEM, FLOW};
+use asperity::recommended::BEM;
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, Asperities, AtReading, ContactError, Described,
-    Displacement, FlowPressure, ForceComponent, Gao, GeometricHardness, JacksonGreen,
-    LateralOptions, Model, Persson, Spectrum, Stick,
+    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Described, Displacement,
+    FlowPressure, ForceComponent, Gao, LateralOptions, Model, Persson, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -27,18 +26,16 @@ use crate::{Place, SceneError};
 /// use asperity_inputs::ModelOptions;
 ///
 /// let mut options = ModelOptions::default();
-/// options.set("at_reading", &"additive".into())?;
+/// options.set("force", &"vertical".into())?;
 /// options.set("displacement", &BTreeMap::from([("zeta", 0.1), ("xi", 0.1)]).into())?;
-/// assert_eq!(options.model("at")?.name(), "AT additive");
-/// let mistyped = options.set("at_reading", &"aditive".into()).unwrap_err();
-/// assert!(mistyped.to_string().contains("the nearest is \"additive\""));
+/// assert_eq!(options.model("at")?.options().unwrap()["force"], "vertical");
+/// let mistyped = options.set("force", &"verticle".into()).unwrap_err();
+/// assert!(mistyped.to_string().contains("the nearest is \"vertical\""));
 /// # Ok::<(), asperity_inputs::SceneError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ModelOptions {
-    /// The reading of the id `at` (`at-additive` and `at-overlap` are fixed).
-    pub at_reading: AtReading,
     /// The distribution of the contact normals of Gao and AT.
     #[serde(with = "AngleChoice")]
     pub angle_density: AngleDensity,
@@ -48,16 +45,14 @@ pub struct ModelOptions {
     pub stick: Stick,
     /// Which force Gao and AT sum.
     pub force: ForceComponent,
-    /// The hardness of the id `jg` (`jg-cosine` is fixed).
-    pub jg_hardness: GeometricHardness,
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
     /// H, from 0.1 to 1: the power-law spectrum of the mean gaps and stiffnesses of `persson` and
     /// `persson-fudge`. With a scan, it replaces the scan's spectrum, with a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
-    /// The least gap over the standard deviation of the surface heights that `patir-cheng` takes
-    /// for fluid in its friction factor; 0.01 by default.
+    /// The least gap over the standard deviation of the surface heights that carries fluid in the
+    /// friction factor of a film; 0.01 by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction_cut_off: Option<f64>,
     /// What lies beyond the edges of the scan that `bem` presses; by default as
@@ -66,23 +61,17 @@ pub struct ModelOptions {
     pub boundary: Option<Continuation>,
     /// Whether `bem` ignores the hardness.
     pub elastic: bool,
-    /// The asperities for which ids stand (those of `ke-random` and `ke-pairs` are fixed); a scene
-    /// file may also have this key in `[surface]`.
-    pub asperities: Asperities,
 }
 
-/// Options of some models, with their ids on equal asperities; `asperities` is one of all models of
-/// asperities.
-const OF_MODELS: [(&str, &[&str]); 11] = [
-    ("at_reading", &["at"]),
+/// The options with the ids of their models on equal asperities; none for the film.
+const OF_MODELS: [(&str, &[&str]); 9] = [
     ("angle_density", LATERAL),
     ("displacement", LATERAL),
     ("stick", LATERAL),
     ("force", LATERAL),
-    ("jg_hardness", &["jg"]),
     ("af_flow_pressure", &["af"]),
     ("hurst_exponent", &["persson", "persson-fudge"]),
-    ("friction_cut_off", &[FLOW]),
+    ("friction_cut_off", &[]),
     ("boundary", &[BEM]),
     ("elastic", &[BEM]),
 ];
@@ -118,30 +107,21 @@ impl ModelOptions {
         Ok(())
     }
 
-    /// Checks that an option changes the model of an id, which may fix its asperities or reading.
+    /// Checks that an option changes the model of an id.
     ///
     /// # Errors
     /// [`SceneError::Refused`] with the ids that the option is for.
     pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
-        let known: Option<Model> = id.parse().ok();
-        let of_asperities =
-            |model: &Model| model.asperities() == Asperities::Equal && model.validity().asperities;
-        let (is_for, which) = match OF_MODELS.iter().find(|(name, _)| *name == option) {
-            Some((_, ids)) => {
-                let id = known.as_ref().map_or(id, |model| model.equal().id());
-                (ids.contains(&id), ids.join(", "))
-            }
-            None => {
-                let which = "models of asperities whose ids do not end in -random or -pairs";
-                (known.as_ref().is_some_and(of_asperities), which.into())
-            }
-        };
-        let at = || Place::field(option).into();
+        let model: Option<Model> = id.parse().ok();
+        let of_id = model.as_ref().map_or(id, |model| model.equal().id());
+        let known = OF_MODELS.iter().find(|(name, _)| *name == option);
+        let ids = known.map_or(&[][..], |(_, ids)| ids);
+        let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
         let refused = || SceneError::Refused {
-            at: at(),
+            at: Place::field(option).into(),
             reason: format!("does not change `{id}`; it is an option of {which}"),
         };
-        is_for.then_some(()).ok_or_else(refused)
+        ids.contains(&of_id).then_some(()).ok_or_else(refused)
     }
 
     /// The options that differ from the defaults, by name.
@@ -215,16 +195,13 @@ impl ModelOptions {
         id: &str,
     ) -> Result<Model, SceneError> {
         let at = |reading| Model::known(AminiTehrani { reading, options: self.lateral() });
-        let jg = |hardness| Model::known(JacksonGreen { hardness });
         let known: Model = id
             .parse()
             .map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))?;
         let model = match known.equal().id() {
-            "jg" => jg(self.jg_hardness),
-            "jg-cosine" => jg(GeometricHardness::Cosine),
             "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
             "gao" => Model::known(Gao { options: self.lateral() }),
-            "at" => at(self.at_reading),
+            "at" => at(AtReading::Printed),
             "at-additive" => at(AtReading::Additive),
             "at-overlap" => at(AtReading::Overlap),
             id => match Persson::variance_of(id) {
@@ -235,29 +212,6 @@ impl ModelOptions {
                 None => known.equal().clone(),
             },
         };
-        Ok(match known.asperities() {
-            Asperities::Equal => self.on_surface(model),
-            others => model.on(others),
-        })
-    }
-
-    /// The model on the asperities of these options; theories of the whole surface have none.
-    #[must_use]
-    pub fn on_surface(&self, model: Model) -> Model {
-        if model.validity().asperities { model.on(self.asperities) } else { model }
-    }
-
-    /// The models `known` with these options, each once: if `jg_hardness` or `at_reading` give `jg`
-    /// or `at` the meaning of another id, that id replaces it.
-    #[must_use]
-    pub fn models(&self, known: Vec<Model>) -> Vec<Model> {
-        let mut models: Vec<Model> = vec![];
-        for known in known {
-            let model = self.model(known.id()).unwrap_or(known);
-            if !models.iter().any(|m| m.id() == model.id()) {
-                models.push(model);
-            }
-        }
-        models
+        Ok(model.on(known.asperities()))
     }
 }

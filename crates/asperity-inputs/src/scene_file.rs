@@ -149,20 +149,13 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
 
 pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     document.check_sections()?;
-    let mut options = ModelOptions::default().with_keys(document, "options")?;
+    let options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
     let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
     accept::check(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;
     let heights: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
-    if let Some(asperities) = document.get("surface.asperities")? {
-        if document.has("options.asperities") {
-            let needed = "one of the two";
-            return Err(document.conflict("surface.asperities", "options.asperities", needed));
-        }
-        options.asperities = asperities;
-    }
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
     let given = heights.table(document)?;

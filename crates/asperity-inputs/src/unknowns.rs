@@ -241,15 +241,14 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// A note that the other surface is taken as smooth, of a single surface with ranges in a scene
-    /// whose models do not press it on another one like it.
+    /// A note that the other surface is taken as smooth, of a single surface with ranges.
     #[must_use]
     pub fn smooth_counterface(&self) -> Option<Finding> {
         let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
         let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
             .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
             .advice("describe it as `counterface` if it is rough, too");
-        (is_alone && !self.meets_its_like()).then_some(found)
+        is_alone.then_some(found)
     }
 
     /// Nothing where the surface is known; where it is known within ranges, an answer in single

@@ -78,9 +78,9 @@ impl AsperityLaws {
                 "with adhesion, the curve of the model jkr-separation is the unloading curve of jkr, and the quantity unloading-stiffness is for small vibrations",
             ));
         }
-        let one = model
-            .asperity_model()
-            .ok_or_else(|| unsupported("these need a model of asperities of one radius, such as ke with asperities = \"equal\" in [surface]"))?;
+        let one = model.asperity_model().ok_or_else(|| {
+            unsupported("these need a model of asperities of one radius, such as `ke`")
+        })?;
         let (one, sum) = match one.of_one_contact() {
             Some(OneContact { model, sum }) => (model, Some(sum)),
             None => (one, None),

@@ -285,7 +285,7 @@ fn what_is_refused_has_its_reason() {
         model.compile(scene, &request).unwrap_err().to_string()
     };
     let inclined = refused(&AsperityPairs::new(AminiTehrani::default()), &scene);
-    assert!(inclined.contains("two rough surfaces: contacts are inclined; set"), "{inclined}");
+    assert!(inclined.contains("two rough surfaces: contacts are inclined; use"), "{inclined}");
     scene.heights = HeightDistribution::Exponential;
     assert!(refused(&model("gw"), &scene).contains("heights must be Gaussian"));
     let alone = Asperity::new(&scene.interface, 1e-4).unwrap();

@@ -2,7 +2,7 @@
 
 /// Ids with the numbers of their looks; correlations of conductance have those of models without
 /// one.
-const LOOKS: [(&str, usize); 22] = [
+const LOOKS: [(&str, usize); 21] = [
     ("gw", 0),
     ("ceb", 1),
     ("zmc", 2),
@@ -18,7 +18,6 @@ const LOOKS: [(&str, usize); 22] = [
     ("persson", 12),
     ("persson-fudge", 13),
     ("persson-plastic", 14),
-    ("patir-cheng", 15),
     ("dmt", 16),
     ("jkr", 17),
     ("jkr-separation", 18),

@@ -98,7 +98,7 @@ def test_a_recommendation_at_a_load_compares_areas(scene: asperity.Scene) -> Non
 
 def test_options_of_other_models_may_differ_between_scenes(scene: asperity.Scene) -> None:
     given = scene.interface, scene.surface, scene.nominal_area
-    scenes = [scene, asperity.Scene(*given, options={"at_reading": "additive"})]
+    scenes = [scene, asperity.Scene(*given, options={"force": "vertical"})]
     force = KE.solve(scenes, 1.0).force
     assert force[0] == force[1]
     with pytest.raises(ValueError, match="scene 1 has other options than scene 0"):

@@ -41,26 +41,25 @@ def test_films_are_separations_from_the_mean_plane() -> None:
 def test_factors_of_flow_follow_the_lay_of_the_scene() -> None:
     along = asperity.Scene.parse(SCENE + "peklenik_number = 6\n")
     names = ["pressure-flow-factor-x", "pressure-flow-factor-y", "friction-flow-factor"]
-    curve = asperity.model("patir-cheng").solve(along, lambda_ratio=[2.0, 4.0], quantities=names)
+    found = along.flow_factors([2.0, 4.0], quantities=names)
     # 1 + 0.520 H^-1.5 along the lay, 1 - 1.38 exp(-0.42 H) across it.
     ratio = np.array([2.0, 4.0])
-    np.testing.assert_allclose(curve["pressure-flow-factor-x"], 1 + 0.52 * ratio**-1.5)
-    np.testing.assert_allclose(curve["pressure-flow-factor-y"], 1 - 1.38 * np.exp(-0.42 * ratio))
+    np.testing.assert_allclose(found["pressure-flow-factor-x"], 1 + 0.52 * ratio**-1.5)
+    np.testing.assert_allclose(found["pressure-flow-factor-y"], 1 - 1.38 * np.exp(-0.42 * ratio))
     again = asperity.Scene.parse(along.to_toml())
-    kept = asperity.model("patir-cheng").solve(again, lambda_ratio=ratio, quantities=names)
-    np.testing.assert_array_equal(kept["friction-flow-factor"], curve["friction-flow-factor"])
+    assert again.flow_factors([2.0, 4.0], quantities=names) == found
+    # Two like surfaces: the shear of one cancels that of the other.
+    shear = along.flow_factors([2.0], quantities="shear-flow-factor", pairs=True)
+    assert shear["shear-flow-factor"] == [0.0]
 
 
 def test_what_has_no_factor_is_refused() -> None:
     scene = asperity.Scene.parse(SCENE)
-    flow = asperity.model("patir-cheng")
     with pytest.raises(ValueError, match=r"film over surface_height_std is 0\.4"):
-        flow.solve(scene, lambda_ratio=0.4, quantities="shear-flow-factor")
-    with pytest.raises(ValueError, match="patir-cheng cannot give force"):
-        flow.solve(scene, lambda_ratio=2)
+        scene.flow_factors([0.4], quantities="shear-flow-factor")
+    with pytest.raises(ValueError, match="force"):
+        scene.flow_factors([2.0], quantities="force")
     with pytest.raises(ValueError, match="ke cannot give shear-flow-factor"):
         asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(ValueError, match="2 scenes were given: patir-cheng needs a single scene"):
-        flow.solve([scene, scene], lambda_ratio=2, quantities="shear-flow-factor")
     with pytest.raises(TypeError, match="exactly one of separation, load, film and pressure"):
-        flow.solve(scene, 2, film=1e-6)
+        asperity.model("ke").solve(scene, 2, film=1e-6)

@@ -75,7 +75,7 @@ def test_scenes_are_written_with_plane_and_options(scene: asperity.Scene) -> Non
         scene.nominal_area,
         separation_from="surface-mean",
         mean_plane_offset=2.5e-7,
-        options={"at_reading": "additive"},
+        options={"force": "vertical"},
     )
     again = asperity.Scene.parse(other.to_toml())
     assert again == other and again.mean_plane_offset == 2.5e-7

@@ -1,4 +1,4 @@
-"""Asperities of a random surface, by the scene and by name."""
+"""Asperities of a random surface."""
 
 from __future__ import annotations
 
@@ -16,28 +16,10 @@ def area(scene: asperity.Scene, model: str) -> np.ndarray:
     return asperity.model(model).solve(scene, pressure=PRESSURES, quantities=["area"]).area
 
 
-def test_the_scene_the_option_and_the_name_are_the_same() -> None:
+def test_random_asperities_differ_from_equal_ones() -> None:
     scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
-    assert scene.options == {"asperities": "random"}
-    assert scene.models()[0] == "gw-random"
-    given = scene.interface, scene.surface, scene.nominal_area
-    equal, random = asperity.Scene(*given), asperity.Scene(*given, options=scene.options)
     for model in ["gw", "ke", "jg"]:
-        found = area(scene, model)
-        np.testing.assert_array_equal(found, area(random, model))
-        np.testing.assert_array_equal(found, area(equal, f"{model}-random"))
-        assert np.all(found != area(equal, model))
-    assert asperity.Scene.parse(scene.to_toml()).options == scene.options
-
-
-def test_models_without_random_asperities_give_the_reason() -> None:
-    scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
-    with pytest.raises(ValueError, match="asperities of a random surface"):
-        area(scene, "gao")
-    equal = asperity.Scene(scene.interface, scene.surface, scene.nominal_area)
-    # Persson's theory describes the whole surface, without asperities.
-    with pytest.warns(asperity.ContactWarning, match="persson ignores yielding"):
-        np.testing.assert_array_equal(area(scene, "persson"), area(equal, "persson"))
+        assert np.all(area(scene, f"{model}-random") != area(scene, model))
 
 
 def test_advice_comes_with_evidence() -> None:
@@ -66,18 +48,13 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
     pressures, asked = [1e7, 1e8], ["area", "tangent"]
     ke, jg = (
         asperity.model(model).solve(scene, pressure=pressures, quantities=asked, corrected=True)
-        for model in ("ke", "jg")
+        for model in ("ke-random", "jg-random")
     )
-    assert isinstance(ke, asperity.CorrectedCurve) and ke.model == "ke-corrected"
+    assert isinstance(ke, asperity.CorrectedCurve) and ke.model == "ke-random-corrected"
     np.testing.assert_allclose(ke.area, jg.area, rtol=1e-6)
     for quantity in asked:
         assert (ke.lower(quantity) < ke[quantity]).all()
         assert (ke[quantity] < ke.upper(quantity)).all()
-    # Options that are given are asked for, those of the scene are not.
-    for given in ({"jg_hardness": "cosine"}, {"asperities": "random"}):
-        named = asperity.model("jg", **given)
-        found = named.solve(scene, pressure=1e8, quantities="area", corrected=True)
-        assert found.model == f"{named.id}-corrected" != "jg-corrected"
     head = ke.to_csv().splitlines()[0]
     ends = "area_lower,area_upper,tangent_lower,tangent_upper"
     apart = "separation,separation_lower,separation_upper"
@@ -85,9 +62,9 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
     assert (ke.lower("separation") < ke.separation).all()
     assert (ke.separation < ke.upper("separation")).all()
     np.testing.assert_allclose(ke.separation, jg.separation, rtol=1e-6)
-    plain = asperity.model("ke").solve(scene, pressure=pressures, quantities=asked)
+    plain = asperity.model("ke-random").solve(scene, pressure=pressures, quantities=asked)
     assert not np.allclose(plain.area, ke.area, rtol=1e-3)
-    model = asperity.model("ke")
+    model = asperity.model("ke-random")
     with pytest.raises(ValueError, match="^no boundary-element solution is close"):
         model.solve(scene, load=1e9, quantities="area", corrected=True)
     with pytest.raises(ValueError, match="contacts has no counterpart"):

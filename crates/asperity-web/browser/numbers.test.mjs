@@ -111,7 +111,7 @@ test("the lines for a shell and for Python run for every example and give the di
   for (const name of ["made-here", ...EXAMPLES]) {
     await page.change(["#example", name]);
     // The models that the page opens with, of which soft bodies have fewer.
-    const usual = name === "ground-steel" ? ["gw-random", "ke-random", "jg-random", "persson-fudge"] : ["gw", "ke", "jg", "persson-fudge"];
+    const usual = ["gw", "ke", "jg", "persson-fudge"];
     await chosen(usual);
     await page.browser.until("return document.documentElement.dataset.state === 'ready'", `lines for ${name}`);
     const [, models] = (await page.text("code-shell")).match(/--model (\S+) --load/);

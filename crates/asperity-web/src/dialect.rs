@@ -1,11 +1,8 @@
 //! The terms of the page: labels in place of keys, ids of models as legends have them, symbols in
 //! Greek, and what the page offers in place of commands of the program.
 
-use std::borrow::Cow;
-
 use asperity::recommended::{BEM, YIELDING};
 use asperity::{Described, Dialect, Finding, Findings, Model, Quantity};
-use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -41,12 +38,12 @@ const WITHOUT_ASPERITIES: &str = "boundary elements or persson-plastic";
 
 /// The dialect of the page.
 pub(crate) struct Page {
-    /// The models of the scene that describe yielding.
-    yielding: Cow<'static, str>,
+    /// The models that describe yielding.
+    yielding: &'static str,
 }
 
 /// The dialect without a scene.
-pub(crate) static PAGE: Page = Page { yielding: Cow::Borrowed(YIELDING) };
+pub(crate) static PAGE: Page = Page { yielding: YIELDING };
 
 /// A text with what the page offers in place of commands; other words in backticks keep these.
 pub(crate) fn offered(text: &str) -> String {
@@ -61,7 +58,7 @@ impl Dialect for Page {
             return (*offer).into();
         }
         if term == YIELDING {
-            return self.yielding.to_string();
+            return self.yielding.into();
         }
         if let Some(number) = term.strip_suffix(" asperity_height_std") {
             return format!("{number} σ_z");
@@ -162,13 +159,12 @@ impl Page {
     }
 }
 
-/// All findings as shown, with the models that the scene has: of random asperities those for them.
-pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Value {
-    let of_scene = |id: &str| file.model(id).map_or(id.to_string(), |model| model.id().into());
+/// All findings as shown.
+pub(crate) fn findings(all: &Findings) -> Value {
     // Where contacts merge, no model of asperities is advised.
     let yielding = match all.iter().any(|found| found.code == "crowded") {
-        true => WITHOUT_ASPERITIES.into(),
-        false => YIELDING.split(" or ").map(of_scene).collect::<Vec<_>>().join(" or ").into(),
+        true => WITHOUT_ASPERITIES,
+        false => YIELDING,
     };
     let page = Page { yielding };
     all.iter().map(|found| page.finding(found)).collect()
@@ -177,14 +173,14 @@ pub(crate) fn findings(all: &Findings, file: &SceneFile) -> Value {
 #[cfg(test)]
 mod tests {
     use asperity::At;
-    use asperity_inputs::{HandedFiles, parse_handed};
+    use asperity_inputs::{HandedFiles, SceneFile, parse_handed};
 
     use super::*;
     use crate::surface_keys::with_scan;
 
-    fn messages(all: &Findings, file: &SceneFile) -> Vec<String> {
+    fn messages(all: &Findings) -> Vec<String> {
         let message = |found: &Value| found["message"].as_str().unwrap().to_string();
-        findings(all, file).as_array().unwrap().iter().map(message).collect()
+        findings(all).as_array().unwrap().iter().map(message).collect()
     }
 
     #[test]
@@ -215,16 +211,6 @@ mod tests {
     }
 
     #[test]
-    fn findings_name_models_that_the_scene_has() {
-        let text = include_str!("../../asperity-inputs/examples/ground-steel.toml");
-        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
-        let model = file.model("persson-fudge").unwrap();
-        let found = file.findings_at(&model, &[asperity::At::Pressure(1e9)]);
-        let shown = messages(&found, &file);
-        assert!(shown.iter().any(|message| message.ends_with("use ke-random or jg-random")));
-    }
-
-    #[test]
     fn where_contacts_merge_no_model_of_asperities_is_advised() {
         let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
         let file = file.unwrap();
@@ -234,7 +220,7 @@ mod tests {
                 file.findings_at(&file.model(id).unwrap(), &at).into_iter()
             };
             let all = ["gw", "ke"].into_iter().flat_map(found).collect();
-            messages(&all, &file).concat()
+            messages(&all).concat()
         };
         assert!(at(1e7).contains("use ke or jg"), "{}", at(1e7));
         let merged = at(5e8);
@@ -271,7 +257,7 @@ mod tests {
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
         let merged = file.findings_at(&ke, &[At::Pressure(1e9)]);
         let refusal = |text: String| crate::refusal::Refusal::new(text).message;
-        let shown = [&merged, &check.findings, &file.warnings].map(|all| messages(all, &file));
+        let shown = [&merged, &check.findings, &file.warnings].map(|all| messages(all));
         let all: Vec<String> = shown
             .concat()
             .into_iter()

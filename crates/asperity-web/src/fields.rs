@@ -242,7 +242,7 @@ mod tests {
         let changes = [
             change("body[1].hardness", Some("6 GPa")),
             change("surface.m0", Some("2e-13")),
-            change("options.jg_hardness", Some("cosine")),
+            change("options.force", Some("vertical")),
             change("body[2].hardness", None),
             change("body[3].hardness", None),
         ];
@@ -250,7 +250,7 @@ mod tests {
         let wanted = TEXT.replace("7 GPa", "6 GPa").replace("1e-13", "2e-13");
         let wanted = wanted.replace("hardness = 2e9\n", "").replace(" # hard", "");
         let wanted = wanted.replace(" # steel", "");
-        assert_eq!(edited, format!("{wanted}\n[options]\njg_hardness = \"cosine\"\n"));
+        assert_eq!(edited, format!("{wanted}\n[options]\nforce = \"vertical\"\n"));
     }
 
     #[test]

@@ -36,7 +36,7 @@ const OF_TREATMENT: [&str; 5] = ["estimator", "level", "filter", "smooth", "desp
 const OF_SCANS: [&str; 4] = ["file", "unit", "pixel_size", "periodic"];
 /// Keys that another description of the surface leaves: the second surface, and what models make of
 /// both.
-const OF_BOTH: [&str; 3] = ["counterface", "asperities", "separation_from"];
+const OF_BOTH: [&str; 2] = ["counterface", "separation_from"];
 
 /// The fields of the form, of the two bodies, their contact and every surface, of each way to
 /// describe a surface, and those that are rarely set for a scan. Each is a key with its label, a

@@ -18,14 +18,6 @@ const value = (path, text) => ({
 });
 const solution = { act: () => elements.solve(false), done: () => Boolean(page.load && elements.at(page.load.pascals)) };
 const adhesion = value("work_of_adhesion", "50 mJ/m2");
-const asperities = value("surface.asperities", "equal");
-const equal = {
-  ...asperities,
-  act: () => {
-    state.models = state.models.map((id) => id.replace(/-(random|pairs)$/, ""));
-    return asperities.act();
-  },
-};
 const unloading = view("unloading-stiffness");
 
 const UNLOAD = ["How stiff is it when it is unloaded?", "Show the unloading stiffness", unloading];
@@ -45,15 +37,8 @@ const TRIES = {
     ["Is the area that boundary elements find at this load that of the models?", "Solve this load", solution],
   ],
   "ground-steel": [
-    ["What do asperities of one radius change?", "Equal asperities", equal],
-    // Asperities of different radii have no unloading stiffness.
-    ["How stiff is it when it is unloaded, with asperities of one radius?", "Show the unloading stiffness of equal asperities", {
-      act: () => {
-        setView("unloading-stiffness");
-        return equal.act();
-      },
-      done: () => equal.done() && unloading.done(),
-    }],
+    ["What do asperities of different radii change?", "Add GW, KE and JG random", models("gw-random", "ke-random", "jg-random")],
+    UNLOAD,
   ],
   "wheel-rail": [
     ["How much touches where the patch carries 500 MPa?", "Load of 500 MPa", load("500 MPa")],

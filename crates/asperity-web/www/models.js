@@ -9,13 +9,7 @@ function say(phase, text) {
   $("status").textContent = text;
 }
 
-// Asperities of one radius: laws are of one asperity.
 async function sceneText(desk) {
-  const changes = [{ path: "surface.asperities", value: null }];
-  return desk.call("edit", { text: await given(desk), changes });
-}
-
-async function given(desk) {
   if (!location.hash.startsWith("#s=")) return (await fetch(EXAMPLE)).text();
   const { scene, random, scan } = await desk.call("unlink", { link: location.hash.slice(3) });
   if (random && scan) desk.files.set(scan.name, { keys: random });

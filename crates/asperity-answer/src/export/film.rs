@@ -1,11 +1,10 @@
 //! A table for a Reynolds code: contact pressure, area fraction and flow factors against the film.
 
-use asperity::recommended::FLOW;
+use asperity::film::{PatirCheng, not_gaussian};
 use asperity::{
-    Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, Separation,
+    Asperities, ContactError, ContactModel, Datum, Quantity, Request, Scene, Separation,
     SeparationUnit, Surface, linspace, shortest_digits,
 };
-use asperity_inputs::ModelOptions;
 
 use super::text::filled;
 use super::{Export, UnitSystem};
@@ -45,30 +44,32 @@ impl Export<'_> {
         // That of both surfaces, for models of pairs.
         let scene = contact.scene();
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
-        let flow = file.model_with(&self.film_options(), FLOW)?;
-        let flow = flow.compile(&file.scene, &Request::new(factors))?;
-        sheet.report(file, flow.notes().iter().cloned().collect());
+        let factors: Vec<Quantity> = factors.collect();
+        let flow = file.flow(self.subject.model)?;
+        sheet.report(file, not_gaussian(&file.scene.heights).into_iter().collect());
         // All fits hold at this film, so that an error is about the lay, and about every film.
-        flow.evaluate(Quantity::PressureFlowFactorX, Separation::film_ratio(3.0))?;
-        let of = |one: &dyn Contact, film: f64| -> Result<Vec<Option<f64>>, ContactError> {
-            let value =
-                |quantity: &Quantity| match one.evaluate(*quantity, Separation::film_ratio(film)) {
-                    Ok(value) => Ok(Some(value.value())),
-                    // Outside of the range of a fit.
-                    Err(ContactError::OutOfRange { .. }) if quantity.is_flow_factor() => Ok(None),
-                    Err(error) => Err(error),
-                };
-            one.quantities().iter().map(value).collect()
+        flow.factor(Quantity::PressureFlowFactorX, 3.0)?;
+        // Blank outside of the range of a fit.
+        let factor = |quantity: &Quantity, film: f64| match flow.factor(*quantity, film) {
+            Ok(value) => Ok(Some(value.value())),
+            Err(ContactError::OutOfRange { .. }) => Ok(None),
+            Err(error) => Err(error),
+        };
+        let of_contact = |quantity: &Quantity, film: f64| {
+            Ok(Some(contact.evaluate(*quantity, Separation::film_ratio(film))?.value()))
         };
         let lambda = |at| contact.separation_in(SeparationUnit::SurfaceStd, Datum::SurfaceMean, at);
         let [first, last] = [lambda(self.ends[0])?, lambda(self.ends[1])?];
         sheet.under(&[&["film_m", "lambda"]]);
-        let columns = contact.quantities().iter().chain(flow.quantities());
+        let columns = OF_CONTACT.iter().chain(&factors);
         sheet.heads.extend(columns.map(|quantity| quantity.column()));
-        let mut text = self.film_head(scene)? + &sheet.heads.join(",") + "\n";
+        let mut text = self.film_head(scene, &flow) + &sheet.heads.join(",") + "\n";
         for film in linspace(first.min(last), first.max(last), self.nodes.max(2)) {
             let places = vec![Some(film * scene.surface_height_std()), Some(film)];
-            let row = [places, of(&*contact, film)?, of(&*flow, film)?].concat();
+            let values = OF_CONTACT.iter().map(|quantity| of_contact(quantity, film));
+            let values = values.chain(factors.iter().map(|quantity| factor(quantity, film)));
+            let values = values.collect::<Result<Vec<_>, ContactError>>()?;
+            let row = [places, values].concat();
             let cells = row.iter().map(|x| x.map_or(String::new(), shortest_digits));
             text += &(cells.collect::<Vec<_>>().join(",") + "\n");
             sheet.rows.push(row.into_iter().map(Cell::from).collect());
@@ -76,17 +77,9 @@ impl Export<'_> {
         Ok(text)
     }
 
-    /// The options of the scene with the surfaces of the model, which the factors of flow have,
-    /// too.
-    fn film_options(&self) -> ModelOptions {
-        let asperities = self.subject.model.asperities();
-        ModelOptions { asperities, ..self.subject.file.options }
-    }
-
     /// The comments at the head of the table.
-    fn film_head(&self, scene: &Scene) -> Outcome<String> {
-        let flow = self.subject.file.flow(&self.film_options())?;
-        let (each, words) = match flow.pairs {
+    fn film_head(&self, scene: &Scene, flow: &PatirCheng) -> String {
+        let (each, words) = match self.subject.model.asperities() == Asperities::Pairs {
             // Models of pairs average over those of two like surfaces.
             true => (scene.both_surfaces().surfaces[0].asperities, OF_PAIR),
             false => (scene.surface, OF_ONE),
@@ -109,6 +102,6 @@ impl Export<'_> {
         let blanks = numbers.each_ref().map(|(name, value)| (*name, &**value));
         let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), self.subject.id);
         let form = filled(&filled(include_str!("forms/film.txt"), &words), &blanks);
-        Ok(filled(&form, &[("title", &title)]))
+        filled(&form, &[("title", &title)])
     }
 }

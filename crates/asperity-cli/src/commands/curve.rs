@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use asperity::bem::Bem;
 use asperity::fit::DataColumn;
-use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::{SceneFile, read_measurements};
@@ -101,14 +100,8 @@ impl Curve {
         }
         let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
-        // Models of contact and of flow have other quantities.
-        let flows = ids.iter().filter(|id| *id == FLOW).count();
-        let flow = Quantity::ALL.into_iter().filter(|q| flows > 0 && q.is_flow_factor());
-        let contact = USUAL.into_iter().filter(|_| flows == 0 || flows < ids.len());
-        let usual: Vec<Quantity> = contact.chain(flow).collect();
-        let request = self.asked.request(&scene.file, &separations, &usual);
-        let both = flows > 0 && flows < ids.len() && request.quantities == usual;
-        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
+        let request = self.asked.request(&scene.file, &separations, &USUAL);
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
         let from = scene.file.separation_from;
@@ -119,12 +112,12 @@ impl Curve {
         &self,
         file: &SceneFile,
         request: &Request,
-        (compares, each_its_own): (bool, bool),
+        compares: bool,
         sheet: &mut Sheet,
     ) -> Result<()> {
         let reference = match (self.reference.as_deref(), compares) {
             (None, false) => None,
-            (id, _) => Some(one_model(file, id, sheet)?),
+            (id, _) => Some(one_model(file, id)?),
         };
         let models =
             models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
@@ -136,14 +129,8 @@ impl Curve {
         };
         let (all, at_defaults, request) = (self.all, self.asked.is_nowhere(), request.clone());
         let films = self.asked.is_of_film();
-        let inquiry = Inquiry {
-            beside,
-            all,
-            at_defaults,
-            films,
-            each_its_own,
-            ..Inquiry::new(file, models, request)
-        };
+        let inquiry =
+            Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
         Ok(inquiry.answer(sheet, &Terminal::default())?)
     }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::recommended::{BEM, FLOW};
+use asperity::recommended::BEM;
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
@@ -247,8 +247,8 @@ fn quantities_help() -> String {
         listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
     };
     format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of {FLOW} {}",
-        names(|q| !q.needs_circles() && q.only_of().is_none()),
+        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of the film {}",
+        names(|q| !q.needs_circles() && q.is_of_models()),
         names(Quantity::needs_circles),
         names(|q| q.only_of() == Some(BEM)),
         names(Quantity::is_flow_factor),

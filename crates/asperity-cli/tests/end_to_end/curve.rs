@@ -45,7 +45,7 @@ fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
     let all: Vec<Quantity> =
-        Quantity::ALL.into_iter().filter(|quantity| quantity.only_of().is_none()).collect();
+        Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_models()).collect();
     let names: Vec<String> = all.iter().map(ToString::to_string).collect();
     let arguments = format!(
         "curve scene.toml --model ke,jg --errors --separation -1,2.5 --quantity {}",

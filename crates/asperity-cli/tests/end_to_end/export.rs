@@ -356,17 +356,9 @@ fn a_table_of_films_has_pressure_and_factors_and_the_numbers_that_codes_take() {
     let filled: Vec<f64> = column_of(&table, factor).into_iter().flatten().collect();
     // The first film is below the range of the fits.
     assert_eq!(filled.len(), 15);
-    let again = bench.data(
-        "curve scene.toml --model patir-cheng --lambda 0.5:4:15 --quantity friction-flow-factor",
-    );
+    let again =
+        bench.data("curve scene.toml --model ke --lambda 0.5:4:15 --quantity friction-flow-factor");
     assert_eq!(filled, column(&again, factor));
-    // Beside models of contact, each has its own quantities where none is named.
-    let both = bench.run("curve scene.toml --model gw,patir-cheng --lambda 1:3:2 --format csv");
-    assert!(both.code == Some(0) && !both.messages.contains("no-value"), "{}", both.messages);
-    let [forces, factors] = ["force_N", factor].map(|name| column_of(&both.out, name));
-    let filled = |all: &[Option<f64>]| all.iter().map(Option::is_some).collect::<Vec<_>>();
-    assert_eq!(filled(&forces), [true, true, false, false]);
-    assert_eq!(filled(&factors), [false, false, true, true]);
     let surface = bench.scene("scene.toml").scene.surface;
     for number in [surface.asperity_density, surface.asperity_radius] {
         assert!(table.contains(&asperity::short(number)), "{table}");

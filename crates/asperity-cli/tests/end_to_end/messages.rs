@@ -179,7 +179,7 @@ fn the_list_of_models_has_every_source() {
         ids.join(" "),
         format!(
             "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia \
-             patir-cheng {} bem",
+             {} bem",
             ["random", "pairs"].map(|end| ON_OTHERS.replace('*', end)).join(" ")
         )
     );
@@ -191,7 +191,7 @@ fn the_list_of_models_has_every_source() {
     for row in json.as_array().unwrap() {
         assert!(row["valid_for"].as_str().unwrap().len() > 10, "{row}");
         let id = row["model"].as_str().unwrap();
-        let is_variant = id.contains('-') && id != "patir-cheng";
+        let is_variant = id.contains('-');
         assert_eq!(row["variant"].as_str().unwrap().len() > 10, is_variant, "{row}");
     }
     let messages = bench.run("models").messages;

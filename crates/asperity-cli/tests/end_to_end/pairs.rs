@@ -1,4 +1,4 @@
-//! Two rough surfaces whose asperities meet, by the scene and by name.
+//! Two rough surfaces whose asperities meet.
 
 use crate::bench::{Bench, cells, column, column_of};
 
@@ -6,7 +6,6 @@ fn bench() -> Bench {
     let bench = Bench::new();
     let template = asperity_inputs::template();
     bench.write("equal.toml", template);
-    bench.write("pairs.toml", &template.replace("= \"equal\"", "= \"pairs\""));
     let film = "separation_from = \"surface-mean\"";
     let from = template.replace("separation_from = \"asperity-mean\"", film);
     bench.write("film.toml", &from);
@@ -14,28 +13,16 @@ fn bench() -> Bench {
 }
 
 #[test]
-fn one_key_of_the_scene_selects_pairs() {
+fn pairs_are_checked_unloaded_and_slide() {
     let bench = bench();
-    let curve = |scene: &str, models: &str| {
-        bench.data(&format!("curve {scene}.toml --model {models} --pressure 1e7,1e8 --format csv"))
-    };
-    let [pairs, named] = [curve("pairs", "gw"), curve("equal", "gt")];
-    for name in ["area_m2", "separation_m"] {
-        assert_eq!(column(&pairs, name), column(&named, name));
-        assert_ne!(column(&pairs, name), column(&curve("equal", "gw"), name));
-    }
-    let all = bench.run("solve pairs.toml --load 100 --format csv");
-    let ids = "gw-pairs ceb-pairs zmc-pairs ke-pairs etsion-pairs jg-pairs af-pairs";
-    assert_eq!(cells(&all.out, "model").join(" "), ids);
-    let printed = "left out: gao, at cannot give contacts between the asperities of two rough surfaces: contacts are inclined; set asperities";
-    assert!(all.messages.contains(printed), "{}", all.messages);
-    let checked = bench.data("check pairs.toml --model ke --load 100 --format csv");
+    let checked = bench.data("check equal.toml --model ke-pairs --load 100 --format csv");
     assert!(checked.contains("real area of contact, by ke-pairs"), "{checked}");
-    let unloaded = bench.data("unload pairs.toml --model ke --load 100 --retreat 0 --format csv");
+    let asked = "joint equal.toml --model ke-pairs --load 100";
+    let unloaded = bench.data(&format!("{asked} --retreat 0 --format csv"));
     assert!((column(&unloaded, "force_N")[0] / 100.0 - 1.0).abs() < 1e-9, "{unloaded}");
-    let slips = bench.run("slip pairs.toml --model ke --load 100 --friction 0.2 --amplitude 1e-7");
+    let slips = bench.run(&format!("{asked} --friction 0.2 --amplitude 1e-7"));
     assert!(slips.messages.contains("which counts under friction"), "{}", slips.messages);
-    let corrected = bench.run("curve pairs.toml --model ke --load 100 --corrected");
+    let corrected = bench.run("curve equal.toml --model ke-pairs --load 100 --corrected");
     assert!(corrected.messages.contains("pressed by a flat"), "{}", corrected.messages);
 }
 
@@ -77,7 +64,7 @@ fn by_moments(bench: &Bench) {
     let one = "m0 = 3.43e-13\nm2 = 5.658e-3\nm4 = 1.57e9\n";
     let text = format!(
         "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\npoissons_ratio = 0.3\n\
-         hardness = 6e9\n[surface]\n{one}asperities = \"pairs\"\n"
+         hardness = 6e9\n[surface]\n{one}"
     );
     bench.write("alone.toml", &text);
     let both = format!("{text}counterface = {{ {} }}\n", one.trim().replace('\n', ", "));
@@ -92,7 +79,7 @@ fn the_gap_of_a_pair_is_one_for_its_film_its_gas_and_its_joint() {
     let [m2, m4]: [f64; 2] = [5.658e-3, 1.57e9];
     let offset = 2.0 * 4.0 * m2 / (std::f64::consts::PI * m4).sqrt();
     for scene in ["alone", "both"] {
-        let curve = bench.data(&format!("curve {scene}.toml --model ke --pressure 1MPa"));
+        let curve = bench.data(&format!("curve {scene}.toml --model ke-pairs --pressure 1MPa"));
         let of = |name: &str| column(&curve, name)[0];
         let film = of("separation_m") + offset;
         assert!((film / 2.684e-6 - 1.0).abs() < 1e-4, "{curve}");
@@ -102,21 +89,22 @@ fn the_gap_of_a_pair_is_one_for_its_film_its_gas_and_its_joint() {
         let gas = column_of(&gas, "gas_thermal_conductance_per_area_W_per_m2_per_K")[0].unwrap();
         assert!((gas / 8513.0 - 1.0).abs() < 1e-4, "{gas}");
         assert!((gas / (0.026 / (film + 0.37e-6)) - 1.0).abs() < 1e-9, "{gas} {film}");
-        let back = format!("curve {scene}.toml --model ke --film 2.684um --quantity pressure");
+        let back =
+            format!("curve {scene}.toml --model ke-pairs --film 2.684um --quantity pressure");
         assert!((column(&bench.data(&back), "pressure_Pa")[0] / 1e6 - 1.0).abs() < 1e-4);
         // A retreat counts in the same unit as the separation.
-        let joint = format!("joint {scene}.toml --model ke --pressure 1MPa --retreat 0.1");
+        let joint = format!("joint {scene}.toml --model ke-pairs --pressure 1MPa --retreat 0.1");
         let found = column(&bench.data(&joint), "separation_over_sigma")[0];
         assert!((found - of("separation_over_sigma") - 0.1).abs() < 1e-9, "{found} {curve}");
         assert!((found - 2.6308).abs() < 5e-5, "{found}");
-        // The factors of flow are at the same film.
-        let run = bench
-            .run(&format!("curve {scene}.toml --model gw,patir-cheng --lambda 2 --format csv"));
-        for name in ["film_m", "separation_m", "separation_over_sigma"] {
-            let found = column(&run.out, name);
-            assert!((found[0] / found[1] - 1.0).abs() < 1e-12, "{}", run.out);
-        }
-        assert!(!run.messages.contains("other-joint"), "{}", run.messages);
+        // The factors of flow are at the same film: two like surfaces have no shear factor.
+        let asked = "--film 2.684um --quantity shear-flow-factor,pressure-flow-factor-x";
+        let flow = bench.data(&format!("curve {scene}.toml --model ke-pairs {asked}"));
+        let lambda = column(&flow, "lambda")[0];
+        let shear = column(&flow, "shear_flow_factor")[0];
+        let along = column(&flow, "pressure_flow_factor_x")[0];
+        assert!(shear.abs() < 1e-15, "{flow}");
+        assert!((along - (1.0 - 0.9 * (-0.56 * lambda).exp())).abs() < 1e-12, "{flow}");
     }
 }
 
@@ -128,9 +116,9 @@ fn the_head_of_a_film_table_says_what_a_code_must_use() {
         "pair.toml",
         "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 118e9\npoissons_ratio = 0.3\n\
          hardness = 3e9\n[surface]\nasperity_radius = 1e-4\nasperity_density = 8e8\n\
-         asperity_height_std = 5e-7\nasperities = \"pairs\"\n",
+         asperity_height_std = 5e-7\n",
     );
-    let table = bench.data("export pair.toml --model gw --as film --lambda 1:3:3");
+    let table = bench.data("export pair.toml --model gw-pairs --as film --lambda 1:3:3");
     let number = |name: &str| -> f64 {
         let start = table.find(&format!("{name} = ")).unwrap() + name.len() + 3;
         table[start..].split([' ', ',', ':']).next().unwrap().parse().unwrap()
@@ -157,7 +145,7 @@ fn the_head_of_a_film_table_says_what_a_code_must_use() {
     // σ of the table, and the film of its λ.
     let film = column(&table, "film_m")[1];
     assert!((film / (2.0 * number("sigma")) - 1.0).abs() < 1e-5, "{table}");
-    let check = bench.data("check pair.toml --format csv");
+    let check = bench.data("check pair.toml --model gw-pairs --load 1 --format csv");
     let of = |name: &str| -> f64 {
         let row = check.lines().find(|row| row.starts_with(&format!("{name},"))).unwrap();
         row.split(',').nth(1).unwrap().parse().unwrap()
@@ -178,9 +166,10 @@ fn flow_factors_beside_skewed_heights_have_a_warning() {
     let skewed = asperity_inputs::template()
         .replace("heights = \"gaussian\"", "heights = { skewness = -1 }\nmean_plane_offset = 1e-6");
     bench.write("skewed.toml", &skewed);
-    for asked in
-        ["export skewed.toml --model ke --as film", "curve skewed.toml --model patir-cheng"]
-    {
+    for asked in [
+        "export skewed.toml --model ke --as film",
+        "curve skewed.toml --model gw --quantity shear-flow-factor",
+    ] {
         for (scene, times) in [("skewed", 1), ("scene", 0)] {
             let run = bench.run(&format!("{} --lambda 1:3:3", asked.replace("skewed", scene)));
             let said = run.messages.matches("warning[gaussian-factors]").count();

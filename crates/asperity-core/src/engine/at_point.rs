@@ -51,7 +51,7 @@ impl AtPoint<'_> {
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
             // Refused where laws are made.
-            Derivation::Only(_) => Err(ContactError::NotRequested { quantity }),
+            Derivation::Film | Derivation::Only(_) => Err(ContactError::NotRequested { quantity }),
         }
     }
 

@@ -100,6 +100,10 @@ impl dyn AsperityModel + '_ {
                 let what = format!("`{quantity}`, which no law of asperities has: use `{id}`");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
+            Derivation::Film => {
+                let what = format!("`{quantity}`, which follows from the film alone");
+                return Err(ContactError::Unsupported { model: self.id().into(), what });
+            }
             _ => None,
         };
         law.ok_or_else(|| ContactError::NoLaw { model: self.id().into(), quantity })

@@ -63,7 +63,7 @@ impl Variant {
     /// What to do where the variant is refused.
     #[must_use]
     pub fn advice(&self) -> String {
-        format!("set asperities = \"equal\" in [surface] and use a model without -{}", self.word)
+        format!("use a model without -{}", self.word)
     }
 
     fn refused(&self, reason: &str) -> ContactError {

@@ -4,7 +4,6 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::law::contact_radii::RadiusFactor;
-use crate::recommended::FLOW;
 use crate::request::quantity_table::Derivation;
 use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
@@ -72,6 +71,7 @@ impl Quantity {
             Derivation::Integral(_)
             | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
+            | Derivation::Film
             | Derivation::Only(_) => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
@@ -96,7 +96,7 @@ impl Quantity {
     /// alone, not on a model of contact.
     #[must_use]
     pub fn is_flow_factor(self) -> bool {
-        self.only_of() == Some(FLOW)
+        matches!(self.derivation(), Derivation::Film)
     }
 
     /// Whether this is a stiffness or a conductance of a joint, per area or not: a multiple of the
@@ -114,13 +114,19 @@ impl Quantity {
     }
 
     /// The id of the only model that has this quantity, where no law of asperities has it: flows
-    /// through the map of the gap, and factors of the flow of a film.
+    /// through the map of the gap.
     #[must_use]
     pub fn only_of(self) -> Option<&'static str> {
         match self.derivation() {
             Derivation::Only(id) => Some(id),
             _ => None,
         }
+    }
+
+    /// Whether models of contact have this quantity, and not boundary elements or a film alone.
+    #[must_use]
+    pub fn is_of_models(self) -> bool {
+        !matches!(self.derivation(), Derivation::Film | Derivation::Only(_))
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.

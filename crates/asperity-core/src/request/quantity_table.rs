@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
-use crate::recommended::{BEM, FLOW};
+use crate::recommended::BEM;
 use crate::{Asperity, AsperityModel, ContactError, Law, Regime, Tolerance};
 
 /// A law of a model, or whether it has one.
@@ -28,6 +28,8 @@ pub(crate) enum Derivation {
     Logarithm(Quantity),
     /// The share of a regime in the force.
     RegimeShare(Regime),
+    /// Of the film between the surfaces, whatever the model.
+    Film,
     /// Of the model with this id, and of no law of asperities.
     Only(&'static str),
 }
@@ -223,37 +225,37 @@ quantities! {
         name: "pressure-flow-factor-x", symbol: "phi_x", unit: "", label: "pressure flow factor along x",
         definition: "Mean flow along x, the direction of sliding, under a pressure gradient, over \
             that between smooth surfaces at the same film.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     PressureFlowFactorY {
         name: "pressure-flow-factor-y", symbol: "phi_y", unit: "", label: "pressure flow factor along y",
         definition: "Mean flow across the direction of sliding under a pressure gradient, over that \
             between smooth surfaces at the same film.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     ShearFlowFactor {
         name: "shear-flow-factor", symbol: "phi_s", unit: "", label: "shear flow factor",
         definition: "Additional flow that sliding rough surfaces carry, over half the sliding speed \
             times sigma; positive if the first surface moves.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     FrictionFlowFactor {
         name: "friction-flow-factor", symbol: "phi_f", unit: "", label: "friction factor of the film",
         definition: "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean \
             shear stress over that of smooth surfaces.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     FrictionShearFactor {
         name: "friction-shear-factor", symbol: "phi_fs", unit: "", label: "friction shear factor",
         definition: "Correction of the mean shear stress on the surfaces by their roughness, in \
             (phi_f +- phi_fs) times viscosity times sliding speed over film.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     FrictionPressureFactor {
         name: "friction-pressure-factor", symbol: "phi_fp", unit: "", label: "friction pressure factor",
         definition: "Factor of the mean shear stress by a pressure gradient, half the film times the \
             gradient.",
-        derivation: Derivation::Only(FLOW),
+        derivation: Derivation::Film,
     }
     HydraulicGapX {
         name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",

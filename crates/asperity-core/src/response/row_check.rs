@@ -72,15 +72,13 @@ impl RowCheck {
             true => (quantity.origin(), behind(quantity.origin()).unwrap_or(0.0)),
             false => (quantity, value),
         };
-        // The factors of the resting surface are negative.
-        if signed < 0.0 && !quantity.is_flow_factor() {
+        if signed < 0.0 {
             found(if adhesive { Oddity::Adhesion } else { Oddity::Negative }, of, signed);
         }
         if value == 0.0 && evaluation.scaled != 0.0 && !absolute {
             found(Oddity::Underflow, quantity, evaluation.ln_value());
         }
-        // The shear factors of two like surfaces cancel, as they should.
-        if condition > CANCELLED && !absolute && !adhesive && !quantity.is_flow_factor() {
+        if condition > CANCELLED && !absolute && !adhesive {
             found(Oddity::Cancelled, quantity, condition);
         }
         let nominal = if quantity == Quantity::Area { scene.nominal_area } else { 1.0 };

@@ -255,8 +255,6 @@ fn odd_numbers_have_a_warning() {
     };
     let smooth = "smooth-counterface: the other surface is taken as smooth (by models of pairs as rough as this one): describe it as counterface if it is rough, too";
     assert_eq!(warnings("ra = \"0.8 um\"\nfinish = \"ground\""), [smooth]);
-    let pairs = "ra = \"0.8 um\"\nfinish = \"ground\"\nasperities = \"pairs\"";
-    assert!(warnings(pairs).is_empty(), "{:?}", warnings(pairs));
     // The slope in metres, and the default of a program that is far too steep.
     has(
         "ra = \"0.8 um\"\nfinish = \"ground\"\nmean_slope = 7e-6",

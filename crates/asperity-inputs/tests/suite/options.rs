@@ -28,10 +28,7 @@ fn every_option_changes_the_results_of_its_models_only() {
     let defaults: Vec<_> = ids.map(|id| (id, values(&plain, id))).collect();
     let lateral = &["gao", "at", "at-additive", "at-overlap"][..];
     for (option, changed) in [
-        ("at_reading = \"printed\"", &[][..]),
-        ("at_reading = \"additive\"", &["at"]),
-        ("at_reading = \"overlap\"", &["at"]),
-        ("angle_density = { a20 = -0.5, a21 = 1.0, b21 = 1.0 }", &[]),
+        ("angle_density = { a20 = -0.5, a21 = 1.0, b21 = 1.0 }", &[][..]),
         ("angle_density = { a20 = 0, a21 = 1, b21 = 1 }", lateral),
         ("angle_density = { a20 = -0.5, a21 = 0.1, b21 = 0.2 }", &[]),
         ("angle_density = \"upright\"", lateral),
@@ -42,8 +39,6 @@ fn every_option_changes_the_results_of_its_models_only() {
         ("stick = \"unlimited\"", lateral),
         ("force = \"size\"", &[]),
         ("force = \"vertical\"", lateral),
-        ("jg_hardness = \"2005\"", &[]),
-        ("jg_hardness = \"cosine\"", &["jg"]),
         ("af_flow_pressure = \"SH\"", &[]),
         ("af_flow_pressure = \"H\"", &["af"]),
     ] {
@@ -63,20 +58,6 @@ fn every_option_changes_the_results_of_its_models_only() {
     let [a, b] = ["{ zeta = 0.1, xi = 0.3 }", "{ zeta = 0.1, xi = 0.1 }"]
         .map(|d| values(&scene(&format!("displacement = {d}")), "gao"));
     assert!((a[0] / b[0] - 1.0).abs() > 1e-6, "{a:?} {b:?}");
-}
-
-#[test]
-fn plain_ids_mean_the_models_of_the_options() {
-    let file = scene("at_reading = \"overlap\"\njg_hardness = \"cosine\"");
-    assert_eq!(values(&file, "at"), values(&file, "at-overlap"));
-    assert_eq!(values(&file, "jg"), values(&file, "jg-cosine"));
-    let (models, left_out) = file.models();
-    let ids: Vec<&str> = models.iter().map(|m| m.id()).collect();
-    let wanted = ["gw", "ceb", "zmc", "ke", "etsion", "jg-cosine", "af", "gao", "at-overlap"];
-    assert_eq!(ids, wanted, "each model once");
-    assert!(left_out.is_empty());
-    let message = file.model("zcm").unwrap_err().to_string();
-    assert!(message.contains("the nearest is \"zmc\""), "{message}");
 }
 
 #[test]
@@ -120,22 +101,18 @@ fn an_invalid_hurst_exponent_is_refused_at_its_line() {
 
 #[test]
 fn keywords_serde_and_scene_files_agree() {
-    let text = "at_reading = \"additive\"
-        angle_density = \"upright\"
+    let text = "angle_density = \"upright\"
         displacement = { zeta = 0.1, xi = 0.2 }
         stick = \"unlimited\"
         force = \"vertical\"
-        jg_hardness = \"cosine\"
         af_flow_pressure = \"H\"";
     let from_file = scene(text).options;
     let mut by_keyword = ModelOptions::default();
     for (name, value) in [
-        ("at_reading", "additive".into()),
         ("angle_density", "upright".into()),
         ("displacement", BTreeMap::from([("zeta", 0.1), ("xi", 0.2)]).into()),
         ("stick", "unlimited".into()),
         ("force", "vertical".into()),
-        ("jg_hardness", "cosine".into()),
         ("af_flow_pressure", "H".into()),
     ] {
         by_keyword.set(name, &value).unwrap();
@@ -168,5 +145,5 @@ fn keywords_serde_and_scene_files_agree() {
         assert_eq!(by_keyword, from_file, "a refused option changes nothing");
     }
     let changed = by_keyword.changed();
-    assert!(changed.len() == 7 && ModelOptions::default().changed().is_empty());
+    assert!(changed.len() == 5 && ModelOptions::default().changed().is_empty());
 }

@@ -1,22 +1,22 @@
-//! Random asperities by one key of the scene file: reference values and errors.
+//! Random asperities by their ids: reference values and errors.
 
 use std::path::Path;
 
-use asperity::{ContactModel, Model, Quantity, Request, Separation, Tolerance};
-use asperity_inputs::{Asperities, OptionValue, SceneFile, parse, template};
+use asperity::{Asperities, ContactModel, Model, Quantity, Request, Separation, Tolerance};
+use asperity_inputs::{SceneFile, parse, template};
 
 fn read(text: &str) -> SceneFile {
     parse(text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// The scene of a case of `population_scenes.csv`, as a file.
-fn scene(line: &str, asperities: &str) -> (SceneFile, f64) {
+fn scene(line: &str) -> (SceneFile, f64) {
     let fields: Vec<&str> = line.split(',').collect();
     let [_, modulus, poisson, hardness, factor, m0, m2, m4] = fields[..] else { panic!("{line}") };
     let text = format!(
         "nominal_area = 1.0\n[interface]\nequivalent_modulus = {modulus}\npoissons_ratio = {poisson}\n\
          hardness = {hardness}\npressure_factor = {factor}\nequivalent_shear_modulus = 1e9\n\
-         [surface]\nm0 = {m0}\nm2 = {m2}\nm4 = {m4}\nasperities = \"{asperities}\"\n\
+         [surface]\nm0 = {m0}\nm2 = {m2}\nm4 = {m4}\n\
          separation_from = \"surface-mean\"\n"
     );
     (read(&text), m0.parse::<f64>().unwrap().sqrt())
@@ -34,10 +34,9 @@ fn reference_rows_are_met_through_the_scene_file() {
     let mut count = 0;
     for line in scenes() {
         let case = line.split(',').next().unwrap();
-        let (file, rms) = scene(line, "random");
+        let (file, rms) = scene(line);
         for id in ["gw", "ke", "jg"] {
-            let model = file.model(id).unwrap();
-            assert_eq!(model.id(), format!("{id}-random"));
+            let model = file.model(&format!("{id}-random")).unwrap();
             let quantities = [Quantity::Force, Quantity::Area, Quantity::Tangent];
             let request = Request::new(quantities).within(Tolerance::new(1e-11).unwrap());
             let contact = model.compile(&file.scene, &request).unwrap();
@@ -59,79 +58,30 @@ fn reference_rows_are_met_through_the_scene_file() {
 }
 
 #[test]
-fn the_key_changes_the_meaning_of_ids_only() {
-    let line = scenes().next().unwrap();
-    let ((random, rms), (equal, _)) = (scene(line, "random"), scene(line, "equal"));
-    assert_eq!(random.options.asperities, Asperities::Random);
-    let value = |file: &SceneFile, id: &str| {
+fn options_and_numbers_of_a_scene_hold_on_random_asperities() {
+    let (mut file, rms) = scene(scenes().next().unwrap());
+    let value = |file: &SceneFile| {
         let at = Separation::metres(2.0 * rms).from_surface_mean();
         let request = Request::new([Quantity::Force]).at([at]);
-        file.model(id)
-            .unwrap()
-            .solve(&file.scene, &request)
-            .unwrap()
-            .values(Quantity::Force)
-            .unwrap()
+        let answer = file.model("ke-random").unwrap().solve(&file.scene, &request).unwrap();
+        answer.values(Quantity::Force).unwrap()[0]
     };
-    assert_eq!(value(&random, "ke"), value(&equal, "ke-random"));
-    assert_eq!(value(&random, "ke-random"), value(&equal, "ke-random"));
-    assert!((value(&random, "ke")[0] / value(&equal, "ke")[0] - 1.0).abs() > 0.01);
-    // The key as an option, and with other options.
-    let mut file = equal.clone();
-    file.options.set("asperities", &OptionValue::from("random")).unwrap();
+    let area = file.inputs(["nominal_area"]).unwrap()[0];
+    let moved = file.with_inputs([(area, 2.0)]).unwrap();
+    assert!((value(&moved) / value(&file) - 2.0).abs() < 1e-12);
     file.options.set("af_flow_pressure", &"H".into()).unwrap();
-    assert_eq!(value(&file, "ke"), value(&random, "ke"));
-    let af = file.model("af").unwrap();
-    assert_eq!((af.id(), af.options()), ("af-random", file.model("af-random").unwrap().options()));
+    let af = file.model("af-random").unwrap();
     assert!(af.options().unwrap().to_string().contains("\"H\""), "{:?}", af.options());
-    let back = read(&file.to_toml(&[]).unwrap());
-    assert_eq!(back.options, file.options);
-    // The same scene with other numbers.
-    let area = random.inputs(["nominal_area"]).unwrap()[0];
-    let moved = random.with_inputs([(area, 2.0)]).unwrap();
-    assert!((value(&moved, "ke")[0] / value(&random, "ke")[0] - 2.0).abs() < 1e-12);
 }
 
 #[test]
 fn models_without_random_asperities_give_the_reason() {
-    let (file, _) = scene(scenes().next().unwrap(), "random");
-    let (allowed, left_out) = file.models();
-    let ids: Vec<&str> = allowed.iter().map(|model| model.id()).collect();
-    let wanted = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"].map(|id| format!("{id}-random"));
-    assert_eq!(ids, wanted);
-    assert_eq!(left_out.len(), 2);
-    for model in &left_out {
-        assert!(model.reason.to_string().contains("contacts are inclined"), "{model:?}");
-    }
-    // Theories of the whole surface have no asperities.
-    for id in ["persson", "persson-fudge"] {
-        let model = file.model(id).unwrap();
-        assert_eq!(model.id(), id);
-        assert!(model.compile(&file.scene, &Request::new([Quantity::Area])).is_ok());
-    }
-    let template = template().replace("asperities = \"equal\"", "asperities = \"random\"");
-    let twice = template.replace("[options]", "[options]\nasperities = \"equal\"");
-    let message = parse(&twice, Path::new(".")).unwrap_err().to_string();
-    assert!(message.contains("surface.asperities") && message.contains("options"), "{message}");
-    let message = parse(&template.replace("\"random\"", "\"radnom\""), Path::new("."));
-    let message = message.unwrap_err().to_string();
-    assert!(
-        message.contains("asperities") && message.contains("the nearest is \"random\""),
-        "{message}"
-    );
-    let heights = template.replace("heights = \"gaussian\"", "heights = \"exponential\"");
-    let (allowed, left_out) = read(&heights).models();
-    assert!(allowed.is_empty() && left_out[0].reason.to_string().contains("Gaussian"));
-}
-
-#[test]
-fn the_readme_names_the_models_of_random_asperities() {
-    let readme = include_str!("../../README.md");
-    let (_, list) = readme.split_once("With `asperities = \"random\"` in `[surface]`, ").unwrap();
-    let (list, _) = list.split_once(" mean `gw-random`").unwrap();
-    let named = list.split('`').skip(1).step_by(2).map(|id| format!("{id}-random"));
-    let hardening: Vec<Model> = Model::hardening().iter().map(Model::random).collect();
-    let known = Model::all_on(Asperities::Random).into_iter().chain(hardening);
-    let known: Vec<String> = known.map(|model| model.id().to_string()).collect();
-    assert_eq!(named.collect::<Vec<_>>(), known);
+    let (file, _) = scene(scenes().next().unwrap());
+    let refused = |file: &SceneFile, model: Model| file.refusal(&model).unwrap().to_string();
+    let inclined = file.model("gao").unwrap().on(Asperities::Random);
+    assert!(refused(&file, inclined).contains("contacts are inclined"));
+    let heights = template().replace("heights = \"gaussian\"", "heights = \"exponential\"");
+    let file = read(&heights);
+    let random = file.model("ke-random").unwrap();
+    assert!(refused(&file, random).contains("Gaussian"));
 }

@@ -184,10 +184,7 @@ fn every_error_names_line_field_and_requirement() {
             text("", INTERFACE, &with("[options]\nforce = 3")),
             &["options.force is 3: a name in quotes"],
         ),
-        (
-            text("", INTERFACE, &with("[options]\nat_readin = 3")),
-            &["the nearest is \"at_reading\""],
-        ),
+        (text("", INTERFACE, &with("[options]\nstik = 3")), &["the nearest is \"stick\""]),
         (
             text("", INTERFACE, &with("asperity_radius = 1")),
             &["line 13: TOML: duplicate key: \"asperity_radius = 1\" was found"],

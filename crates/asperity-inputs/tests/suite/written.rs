@@ -137,7 +137,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
         &format!("{scan}estimator = \"summits\"\nfill_missing = true\nheights = \"measured\""),
         &format!("{scan}periodic = true\nseparation_from = \"surface-mean\""),
         &two,
-        &format!("{asperities}surface_height_std = 1.1e-6\nasperities = \"random\""),
+        &format!("{asperities}surface_height_std = 1.1e-6"),
         &format!("{asperities}asperity_height_std = 1e-6\nheights = \"exponential\""),
         &"surface_height_std = \"1 um\"\nmean_slope = 0.1\nasperity_density = 2e9".to_string(),
         &format!(
@@ -160,8 +160,6 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
             names
         };
         let (mut given, written) = (names(&format!("{head}{surface}")), names(&text));
-        // `asperities` is written with the options.
-        given.retain(|name| name != "asperities");
         given.retain(|name| written.contains(name) || name != "heights");
         for name in &given {
             assert!(written.contains(name), "{name} is lost\n{text}");
@@ -300,7 +298,7 @@ proptest! {
         numbers in prop::array::uniform8(-12f64..12.0),
         nu in -0.99f64..0.5,
         given in prop::array::uniform5(any::<bool>()),
-        cosine in any::<bool>(),
+        vertical in any::<bool>(),
         zeta in 0f64..3.0,
     ) {
         let [e, g, h, y, r, eta, std, offset] = numbers.map(|n| 10f64.powf(n) * 1.1);
@@ -314,8 +312,8 @@ proptest! {
         if given[4] {
             file.separation_from = Datum::SurfaceMean;
         }
-        if cosine {
-            file.options.set("jg_hardness", &"cosine".into()).unwrap();
+        if vertical {
+            file.options.set("force", &"vertical".into()).unwrap();
             file.options.set("displacement", &BTreeMap::from([("zeta", zeta), ("xi", 0.0)]).into()).unwrap();
         }
         again(&file);

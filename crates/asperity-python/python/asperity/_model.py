@@ -197,7 +197,7 @@ class Model(Engine):
             vibrations) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
             [W/K], "electrical-conductance" [S], both with "-per-area" over the nominal area,
             "mean-pressure" [Pa], "ln-force", "ln-area", "elastic-share", "elastic-plastic-share" and
-            "plastic-share"; of "patir-cheng", the factors of flow at films.
+            "plastic-share".
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.
         separation_unit : "asperity_height_std" or "m"
@@ -439,7 +439,7 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
     The options of a scene apply to those that are not given.
 
     >>> import asperity
-    >>> asperity.model("at", at_reading="additive").name
+    >>> asperity.model("at-additive", force="vertical").name
     'AT additive'
     >>> class Hertz:
     ...     force_monotone = True
@@ -460,7 +460,7 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 
 def models() -> list[Model]:
     """Every model, with its default options: those of asperities by year, of whole surfaces, with
-    adhesion, with hardening, of flow, their variants, and boundary elements.
+    adhesion, with hardening, their variants, and boundary elements.
 
     >>> import asperity
     >>> ids = [model.id for model in asperity.models()]

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::recommended::FLOW;
-use asperity::{Citation, ContactError, Model, Quantity, testkit};
+use asperity::{Asperities, Citation, ContactError, Model, Quantity, testkit};
 use asperity_inputs::{LeftOut, ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -33,7 +32,8 @@ impl Engine {
     fn new(model: &Object<'_>, options: BTreeMap<String, KeyValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
-            let model = Model::new(PythonModel::new(model, raised.clone())?);
+            let asperities = asperities_of(model)?;
+            let model = Model::new(PythonModel::new(model, raised.clone())?).on(asperities);
             return Ok(Self(Kind::Python { model, raised }));
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
@@ -168,11 +168,7 @@ impl Engine {
 
     /// Whether the model is boundary elements, which exist on a scan only.
     fn is_bem(&self) -> bool {
-        self.is_named(Bem::ID)
-    }
-
-    fn is_named(&self, wanted: &str) -> bool {
-        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(wanted))
+        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(Bem::ID))
     }
 
     /// The model without a scene; none for boundary elements.
@@ -194,7 +190,7 @@ impl Engine {
                 file.model_with(&self.options(options)?, id).map_err(value_error)
             }
             (Kind::Named { id, .. }, None) => self.options(options)?.model(id).map_err(value_error),
-            (Kind::Python { model, .. }, _) => Ok(options.on_surface(model.clone())),
+            (Kind::Python { model, .. }, _) => Ok(model.clone()),
         }
     }
 
@@ -210,7 +206,7 @@ impl Engine {
         let (model, all) = (self.with(options, None)?, self.options(options)?);
         let own = model.options();
         let unknown = own.is_none().then_some(all);
-        Ok((options.asperities, model.id().to_string(), own, unknown))
+        Ok((model.id().to_string(), own, unknown))
     }
 
     /// The model on a scene; options of the model replace those of the scene.
@@ -225,13 +221,10 @@ impl Engine {
             return self.on(file);
         }
         files.iter().try_for_each(|file| file.need_known()).map_err(value_error)?;
-        // These take more from a surface than the numbers of a scene.
-        for (id, what) in [(Bem::ID, "with a scan"), (FLOW, "and its lay")] {
-            if self.is_named(id) {
-                let count = files.len();
-                let text = format!("{count} scenes were given: {id} needs a single scene {what}");
-                return Err(value_error(text));
-            }
+        if self.is_bem() {
+            let (count, id) = (files.len(), Bem::ID);
+            let text = format!("{count} scenes were given: {id} needs a single scene with a scan");
+            return Err(value_error(text));
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {
@@ -271,6 +264,20 @@ impl Engine {
         match &self.0 {
             Kind::Python { raised, .. } => raised.exception(py, refusal),
             Kind::Named { .. } => None,
+        }
+    }
+}
+
+/// The asperities that a class of laws names: "equal" ones, unless it says "random" or "pairs".
+fn asperities_of(laws: &Object<'_>) -> PyResult<Asperities> {
+    let named: String = laws.getattr("asperities")?.extract()?;
+    match named.as_str() {
+        "equal" => Ok(Asperities::Equal),
+        "random" => Ok(Asperities::Random),
+        "pairs" => Ok(Asperities::Pairs),
+        _ => {
+            let required = "\"equal\", \"random\" or \"pairs\" was required";
+            Err(value_error(format!("asperities is {named:?}: {required}")))
         }
     }
 }

@@ -6,13 +6,13 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::HeightDistribution;
+use asperity::{ContactError, HeightDistribution, Quantity};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::numbers::number;
-use crate::convert::{Object, object, refused, value_error, warn};
+use crate::convert::{Object, Quantities, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
 use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
@@ -42,11 +42,7 @@ use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 ///     Measured height of the mean of the asperity heights above the mean plane of the surface [m];
 ///     by default that of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
-///     Options of the models, as in the section [options] of a scene file. With
-///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
-///     have the joint distribution of an isotropic Gaussian surface with these moments; with
-///     ``{"asperities": "pairs"}`` "ke-pairs": the surface and another one like it, or its
-///     counterface; separations count in the standard deviation of the sum of both heights.
+///     Options of the models, as in the section [options] of a scene file.
 /// accept : sequence of str
 ///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
 ///
@@ -244,6 +240,33 @@ impl SceneFile {
     fn plasticity_index(&self) -> PyResult<f64> {
         self.0.need_known().map_err(value_error)?;
         self.0.scene.plasticity_index().map_err(refused)
+    }
+
+    /// The factors of Patir & Cheng for the flow of a film, by name, at ratios of the film to the
+    /// standard deviation of the heights of both surfaces. One surface faces a smooth one, or its
+    /// like with ``pairs=True``. ``ValueError`` outside the range of a fit.
+    ///
+    /// >>> import asperity
+    /// >>> scene = asperity.Scene.parse(asperity.template())
+    /// >>> factors = scene.flow_factors([2.0, 3.0], quantities="pressure-flow-factor-x")
+    /// >>> [round(x, 4) for x in factors["pressure-flow-factor-x"]]
+    /// [0.7041, 0.8303]
+    #[pyo3(signature = (lambda_ratio, *, quantities=None, pairs=false))]
+    fn flow_factors(
+        &self,
+        lambda_ratio: Vec<f64>,
+        quantities: Option<Quantities>,
+        pairs: bool,
+    ) -> PyResult<BTreeMap<String, Vec<f64>>> {
+        let id = if pairs { "gw-pairs" } else { "gw" };
+        let flow = self.0.flow(&id.parse().map_err(refused)?).map_err(value_error)?;
+        let all = || Quantity::ALL.into_iter().filter(|one| one.is_flow_factor()).collect();
+        let column = |quantity: &Quantity| {
+            let at = |film: &f64| Ok(flow.factor(*quantity, *film)?.value());
+            let column = lambda_ratio.iter().map(at).collect::<Result<_, ContactError>>();
+            Ok((quantity.to_string(), column.map_err(refused)?))
+        };
+        quantities.map_or_else(all, |names| names.0).iter().map(column).collect()
     }
 
     /// The ids of the models that this scene allows, from simplest to most complex.

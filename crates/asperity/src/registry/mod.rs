@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 
 use options::{Configurable, Rearranged};
 
-use crate::film::PatirCheng;
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
     Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
@@ -141,7 +140,7 @@ impl Model {
             let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
             Self::all_on(asperities).into_iter().chain(hardening).collect()
         });
-        [equal.concat(), Self::flow(), others.concat()].concat()
+        [equal.concat(), others.concat()].concat()
     }
 
     /// The models of tables and pictures where none is named: those [of
@@ -206,13 +205,6 @@ impl Model {
     #[must_use]
     pub fn hardening() -> Vec<Self> {
         vec![Self::known(Ghaednia)]
-    }
-
-    /// Factors of the flow between rough surfaces: they have values at films, none of contact.
-    /// Commands use them only by name.
-    #[must_use]
-    pub fn flow() -> Vec<Self> {
-        vec![Self::known(PatirCheng::default())]
     }
 }
 
@@ -320,8 +312,7 @@ mod tests {
     #[test]
     fn every_variant_states_how_it_differs_and_no_other_model_does() {
         for model in Model::all() {
-            let named = crate::recommended::FLOW;
-            let parts = model.id().replace(named, "").split('-').skip(1).count();
+            let parts = model.id().split('-').skip(1).count();
             assert_eq!(model.variant().len(), parts, "{model}");
         }
         let cosine: Model = "jg-cosine-random".parse().unwrap();

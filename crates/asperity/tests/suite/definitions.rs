@@ -1,8 +1,8 @@
 //! The page of definitions has every quantity, with the unit and the models that the code has.
 
 use asperity::{
-    Asperities, At, ContactError, ContactModel, Datum, Described, Interface, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, Surface,
+    Asperities, At, ContactError, ContactModel, Described, Interface, Model, Quantity, Request,
+    Scene, Surface,
 };
 
 const PAGE: &str = include_str!("../../DEFINITIONS.md");
@@ -41,13 +41,6 @@ fn scene() -> Scene {
     Scene::new(interface, surface, 3e-5)
 }
 
-/// A film for factors of flow.
-const FILM: At = At::Separation(Separation {
-    value: 3.0,
-    unit: SeparationUnit::SurfaceStd,
-    from: Datum::SurfaceMean,
-});
-
 /// The quantities that a model has, apart from inputs that are missing.
 fn quantities_of(model: &Model, scene: &Scene) -> Vec<Quantity> {
     let is_there = |quantity: Quantity, found: Result<(), ContactError>| match found {
@@ -61,8 +54,7 @@ fn quantities_of(model: &Model, scene: &Scene) -> Vec<Quantity> {
     // One contact for all: random asperities take long to be averaged.
     let asked: Vec<_> = all.iter().copied().filter(|one| contact(&[*one]).is_ok()).collect();
     let contact = contact(&asked).unwrap();
-    let at = |quantity: Quantity| if quantity.is_flow_factor() { FILM } else { At::Load(1.0) };
-    let found = |one: Quantity| contact.evaluate(one, at(one)).map(drop);
+    let found = |one: Quantity| contact.evaluate(one, At::Load(1.0)).map(drop);
     all.retain(|one| !asked.contains(one) || is_there(*one, found(*one)));
     all
 }
@@ -81,7 +73,6 @@ fn every_quantity_names_the_models_that_have_it() {
         (inclined, &["all", "asperities"]),
         (elastic, &["all", "persson"]),
         (yielding, &["all", "persson-plastic"]),
-        (Model::flow(), &["flow"]),
     ];
     for (models, words) in &groups {
         for model in models {
