@@ -69,14 +69,9 @@ enum Task {
         #[arg(long)]
         quick: bool,
     },
-    /// Write the guide: target/page/guide/index.html
-    Guide {
-        /// Also the documentation of the crates and of the Python package in target/python, beside
-        /// the guide
-        #[arg(long)]
-        api: bool,
-    },
-    /// Build the explorer and the guide, which any static server serves: target/page
+    /// Write the guide by MkDocs, which is installed below target: target/page/guide/index.html
+    Guide,
+    /// Build the explorer, which any static server serves: target/page
     Page {
         /// Serve it on this machine by Python, and print the address
         #[arg(long)]
@@ -131,17 +126,11 @@ fn main() -> Result<()> {
             }
         }
         #[cfg(feature = "guide")]
-        Task::Guide { api } => {
-            let page = xtask::folder::target_folder().join("page");
-            if api {
-                xtask::guide::write_api(&page)?;
-            }
-            vec![xtask::guide::write(&page)?]
-        }
+        Task::Guide => vec![xtask::guide::write()?],
         #[cfg(feature = "page")]
         Task::Page { serve, keep_module } => {
             let index = xtask::page::write(keep_module)?;
-            println!("{}", index.display());
+            println!("{}\nthe guide beside it: cargo xtask guide", index.display());
             return if serve { xtask::page::serve(&index.with_file_name("")) } else { Ok(()) };
         }
         #[allow(unreachable_patterns, reason = "with all features only the report is left")]

@@ -20,8 +20,6 @@ use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 use asperity_plot::Figure;
 
-pub use laws::some as some_laws;
-
 use crate::table::Table;
 use paper::{kucharski, kucharski_figure, models_figure, nine_models, roughness, roughness_figure};
 use truth::SHOWN as TRUTH;

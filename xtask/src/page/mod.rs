@@ -1,4 +1,4 @@
-//! The page: the explorer in `target/page` and the guide below it, with relative links only.
+//! The page: the explorer in `target/page`, with relative links only.
 
 mod gallery;
 
@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 
 use crate::command::{cargo, run};
 use crate::folder::{copy, read, root, target_folder, write as save};
-use crate::{guide, html};
+use crate::html;
 
 /// The pages of the explorer.
 const PAGES: [&str; 3] = ["index.html", "gallery.html", "models.html"];
@@ -21,7 +21,7 @@ const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature
 /// again.
 ///
 /// # Errors
-/// A failed build, files that cannot be read or written, a link of the guide that leads nowhere.
+/// A failed build, files that cannot be read or written.
 pub fn write(keep_module: bool) -> Result<PathBuf> {
     let folder = target_folder().join("page");
     copy_files(&folder)?;
@@ -29,7 +29,6 @@ pub fn write(keep_module: bool) -> Result<PathBuf> {
     if !keep_module {
         build(&folder)?;
     }
-    guide::write(&folder)?;
     Ok(folder.join(PAGES[0]))
 }
 
@@ -81,16 +80,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_page_is_copied_with_its_examples_and_links_inside() {
+    fn the_page_is_copied_with_its_examples_and_runs_no_script_within_it() {
         let folder = tempfile::tempdir().unwrap();
         copy_files(folder.path()).unwrap();
         let page = read(&folder.path().join("index.html")).unwrap();
         assert!(folder.path().join("examples/ground-steel.toml").is_file());
-        gallery::write(folder.path()).unwrap();
-        let pages = PAGES.map(|name| folder.path().join(name));
-        guide::write(folder.path()).unwrap();
-        let found = guide::link_tests::violations(&pages, &[]).unwrap();
-        assert_eq!(found, Vec::<String>::new());
         assert!(page.contains("script-src 'self' 'wasm-unsafe-eval'"));
         assert!(!page.contains("unsafe-inline"));
     }
