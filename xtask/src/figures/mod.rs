@@ -3,6 +3,7 @@
 mod angles;
 mod at;
 pub mod captions;
+pub mod compared;
 mod cycles;
 mod joints;
 mod laws;
@@ -12,7 +13,6 @@ mod pairs;
 pub(crate) mod paper;
 pub mod report_csv;
 pub mod truth;
-pub mod truth_ranges;
 pub mod world;
 
 use anyhow::Result;
