@@ -13,7 +13,6 @@ pub mod files;
 pub mod folder;
 #[cfg(feature = "guide")]
 pub mod guide;
-pub mod html;
 #[cfg(feature = "page")]
 pub mod page;
 pub mod table;
