@@ -82,16 +82,18 @@ tar --sort=name --owner=0 --group=0 --numeric-owner --mtime='1980-01-01 00:00Z' 
     --use-compress-program='gzip -n' --create --file "$dist/$name.tar.gz" --directory "$dist" "$name"
 rm -r "${dist:?}/$name"
 
-# The page, if it was built.
+# The page, if it was built, with the guide and the documentation of both interfaces.
 if [ -f target/page/index.html ]; then
-    missing=
-    for file in rust/index.html python/asperity.html; do
-        [ -f target/page/$file ] || missing+=" $file"
+    cargo xtask docs
+    rm -rf target/page/rust target/page/python
+    cp -r target/doc target/page/rust
+    rm -f target/page/rust/.lock
+    "$trial/venv/bin/python" "${pip[@]}" pdoc
+    "$trial/venv/bin/python" -m pdoc --docformat numpy asperity --output-directory target/page/python
+    cargo xtask guide
+    for file in rust/asperity/index.html python/asperity.html guide/index.html; do
+        [ -s target/page/$file ] || { echo "target/page/$file is missing" >&2; exit 1; }
     done
-    if [ "$missing" ]; then
-        echo "target/page has no$missing: run .ci/python and cargo xtask guide --api" >&2
-        [ $quick ] || exit 1
-    fi
     name=asperity-$version-page
     cp -r target/page "$dist/$name"
     find "$dist/$name" -exec touch --date '1980-01-01 00:00Z' {} +

@@ -65,3 +65,16 @@ fn the_readme_holds_the_claims_of_the_paper_against_every_reading() {
     }
     assert!(README.contains(&table), "the README's table is another:\n{table}");
 }
+
+#[test]
+fn the_guide_lists_the_solved_surfaces() {
+    let evidence = asperity::Evidence::committed().unwrap();
+    let plain = evidence.cases().iter().filter(|c| c.skewness == 0.0 && c.slope_ratio <= 1.0);
+    let mut alpha: Vec<f64> = plain.map(|case| case.alpha).collect();
+    alpha.sort_by(f64::total_cmp);
+    alpha.dedup();
+    let guide = include_str!("../../crates/asperity-web/guide/which-model.md");
+    let alpha: Vec<String> = alpha.iter().map(|alpha| format!("{alpha:.1}")).collect();
+    let listed = format!("| α | bandwidth m₀m₄/m₂² of the heights | {} |", alpha.join(", "));
+    assert!(guide.contains(&listed), "{listed}");
+}

@@ -21,13 +21,11 @@ mod plans;
 mod properties;
 mod published;
 mod reference;
-mod report;
 mod rows;
 mod scenes;
 mod sweeps;
 mod tangents;
 mod tidy;
-mod truth;
 mod waves;
 mod work;
 

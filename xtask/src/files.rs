@@ -8,7 +8,7 @@ use asperity_plot::draw;
 use rayon::prelude::*;
 
 use crate::figures::captions::with_caption;
-use crate::figures::{FIGURES, FigureSpec, measured, truth_ranges, world};
+use crate::figures::{FIGURES, FigureSpec, measured, world};
 use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
@@ -37,13 +37,11 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
         all.extend(measured::pictures(folder)?);
-        let evidence = Evidence::committed()?;
-        all.push(("truth.md".to_owned(), truth_ranges::table(evidence)));
         let text = |name: &str| {
             let found = all.iter().find(|(file, _)| *file == format!("{name}.csv"));
             found.map(|(_, text)| text.as_str()).with_context(|| name.to_owned())
         };
-        let world = world::summary::table(text, evidence)?;
+        let world = world::summary::table(text, Evidence::committed()?)?;
         all.push(("world.md".to_owned(), world));
     }
     Ok(all)

@@ -2,10 +2,9 @@
 //!
 //! [`figures`] lists the figures: for each a [`table`] of numbers from the models, and the
 //! description of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes
-//! or checks both. The other tasks are features, so that the figures need not wait for what they
-//! are built from: `report` measures speed and accuracy of the integrals, `truth` compares the
-//! models with boundary elements, `guide` and `page` make what users read. `dist.sh` makes what
-//! they install.
+//! or checks both. `guide` and `page` make what users read; they are features, so that the
+//! figures need not wait for what they are built from. `dist.sh` makes what users install. The
+//! studies, whose numbers are drawn here, are `crates/studies`.
 
 pub mod command;
 pub mod docs;
@@ -14,11 +13,6 @@ pub mod files;
 pub mod folder;
 #[cfg(feature = "guide")]
 pub mod guide;
-pub mod html;
 #[cfg(feature = "page")]
 pub mod page;
-#[cfg(feature = "report")]
-pub mod report;
 pub mod table;
-#[cfg(feature = "truth")]
-pub mod truth;

@@ -311,6 +311,7 @@ test("the models page draws every law, and each has its page in the guide", asyn
   assert.equal(await page.phase(), "ready");
   assert.ok((await page.run("return document.querySelectorAll('#laws svg').length")) >= 9);
   assert.match(await page.run("return document.getElementById('ke').textContent"), /Kinks or jumps at 1, 6, 110/);
+  assert.match(await page.run("return document.querySelector('#ke pre').textContent"), /F_c = /);
   const links = await page.run("return [...new Set([...document.querySelectorAll('#laws a')].map((link) => link.href))]");
   for (const link of links) assert.equal((await fetch(link)).status, 200, link);
   // Without hardness there is no critical interference.

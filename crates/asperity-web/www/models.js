@@ -17,14 +17,16 @@ async function sceneText(desk) {
   return scene;
 }
 
-// The equations of a model with their symbols and units, as its page of the guide has them.
+// The equations of a model with their symbols and units, as its page of the guide has them, if the
+// guide stands beside this page.
 async function equations(address) {
   const box = element("details", {}, element("summary", {}, "Equations"));
   const response = await fetch(address);
   const page = new DOMParser().parseFromString(response.ok ? await response.text() : "", "text/html");
-  const found = [...page.querySelectorAll("table.equations")];
-  box.append(element("div", { className: "wide" }, ...found.map((one) => document.importNode(one, true))));
-  box.hidden = found.length === 0;
+  for (let part = page.getElementById("law")?.nextElementSibling; part && part.tagName !== "H2"; part = part.nextElementSibling) {
+    if (part.matches(".highlight")) box.append(element("pre", { className: "wide" }, part.textContent.trimEnd()));
+  }
+  box.hidden = box.children.length === 1;
   return box;
 }
 

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::{Model, Quantity, Tolerance};
-use asperity_plot::{Axis, Figure, Mark, Panel};
+use asperity_plot::{Axis, Figure, Mark};
 
 use super::models::{self, beside, curves, geometric, panel};
 use crate::table::Table;
@@ -29,13 +29,8 @@ fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
     points.into_iter().flat_map(with_gap).collect()
 }
 
-/// Force and area of one asperity of the paper's scene in all models.
+/// Force and area of one asperity of the paper's scene in all models; gaps mark jumps.
 pub fn table() -> Result<Table> {
-    table_of(&MODELS)
-}
-
-/// Force and area of one asperity of the paper's scene; gaps mark jumps.
-fn table_of(models: &[&str]) -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     let youngs_modulus = 2.0 * (1.0 - 0.31 * 0.31) * scene.interface.equivalent_modulus;
     scene.interface.tangent_modulus = Some(HARDENING * youngs_modulus);
@@ -43,7 +38,7 @@ fn table_of(models: &[&str]) -> Result<Table> {
     let (critical, force_unit) = (asperity.critical_interference()?, asperity.critical_force()?);
     let area_unit = std::f64::consts::PI * asperity.radius * critical;
     let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
-    for id in models {
+    for id in MODELS {
         let model: Model = id.parse()?;
         let law = |quantity| model.law(&asperity, quantity, Tolerance::default());
         let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
@@ -67,24 +62,14 @@ fn table_of(models: &[&str]) -> Result<Table> {
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
-    Ok(beside(1, panels(&MODELS, "interference over critical interference")?))
-}
-
-/// The same for some models side by side, and its csv.
-pub fn some(models: &[&str]) -> Result<(Figure, String)> {
-    let figure = beside(COLUMNS.len(), panels(models, "w/w_c")?);
-    Ok((figure, table_of(models)?.into_text()))
-}
-
-fn panels(models: &[&str], interference: &str) -> Result<Vec<Panel>> {
-    let mut curves = curves(models)?;
+    let mut curves = curves(&MODELS)?;
     // Gaps of AT are negative values; those of the others are jumps.
     curves.iter_mut().for_each(|curve| curve.join_gaps = curve.key != "at");
     let panel = |(column, label)| {
-        let mut panel =
-            panel(&Axis::new(X, interference).log(), Axis::new(column, label).log(), &curves);
+        let x = Axis::new(X, "interference over critical interference").log();
+        let mut panel = panel(&x, Axis::new(column, label).log(), &curves);
         panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
         panel
     };
-    Ok(COLUMNS.map(panel).to_vec())
+    Ok(beside(1, COLUMNS.map(panel)))
 }

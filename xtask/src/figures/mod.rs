@@ -3,6 +3,7 @@
 mod angles;
 mod at;
 pub mod captions;
+pub mod compared;
 mod cycles;
 mod joints;
 mod laws;
@@ -12,15 +13,12 @@ mod pairs;
 pub(crate) mod paper;
 pub mod report_csv;
 pub mod truth;
-pub mod truth_ranges;
 pub mod world;
 
 use anyhow::Result;
 use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 use asperity_plot::Figure;
-
-pub use laws::some as some_laws;
 
 use crate::table::Table;
 use paper::{kucharski, kucharski_figure, models_figure, nine_models, roughness, roughness_figure};

@@ -94,10 +94,10 @@ pub fn interface() -> Interface {
 const PLASTICITY_INDEX: f64 = 6.0;
 /// Assumed: the paper does not give it.
 const ROUGHNESS_PARAMETER: f64 = 0.04;
-/// The paper's nominal area [m²].
+/// The paper's nominal area \[m²\].
 pub const NOMINAL_AREA: f64 = 3e-5;
 
-/// The paper's scene at this standard deviation of asperity heights [m].
+/// The paper's scene at this standard deviation of asperity heights \[m\].
 pub fn scene(std: f64) -> Result<Scene> {
     let interface = interface();
     let (index, parameter) = (PLASTICITY_INDEX, ROUGHNESS_PARAMETER);

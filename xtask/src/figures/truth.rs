@@ -4,8 +4,8 @@ use anyhow::Result;
 use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
+use super::compared::{is_plain, material};
 use super::models::{beside, curve_of, of, panel};
-use super::truth_ranges::{is_plain, material};
 use crate::table::Table;
 
 /// Pixels per shortest wave of the solved surfaces.

@@ -10,7 +10,6 @@ use serde_json::{Value, json};
 
 use crate::figures::{FIGURES, captions, models, paper};
 use crate::folder::{copy, figures_folder, read, write as save};
-use crate::html::escape;
 
 /// Where the figures go in the gallery's page.
 const PLACE: &str = "<!-- figures -->";
@@ -32,9 +31,9 @@ pub(super) fn write(folder: &Path) -> Result<()> {
     for (name, ..) in FIGURES.iter().filter(|figure| figure.0.starts_with("fig")) {
         let file = format!("{name}.svg");
         copy(&figures_folder().join(&file), &folder.join("gallery").join(&file))?;
-        let title = escape(&captions::of(name)?.0);
+        let title = captions::of(name)?.0;
         let link = |one: &LinkedScene| -> Result<String> {
-            let label = escape(&one.label).replace("_z", "<sub>z</sub>");
+            let label = one.label.replace("_z", "<sub>z</sub>");
             Ok(format!("<a href=\"index.html#s={}\">{label}</a>", link(one)?))
         };
         let links = scenes(name)?.iter().map(link).collect::<Result<Vec<_>>>()?.join(", ");

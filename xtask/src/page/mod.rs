@@ -1,4 +1,4 @@
-//! The page: the explorer in `target/page` and the guide below it, with relative links only.
+//! The page: the explorer in `target/page`, with relative links only.
 
 mod gallery;
 
@@ -8,11 +8,8 @@ use std::process::Command;
 use anyhow::{Context, Result};
 
 use crate::command::{cargo, run};
-use crate::folder::{copy, read, root, target_folder, write as save};
-use crate::{guide, html};
+use crate::folder::{copy, root, target_folder};
 
-/// The pages of the explorer.
-const PAGES: [&str; 3] = ["index.html", "gallery.html", "models.html"];
 const TARGET: &str = "wasm32-unknown-unknown";
 /// Two numbers at once: in Chrome since 91, Firefox 89, Safari 16.4.
 const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature=+simd128']";
@@ -21,28 +18,16 @@ const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature
 /// again.
 ///
 /// # Errors
-/// A failed build, files that cannot be read or written, a link of the guide that leads nowhere.
+/// A failed build, files that cannot be read or written.
 pub fn write(keep_module: bool) -> Result<PathBuf> {
     let folder = target_folder().join("page");
-    copy_files(&folder)?;
+    copy(&root().join("crates/asperity-web/www"), &folder)?;
+    copy(&root().join("crates/asperity-inputs/examples"), &folder.join("examples"))?;
     gallery::write(&folder)?;
     if !keep_module {
         build(&folder)?;
     }
-    guide::write(&folder)?;
-    Ok(folder.join(PAGES[0]))
-}
-
-/// Copies the page and the example scenes; html gets its head.
-fn copy_files(folder: &Path) -> Result<()> {
-    copy(&root().join("crates/asperity-web/www"), folder)?;
-    copy(&root().join("crates/asperity-inputs/examples"), &folder.join("examples"))?;
-    for path in PAGES.map(|name| folder.join(name)) {
-        let page = html::of_explorer(&read(&path)?);
-        let page = page.with_context(|| format!("{} lacks its head", path.display()))?;
-        save(&path, page)?;
-    }
-    Ok(())
+    Ok(folder.join("index.html"))
 }
 
 /// Builds `asperity.js` and `asperity_bg.wasm` into a folder.
@@ -78,20 +63,15 @@ pub fn serve(folder: &Path) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::folder::{read, root};
 
     #[test]
-    fn the_page_is_copied_with_its_examples_and_links_inside() {
-        let folder = tempfile::tempdir().unwrap();
-        copy_files(folder.path()).unwrap();
-        let page = read(&folder.path().join("index.html")).unwrap();
-        assert!(folder.path().join("examples/ground-steel.toml").is_file());
-        gallery::write(folder.path()).unwrap();
-        let pages = PAGES.map(|name| folder.path().join(name));
-        guide::write(folder.path()).unwrap();
-        let found = guide::link_tests::violations(&pages, &[]).unwrap();
-        assert_eq!(found, Vec::<String>::new());
-        assert!(page.contains("script-src 'self' 'wasm-unsafe-eval'"));
-        assert!(!page.contains("unsafe-inline"));
+    fn a_page_may_load_what_its_script_needs_and_nothing_inline() {
+        for name in ["index.html", "gallery.html", "models.html"] {
+            let page = read(&root().join("crates/asperity-web/www").join(name)).unwrap();
+            let allowed = page.contains("script-src 'self' 'wasm-unsafe-eval';");
+            assert!(page.contains("content=\"default-src 'none';"), "{name}");
+            assert!(allowed == page.contains("<script") && !page.contains("unsafe-inline"));
+        }
     }
 }

@@ -19,7 +19,9 @@ fn measure(name: &str, bytes: &[u8]) {
                     assert!(surface.is_err() || surface.unwrap().check().is_ok());
                 }
             }
-            let _ = levelled.height_density();
+            if let Ok(density) = levelled.height_density() {
+                assert!(density.density_per_m.iter().all(|density| *density >= 0.0));
+            }
             let _ = levelled.clone().despiked().map(|surface| surface.outliers());
             let cutoff = 3.0 * levelled.pixel_size()[0];
             let _ = levelled.filter(cutoff).map(|rough| rough.statistics(Estimator::Moments));
@@ -124,6 +126,11 @@ proptest! {
 
     #[test]
     fn broken_text(bytes in broken(b"# Width: 9 um\n# Height: 9 um\n# Value units: nm\n1 2 4 7\n3 nan 1 2\n9 8 1 3\n5 1 2 7\n".to_vec())) {
+        measure("a.txt", &bytes);
+    }
+
+    #[test]
+    fn broken_header(bytes in broken(b"pixel size=3e-7 m\ndata unit=rad\nheight conversion factor (-> m)=3e-8\n1 2 4 7\n3 1 1 2\n9 8 1 3\n".to_vec())) {
         measure("a.txt", &bytes);
     }
 

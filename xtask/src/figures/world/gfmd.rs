@@ -9,8 +9,8 @@ use asperity::{
 use asperity_plot::{Axis, Curve, Figure, Mark};
 
 use super::rows;
+use crate::figures::compared::equal;
 use crate::figures::models::{self, TOLERANCE, beside, named, of, panel};
-use crate::figures::truth_ranges::equal;
 use crate::table::Table;
 
 /// The ratio of the longest to the shortest wave.

@@ -8,8 +8,8 @@ use asperity_plot::{Axis, Curve, Figure, Mark};
 use serde::Deserialize;
 
 use super::rows;
+use crate::figures::compared::equal;
 use crate::figures::models::{TOLERANCE, beside, curves, geometric, named, of, panel};
-use crate::figures::truth_ranges::equal;
 use crate::table::Table;
 
 /// The laws, each beside elements without hardening but for the last.

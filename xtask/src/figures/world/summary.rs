@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use asperity::{Compared, Described, Evidence};
 
 use super::{closure, gfmd, rms, rows, sphere};
-use crate::figures::truth_ranges::{NOTHING, is_plain, models};
+use crate::figures::compared::{NOTHING, is_plain, models};
 use crate::table::{markdown_head, markdown_row};
 
 const PREFACE: &str = "\

@@ -1,0 +1,196 @@
+//! Our own methods: laws and compiled scenes, each built once for all methods and points, their
+//! values, and the cost of building them.
+
+use std::collections::HashMap;
+use std::hint::black_box;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+use asperity::{Contact, HeightDistribution, Law, Model, Quantity, Request, Tolerance};
+use asperity_quadrature::{AnyScale, QuadratureError};
+
+use super::problem::{
+    INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, SEPARATIONS, integrated, law_behind, scenes,
+};
+use xtask::figures::report_csv::median;
+
+/// Most batches of a time, the least duration of one, and of all where there are three.
+const MOST_BATCHES: usize = 21;
+const BATCH: Duration = Duration::from_micros(300);
+const ENOUGH: Duration = Duration::from_millis(60);
+
+/// Compiled scenes and rules, by everything they depend on.
+#[derive(Debug, Default)]
+pub struct Laws {
+    scenes: Cache<dyn Contact>,
+    rules: Cache<AnyScale>,
+}
+
+/// Shared values by their names.
+type Cache<T> = Mutex<HashMap<String, Arc<T>>>;
+
+/// The cached value, or a new one; if two threads make one, the first stays.
+fn find_or<T: ?Sized>(
+    cache: &Cache<T>,
+    key: String,
+    make: impl FnOnce() -> Result<Arc<T>>,
+) -> Result<Arc<T>> {
+    let cached = cache.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+    if let Some(cached) = cached {
+        return Ok(cached);
+    }
+    let made = make()?;
+    let mut cache = cache.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(cache.entry(key).or_insert(made).clone())
+}
+
+impl Laws {
+    /// The problem's scene compiled, the same for all its separations; its law is shared by the
+    /// scenes of one asperity.
+    ///
+    /// # Errors
+    /// Those of [`asperity::ContactModel::compile`], as below.
+    pub fn scene(&self, problem: &Problem, tolerance: f64) -> Result<Arc<dyn Contact>> {
+        let Problem { model, scene, .. } = problem;
+        let law = integrated(model, problem.quantity);
+        let key = format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?);
+        let built = find_or(&self.scenes, key.clone(), || {
+            let quantities = INTEGRALS.into_iter().filter(|q| integrated(model, *q) == law);
+            let request = Request::new(quantities).within(Tolerance::new(tolerance)?);
+            Ok(model.compile(scene, &request)?.into())
+        })?;
+        find_or(&self.scenes, format!("{key} {scene:?}"), || Ok(built.on(scene)?.into()))
+    }
+
+    /// The rules of the problem's law for any scale.
+    fn rules(&self, problem: &Problem, tolerance: f64) -> Result<Arc<AnyScale>> {
+        let Problem { model, quantity, scene, .. } = problem;
+        let key = format!("{model} {quantity} {tolerance:e} {:?}", scene.asperity()?);
+        find_or(&self.rules, key, || {
+            let law = law_behind(model, *quantity, &scene.asperity()?, tolerance)?;
+            Ok(Arc::new(AnyScale::new(law.density(), tolerance)))
+        })
+    }
+}
+
+/// A value of a compiled scene.
+///
+/// # Errors
+/// When the model refuses the scene, as all below.
+pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
+    let (quantity, separation) = (problem.quantity, problem.separation);
+    let compiled = laws.scene(problem, tolerance)?;
+    Ok(Box::new(move || {
+        let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;
+        Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
+    }))
+}
+
+/// A value on a scene that is not compiled, as in sweeps.
+pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
+    if !matches!(problem.scene.heights, HeightDistribution::Gaussian) {
+        return compiled(laws, problem, tolerance);
+    }
+    let rules = laws.rules(problem, tolerance)?;
+    let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
+    let factor = problem.in_units(1.0);
+    Ok(Box::new(move || {
+        let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
+        let found = found.map_err(|_| NOT_CONVERGED)?;
+        let value = factor * if slope { found.slope } else { found.value };
+        Ok(Outcome { value, scaled: true, evaluations: None })
+    }))
+}
+
+/// Terms of a value; exponential heights have one integral for all separations.
+pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+    let quantity = problem.quantity;
+    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
+    let plan = laws.scene(problem, tolerance)?.plan(&request.at([problem.separation]))?;
+    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
+    Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
+}
+
+/// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
+pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+    let (rules, separation) = (laws.rules(problem, tolerance)?, problem.separation);
+    match rules.terms(separation, problem.scale())? {
+        0 => {
+            let before = rules.evaluations();
+            rules.value(separation, problem.scale())?;
+            Ok(rules.evaluations() - before)
+        }
+        terms => Ok(terms),
+    }
+}
+
+/// Time \[ns\] to build the law behind a quantity and its tables. Tables are filled when first
+/// sampled, so the time of sampling an existing law is subtracted.
+pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64) -> Result<f64> {
+    let scenes = scenes()?;
+    let asperity = scenes[0].asperity()?;
+    let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
+    let existing = build()?;
+    sample(&existing)?;
+    let sampling = median_ns(|| drop(black_box(sample(black_box(&existing)))));
+    let both = median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
+    Ok((both - sampling).max(0.0))
+}
+
+/// Samples a law over the range of the speed table, x = 1e-4 to 1e4.
+fn sample(law: &Law) -> Result<f64, QuadratureError> {
+    let points = (0..=80).map(|k| 10f64.powf(f64::from(k) * 0.1 - 4.0) * law.interference_unit);
+    points.map(|w| law.value(w)).sum()
+}
+
+/// Time \[ns\] to compile a scene for all separations of the speed table, with its law built, and
+/// the number of samples of the law.
+pub fn build_scene(model: &Model, quantity: Quantity, tolerance: f64) -> Result<(f64, f64)> {
+    let scenes = scenes()?;
+    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
+    let base = model.compile(&scenes[0], &request)?;
+    let mut samples = 0;
+    for scene in &scenes {
+        // Also fills the tables of the law.
+        let plan = base.on(scene)?.plan(&request)?;
+        samples += plan.steps.iter().map(|step| step.samples).sum::<usize>();
+    }
+    let time = median_ns(|| {
+        for scene in &scenes {
+            let _ = black_box(base.on(black_box(scene)).and_then(|ready| {
+                SEPARATIONS.iter().try_for_each(|s| ready.evaluate(quantity, *s).map(|_| ()))
+            }));
+        }
+    });
+    let count = scenes.len() as f64;
+    Ok((time / count, samples as f64 / count))
+}
+
+/// Median time of one call \[ns\] over at least three batches, after two warm-up calls.
+pub fn median_ns(mut call: impl FnMut()) -> f64 {
+    let mut time = |calls: u32| {
+        let start = Instant::now();
+        (0..calls).for_each(|_| call());
+        start.elapsed()
+    };
+    let once = time(1).min(time(1)).max(Duration::from_nanos(20));
+    let calls = BATCH.as_nanos().div_ceil(once.as_nanos()).clamp(1, 1_000_000) as u32;
+    let (start, mut batches) = (Instant::now(), vec![]);
+    while batches.len() < MOST_BATCHES && (batches.len() < 3 || start.elapsed() < ENOUGH) {
+        batches.push(time(calls).as_nanos() as f64 / f64::from(calls));
+    }
+    median(batches).unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_of_a_call_that_sleeps_is_the_time_it_sleeps() {
+        let found = median_ns(|| std::thread::sleep(Duration::from_millis(2)));
+        assert!((2e6..2e7).contains(&found), "{found}");
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+    }
+}

@@ -1,0 +1,93 @@
+//! The report's errors and evaluations are snapshots, and the committed report is complete.
+
+use std::fs;
+
+use asperity::{Model, Quantity};
+use insta::Comparator;
+use insta::internals::SnapshotContents;
+use xtask::folder::figures_folder;
+use xtask::table::agree_by;
+
+use super::tables;
+
+/// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
+/// small errors and differs between compilers.
+fn errors_agree(a: f64, b: f64) -> bool {
+    let (small, large) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+    large <= 1.05 * small || large < 2e-14 || (large < 1e-10 && large <= 5.0 * small)
+}
+
+/// Whether texts agree exactly, and errors and counts up to rounding.
+#[derive(Clone)]
+struct Errors;
+
+impl Comparator for Errors {
+    fn matches(&self, reference: &insta::Snapshot, test: &insta::Snapshot) -> bool {
+        match (reference.contents(), test.contents()) {
+            (SnapshotContents::Text(a), SnapshotContents::Text(b)) => {
+                agree_by(&a.to_string(), &b.to_string(), errors_agree)
+            }
+            _ => false,
+        }
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn errors_and_evaluations_agree_with_their_snapshots() {
+    let pairs = ["ke", "jg"].map(|id| {
+        let model: Model = id.parse().unwrap();
+        [Quantity::Force, Quantity::Tangent].map(|quantity| (model.clone(), quantity))
+    });
+    let pairs = pairs.concat();
+    let (speed, hard) = tables::write(&pairs, false, &[]).unwrap();
+    // Each 5th hard case keeps the snapshot short.
+    let hard: Vec<&str> = hard.lines().step_by(5).collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_comparator(Box::new(Errors));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.bind(|| {
+        insta::assert_snapshot!("speed-vs-error", speed);
+        insta::assert_snapshot!("hard-cases", hard.join("\n"));
+    });
+}
+
+fn committed(name: &str) -> String {
+    fs::read_to_string(figures_folder().join(name)).unwrap()
+}
+
+#[test]
+fn our_committed_errors_are_below_their_tolerances() {
+    let csv = committed("speed-vs-error.csv");
+    let head = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations";
+    assert_eq!(csv.lines().next(), Some(head));
+    let mut rows = 0;
+    for line in csv.lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        if ["compiled", "rule"].contains(&fields[2]) {
+            let [tolerance, error] = [fields[3], fields[5]].map(|f| f.parse::<f64>().unwrap());
+            assert!(error <= tolerance, "{line}");
+            rows += 1;
+        }
+    }
+    // 8 models at 7 tolerances and 4 at 6, 4 quantities each.
+    assert!(rows >= 4 * (8 * 7 + 4 * 6), "{rows} rows");
+}
+
+#[test]
+fn rounding_passes_and_a_lost_digit_does_not() {
+    for (a, b, same) in [
+        (1.0, 1.04, true),
+        (1.0, 1.2, false),
+        (2e-6, 2e-5, false),
+        (1e-12, 4e-12, true),
+        (1e-12, 9e-12, false),
+        (0.0, 1e-14, true),
+        (0.0, 1e-12, false),
+    ] {
+        assert!(errors_agree(a, b) == same && errors_agree(b, a) == same, "{a} {b}");
+    }
+}

@@ -1,0 +1,97 @@
+//! `cargo xtask truth`: every model compared with boundary elements on reproducible surfaces.
+//!
+//! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
+//! with several hardnesses, and kept under target/truth. The results are in
+//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow from
+//! that text alone.
+
+mod family;
+mod feeding;
+mod kept;
+mod ordinary;
+mod plan;
+mod ranges;
+mod rows;
+pub mod scans;
+mod solve;
+pub mod world;
+mod yielded;
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use asperity::Evidence;
+
+use kept::Kept;
+use plan::{FULL, SMALL};
+use rows::evidence;
+use solve::solve;
+use xtask::folder::{figures_folder, root, save, target_folder};
+
+/// The folder of the committed evidence, in the crate that includes it.
+const DATA: &str = "crates/asperity/data";
+
+/// Solves the cases that are not kept, or none of them, and writes the evidence and its figures;
+/// returns the paths.
+///
+/// # Errors
+/// A case that cannot be solved, a file that cannot be written.
+pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
+    let mut kept = Kept::in_folder(&target_folder().join("truth"))?;
+    if !anew {
+        kept = kept.with_rows(Evidence::committed()?)?;
+    }
+    if solve_missing {
+        solve(FULL, &kept)?;
+    }
+    written(evidence(FULL, &kept)?, solve_missing)
+}
+
+/// Solves the small case for the tests; returns its path.
+///
+/// # Errors
+/// Those of [`write()`].
+pub fn write_small() -> Result<Vec<PathBuf>> {
+    save(&root().join("tests/reference"), [("truth_small.csv".to_owned(), small()?)])
+}
+
+/// The small case as csv, solved anew.
+///
+/// # Errors
+/// Those of [`write()`].
+fn small() -> Result<String> {
+    let folder = tempfile::tempdir()?;
+    let kept = Kept::in_folder(folder.path())?;
+    solve(SMALL, &kept)?;
+    evidence(SMALL, &kept)
+}
+
+/// The rows of a full table with the models evaluated anew and its boundary elements unchanged.
+///
+/// # Errors
+/// A model that fails.
+#[cfg(test)]
+fn with_new_models(table: &Evidence) -> Result<String> {
+    evidence(FULL, &Kept::default().with_rows(table)?)
+}
+
+/// Writes evidence and its tables. The table of ordinary scenes stays as it is if its solutions are
+/// not kept and none may be solved.
+fn written(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
+    let evidence = Evidence::parse(&text)?;
+    let kept = target_folder().join("truth/ordinary");
+    let tables = [
+        ("", Some(ranges::table(&evidence))),
+        ("-ordinary", ordinary::table(&evidence, &kept, solve_missing)?),
+        ("-shapes", Some(feeding::table(&evidence)?)),
+        ("-yielded", Some(yielded::table(&evidence)?)),
+        ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
+    ];
+    let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
+    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
+    paths.extend(save(&figures_folder(), tables.into_iter().filter_map(named))?);
+    Ok(paths)
+}
+
+#[cfg(test)]
+mod tests;
