@@ -29,7 +29,7 @@ fn main() -> ExitCode {
     input::set_program(Cli::command);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
     let mut program = Cli::command();
-    let matches = program.try_get_matches_from_mut(input::former::renamed(arguments));
+    let matches = program.try_get_matches_from_mut(arguments);
     let matches = matches.unwrap_or_else(|e| e.exit());
     input::destinations::check(&program, &matches);
     let Cli { command, treatment } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());

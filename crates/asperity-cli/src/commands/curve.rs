@@ -1,5 +1,4 @@
-//! `asperity curve`: quantities against separation or load; also `solve`, `compare`, `plan` and
-//! `pull-off`.
+//! `asperity curve`: quantities against separation or load, their plan, and the largest tension.
 
 use std::path::{Path, PathBuf};
 
@@ -77,38 +76,34 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Runs under the name of the command or of an alias.
-    pub fn run(self, command: &str) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let named = [&self.asked.models[..], self.reference.as_slice()].concat();
-        let press = self.press.of_models(command, &named);
+        let press = self.press.of_models("curve", &named);
         if self.plan {
             return self.print_plan();
         }
-        if self.pull_off || command == "pull-off" {
+        if self.pull_off {
             return pull_off(self.asked, self.work_of_adhesion, &self.output.output);
         }
         if self.work_of_adhesion.is_some() {
             let text = "--work-of-adhesion needs --pull-off; for a curve, set work_of_adhesion in the scene";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+            usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
-        // The former command of comparisons always has a reference, at one separation.
-        let compares = command == "compare";
-        let ids = if compares { &[][..] } else { &self.asked.models };
+        let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
             let text =
                 "bem solves a contact for each place: give --load, --pressure or --separation";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+            usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
-        let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
         // Models of contact and of flow have other quantities.
         let flows = ids.iter().filter(|id| *id == FLOW).count();
         let flow = Quantity::ALL.into_iter().filter(|q| flows > 0 && q.is_flow_factor());
         let contact = USUAL.into_iter().filter(|_| flows == 0 || flows < ids.len());
         let usual: Vec<Quantity> = contact.chain(flow).collect();
-        let request = self.asked.request(&scene.file, &separations, &usual);
+        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &usual);
         let both = flows > 0 && flows < ids.len() && request.quantities == usual;
-        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, (compares, both), sheet);
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, both, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
         let from = scene.file.separation_from;
@@ -119,13 +114,11 @@ impl Curve {
         &self,
         file: &SceneFile,
         request: &Request,
-        (compares, each_its_own): (bool, bool),
+        each_its_own: bool,
         sheet: &mut Sheet,
     ) -> Result<()> {
-        let reference = match (self.reference.as_deref(), compares) {
-            (None, false) => None,
-            (id, _) => Some(one_model(file, id, sheet)?),
-        };
+        let reference = self.reference.as_deref();
+        let reference = reference.map(|id| one_model(file, Some(id), sheet)).transpose()?;
         let models =
             models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
         let beside = match reference {

@@ -141,28 +141,27 @@ impl Closed {
 }
 
 impl Joint {
-    /// Runs under the name of the command or of an alias.
-    pub fn run(self, command: &str) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
-        let press = self.press.of_models(command, ids);
+        let press = self.press.of_models("joint", ids);
         let scene = LoadedScene::load_pressing(&self.scene, ids, press)?;
         let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if is_scan && self.place.turns() {
             let text = "bem opens from one load; use --load, --pressure or --closest";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if self.friction.is_some() && laws.len() > 1 {
-            usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
+            usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
         let places = self.place.all(&scene, &named, self.unit);
         if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
             let text = "--stick-map needs --model bem and one load";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
@@ -175,7 +174,7 @@ impl Joint {
         }
         let [closest] = places[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
-            usage_error(command, ErrorKind::TooManyValues, text)
+            usage_error("joint", ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref();
         let retreats = retreats.map(|list| (&list.value[..], list.unit(self.unit)));

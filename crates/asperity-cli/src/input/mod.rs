@@ -4,7 +4,6 @@ pub mod args;
 pub mod blanks;
 pub mod destinations;
 pub mod distances;
-pub mod former;
 pub mod lists;
 pub mod numbers;
 pub mod target;

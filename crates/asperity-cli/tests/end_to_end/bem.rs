@@ -53,7 +53,7 @@ fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     arguments[500] = "nan";
     arguments[7000] = "nan";
     bench.write("scan.txt", &arguments.join(" "));
-    for command in ["bem", "truth"] {
+    for command in ["bem", "bem --compare"] {
         let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
         let why =
             "are missing, and boundary elements need all points: fill_missing = true in [surface]";
@@ -263,7 +263,7 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
 
 #[test]
 fn bem_is_a_model_by_name() {
-    let arguments = "compare scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
+    let arguments = "curve scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
     let data =
         bench().data(&format!("{arguments} --quantity area-fraction,mean-pressure --format csv"));
     let deviations = column(&data, "area_fraction_deviation");
@@ -276,7 +276,7 @@ fn bem_is_a_model_by_name() {
 #[test]
 fn the_tangent_of_bem_is_the_stiffness_of_truth() {
     let bench = bench();
-    let truth = bench.data("truth scan.toml --pressure 1e8 --model gw --format csv");
+    let truth = bench.data("bem --compare scan.toml --pressure 1e8 --model gw --format csv");
     let truth = column(&truth, "stiffness_N_per_m")[0];
     let curve = bench.data("curve scan.toml --model bem --pressure 1e8 --quantity tangent");
     let bem = "bem scan.toml --pressure 1e8 --quantity tangent,stiffness --format csv";

@@ -116,7 +116,7 @@ fn separations_from_the_mean_plane_are_printed_as_given() {
     assert_eq!(column(&plane, "separation_over_sigma"), [3.0]);
     let (a, b) = (column(&plane, "force_N")[0], column(&same, "force_N")[0]);
     assert!(offset > 0.5 && (a / b - 1.0).abs() < 1e-12, "{offset}: {a} {b}");
-    let solved = bench.data(&format!("solve plane.toml --model ke --load {a}"));
+    let solved = bench.data(&format!("curve plane.toml --model ke --load {a}"));
     assert!((column(&solved, "separation_over_sigma")[0] - 3.0).abs() < 1e-9, "{solved}");
 }
 

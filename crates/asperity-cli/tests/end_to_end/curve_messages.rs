@@ -85,9 +85,9 @@ fn messages_use_the_unit_and_the_plane_of_the_user() {
     let printed = "a separation of 1.5e-6 m from the mean plane of the surface";
     assert!(run.messages.contains(printed), "{}", run.messages);
     assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
-    let plan = bench.data("plan plane.toml --model ke --separation 1:3:3");
+    let plan = bench.data("curve --plan plane.toml --model ke --separation 1:3:3");
     assert!(plan.contains("a separation of 1 asperity_height_std from the mean plane"), "{plan}");
-    let plan = bench.data("plan plane.toml --model ke --load 10:1000:50");
+    let plan = bench.data("curve --plan plane.toml --model ke --load 10:1000:50");
     assert!(plan.contains("50 rows from a load of 1000 N to a load of 10 N"), "{plan}");
 }
 
@@ -96,7 +96,7 @@ fn facts_about_a_model_are_not_repeated_with_results() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model gao,at --separation 2");
     assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
-    let models = bench.data("models --format json");
+    let models = bench.data("list models --format json");
     assert!(models.contains("gao: the angle density falls to 4 pi psi"), "{models}");
 }
 
@@ -105,7 +105,6 @@ fn a_unit_without_its_separations_is_refused() {
     let bench = Bench::new();
     for arguments in [
         "curve scene.toml",
-        "compare scene.toml",
         "recommend scene.toml --load 5",
         "export scene.toml --model ke --as csv --load 1:5:3",
     ] {
@@ -133,7 +132,7 @@ fn a_comma_separates() {
     assert_eq!(run.code, Some(2), "{}", run.messages);
     let asked = "curve scene.toml --model ke --quantity area --load";
     assert_eq!(bench.data(&format!("{asked} 1,5e2")), bench.data(&format!("{asked} 1,500")));
-    let run = bench.run("slip scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
+    let run = bench.run("joint scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
     let one = "has a decimal comma; write 1.5um";
     assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
 }

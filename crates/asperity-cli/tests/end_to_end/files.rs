@@ -79,7 +79,7 @@ fn files_that_cannot_be_written_are_named_and_nothing_is_left_behind() {
 fn an_answer_that_fails_leaves_the_old_file() {
     let bench = Bench::new();
     bench.write("out.csv", "old");
-    let run = bench.run("solve scene.toml --model ke --load 1e40 --output out.csv");
+    let run = bench.run("curve scene.toml --model ke --load 1e40 --output out.csv");
     assert_eq!(run.code, Some(1));
     assert_eq!(bench.read("out.csv"), "old");
     bench.data(&format!("{CURVE} --output out.csv"));

@@ -26,13 +26,13 @@ fn one_key_of_the_scene_selects_random_asperities() {
     let [random, named] = [curve("random", "gw"), curve("equal", "gw-random")];
     assert_eq!(column(&random, "area_m2"), column(&named, "area_m2"));
     assert_ne!(column(&random, "area_m2"), column(&curve("equal", "gw"), "area_m2"));
-    let all = bench.run("solve random.toml --load 100 --format csv");
+    let all = bench.run("curve random.toml --load 100 --format csv");
     let ids = "gw-random ceb-random zmc-random ke-random etsion-random jg-random af-random";
     assert_eq!(cells(&all.out, "model").join(" "), ids);
     let printed = "left out: gao, at cannot give averages over the asperities of a random surface: contacts are inclined; set asperities = \"equal\" in [surface]";
     assert!(all.messages.contains(printed), "{}", all.messages);
     let compared = bench
-        .data("compare random.toml --model gw,gw-random --reference gw --format csv --load 100");
+        .data("curve random.toml --model gw,gw-random --reference gw --format csv --load 100");
     assert_eq!(column(&compared, "area_deviation"), [0.0, 0.0]);
     let checked = bench.data("check random.toml --model ke --load 100 --format csv");
     assert!(checked.contains("real area of contact, by ke-random"), "{checked}");
