@@ -60,7 +60,7 @@ pub struct Curve {
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
-    #[arg(conflicts_with_all = ["separations", "unit", "films", "ratios", "quantities", "plot"])]
+    #[arg(conflicts_with_all = ["separations", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
     /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]

@@ -12,7 +12,7 @@ use clap::error::ErrorKind;
 
 use super::{bem, joint_plots};
 use crate::input::args::{
-    DrawnArgs, PressArgs, file_ending, loads, model_id, separation_unit, tolerance,
+    DrawnArgs, PressArgs, file_ending, loads, model_id, tolerance,
 };
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
@@ -47,10 +47,6 @@ pub struct Joint {
     /// for example 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
-    /// Unit of retreats and turning points given without one: sigma (asperity_height_std) or m
-    #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
-    #[arg(default_value = "sigma")]
-    unit: SeparationUnit,
     /// Coefficient of friction, for example 0.2 or 20%: the joint slips
     #[arg(long, alias = "mu", value_name = "MU", value_parser = friction, requires = "cycle")]
     #[arg(conflicts_with_all = ["retreat", "history", "history_load"])]
@@ -118,16 +114,13 @@ fn retreats(text: &str) -> Result<Distances, String> {
 
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
-    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel, turns: SeparationUnit) -> Vec<At> {
+    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
-        for (name, list, plain) in
-            [("closest", &self.closest, SeparationUnit::Sigma), ("history", &self.history, turns)]
-        {
+        for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
             let Some(list) = list else { continue };
-            let unit = list.unit(plain);
-            warn_unit(name, &list.value, unit, height_std);
-            let place = |value: &f64| At::from(scene.file.separation(*value, unit));
+            warn_unit(name, &list.value, list.unit, height_std);
+            let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
         places.extend(loads(self.load.iter().chain(&self.history_load), &self.pressure));
@@ -158,7 +151,7 @@ impl Joint {
         if self.friction.is_some() && laws.len() > 1 {
             usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        let places = self.place.all(&scene, &named, self.unit);
+        let places = self.place.all(&scene, &named);
         if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
             let text = "--stick-map needs --model bem and one load";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
@@ -176,8 +169,7 @@ impl Joint {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
             usage_error("joint", ErrorKind::TooManyValues, text)
         };
-        let retreats = self.retreat.as_ref();
-        let retreats = retreats.map(|list| (&list.value[..], list.unit(self.unit)));
+        let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
         if is_scan {
             let watch = terminal()?;
             let fill =

@@ -81,7 +81,7 @@ fn plots_other_than_svg_are_refused_first() {
 fn messages_use_the_unit_and_the_plane_of_the_user() {
     let bench = Bench::new();
     bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
-    let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
+    let run = bench.run("curve plane.toml --model at --separation 1.5e-6m");
     let printed = "a separation of 1.5e-6 m from the mean plane of the surface";
     assert!(run.messages.contains(printed), "{}", run.messages);
     assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
@@ -101,20 +101,6 @@ fn facts_about_a_model_are_not_repeated_with_results() {
 }
 
 #[test]
-fn a_unit_without_its_separations_is_refused() {
-    let bench = Bench::new();
-    for arguments in [
-        "curve scene.toml",
-        "recommend scene.toml --load 5",
-        "export scene.toml --model ke --as csv --load 1:5:3",
-    ] {
-        let run = bench.run(&format!("{arguments} --separation-unit m"));
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}");
-        assert!(run.messages.contains("--separation"), "{arguments}");
-    }
-}
-
-#[test]
 fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
     let bench = Bench::new();
     let by_default = bench.data("curve scene.toml --separation 2");
@@ -128,8 +114,6 @@ fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
 #[test]
 fn a_comma_separates() {
     let bench = Bench::new();
-    let run = bench.run("curve scene.toml --model ke --pressure 1e6,2,5 --separation-unit m");
-    assert_eq!(run.code, Some(2), "{}", run.messages);
     let asked = "curve scene.toml --model ke --quantity area --load";
     assert_eq!(bench.data(&format!("{asked} 1,5e2")), bench.data(&format!("{asked} 1,500")));
     let run = bench.run("joint scene.toml --friction 0.3 --load 100 --amplitude 1,5um");

@@ -82,7 +82,7 @@ fn a_table_may_be_between_loads_or_pressures() {
     let fine = of("--load 1:100 --max-error 1e-5");
     assert!(stated_error(&fine, "nodes: pressure ") <= 1e-5);
     assert_eq!(cells(&fine, "clearance_m")[0], cells(&table, "clearance_m")[0]);
-    let metres = column(&of("--separation 0:2e-6:5 --separation-unit m"), "clearance_m");
+    let metres = column(&of("--separation 0:2um:5"), "clearance_m");
     assert_eq!((metres[0], metres.len()), (0.0, 5));
     assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
     assert_eq!(of("--load 1N:0.1kN:9"), table);

@@ -268,9 +268,8 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let (_, end) = run.messages.split_once("contact ends at a retreat of ").unwrap();
     let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
     let [before, after] = [0.9999, 1.0001].map(|share| {
-        let arguments =
-            format!("joint scene.toml --model jg-cosine --load 20kN --retreat {}", share * end);
-        column(&bench.data(&format!("{arguments} --retreat-unit m")), "contacts")[0]
+        let arguments = "joint scene.toml --model jg-cosine --load 20kN --retreat";
+        column(&bench.data(&format!("{arguments} {}m", share * end)), "contacts")[0]
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
 }

@@ -26,7 +26,6 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "curve scene.toml --separation 0:4",
         "curve scene.toml --separation 1,two",
         "curve scene.toml --separation nan",
-        "curve scene.toml --separation 1 --separation-unit mm",
         "curve scene.toml --separation 1:4:5:lgo",
         "curve scene.toml --separation 0:4:5:log",
         "curve scene.toml --load 0:100:5",
