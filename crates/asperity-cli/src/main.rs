@@ -11,7 +11,7 @@ mod scene;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser};
+use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
 /// boundary elements
@@ -25,10 +25,18 @@ struct Cli {
     treatment: output::Treatment,
 }
 
+/// The definition of the program. The options of every command stand in `asperity --help` alone.
+fn program() -> Command {
+    let program = Cli::command();
+    let global = program.get_arguments().filter(|arg| arg.is_global_set());
+    let hidden: Vec<Arg> = global.map(|arg| arg.clone().hide(true)).collect();
+    program.mut_subcommands(|command| command.args(&hidden))
+}
+
 fn main() -> ExitCode {
-    input::set_program(Cli::command);
+    input::set_program(program);
     let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let mut program = Cli::command();
+    let mut program = program();
     let matches = program.try_get_matches_from_mut(arguments);
     let matches = matches.unwrap_or_else(|e| e.exit());
     input::destinations::check(&program, &matches);
@@ -50,6 +58,6 @@ mod tests {
 
     #[test]
     fn clap_accepts_the_definitions() {
-        Cli::command().debug_assert();
+        program().debug_assert();
     }
 }

@@ -12,7 +12,7 @@ use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::commands::pull_off::{pull_off, work};
+use crate::commands::pull_off::pull_off;
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
 use crate::input::destinations::protect;
 use crate::input::usage_error;
@@ -62,9 +62,6 @@ pub struct Curve {
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
     #[arg(conflicts_with_all = ["separations", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
-    /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
-    #[arg(long, value_name = "W", value_parser = work)]
-    work_of_adhesion: Option<f64>,
     /// Also draw the measured points of this file, whose columns have the names of this table: one
     /// for the places (load_N, pressure_Pa, separation_m, ..) and the quantities
     #[arg(long, value_name = "FILE.csv", requires = "plot")]
@@ -83,11 +80,7 @@ impl Curve {
             return self.print_plan();
         }
         if self.pull_off {
-            return pull_off(self.asked, self.work_of_adhesion, &self.output.output);
-        }
-        if self.work_of_adhesion.is_some() {
-            let text = "--work-of-adhesion needs --pull-off; for a curve, set work_of_adhesion in the scene";
-            usage_error("curve", ErrorKind::MissingRequiredArgument, text);
+            return pull_off(self.asked, &self.output.output);
         }
         let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {

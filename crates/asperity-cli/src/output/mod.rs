@@ -108,10 +108,10 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     Ok(())
 }
 
-/// Refuses to overwrite a file unless forced: a scene may hold an hour's work.
-pub fn refuse_to_replace(path: &Path, force: bool) -> Result<()> {
-    if !force && fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
-        bail!("{} exists; choose another name, or --force to overwrite it", path.display());
+/// Refuses to overwrite a scene, which may hold an hour's work.
+pub fn refuse_to_replace(path: &Path) -> Result<()> {
+    if fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
+        bail!("{} exists; remove it, or choose another name", path.display());
     }
     Ok(())
 }

@@ -70,7 +70,8 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
         run.messages.split_once("jkr-separation: roughness reduces the tension to ").unwrap();
     let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
     assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
-    let joules = bench.run("curve --pull-off soft.toml --work-of-adhesion 50 --model jkr").messages;
+    bench.write("joules.toml", &SOFT.replace("50 mJ", "50 J"));
+    let joules = bench.run("curve --pull-off joules.toml --model jkr").messages;
     assert!(joules.contains("work_of_adhesion is 50 J/m2 (usual: 0.001 to 5)"), "{joules}");
     // With stiff exponential heights, the compression of the highest asperities exceeds the
     // adhesion of the others.

@@ -88,14 +88,14 @@ fn an_answer_that_fails_leaves_the_old_file() {
 }
 
 #[test]
-fn a_scene_is_overwritten_only_by_force() {
+fn an_existing_scene_is_kept() {
     let bench = Bench::new();
     bench.write("mine.toml", "mine");
-    let run = bench.run("init --output mine.toml");
+    let run = bench.run("init mine.toml");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.messages.contains("mine.toml exists") && bench.read("mine.toml") == "mine");
-    bench.data("init --output mine.toml --force");
-    assert_eq!(bench.read("mine.toml"), bench.data("init"));
+    assert_eq!(bench.read("mine.toml"), "mine");
+    bench.data("init new.toml");
+    assert_eq!(bench.read("new.toml"), bench.data("init"));
 }
 
 #[cfg(unix)]

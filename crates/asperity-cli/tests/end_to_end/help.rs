@@ -88,8 +88,8 @@ fn the_help_states_which_files_are_overwritten() {
     let bench = Bench::new();
     for (command, texts) in [
         ("curve", &["Write to this file, which is overwritten"][..]),
-        ("init", &["without --force an existing scene is kept"]),
-        ("surface", &["which is overwritten", "without --force they are kept"]),
+        ("init", &["an existing file is kept"]),
+        ("surface", &["which is overwritten", "an existing file is kept"]),
     ] {
         let help = bench.data(&format!("{command} --help"));
         // Lines are wrapped by clap alone.

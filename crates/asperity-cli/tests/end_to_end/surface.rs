@@ -168,7 +168,6 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
     let again = bench.run(arguments);
     assert_eq!((again.code, again.out.as_str()), (Some(1), ""));
     assert!(again.messages.contains("made.toml exists"), "{}", again.messages);
-    bench.data(&format!("{arguments} --force"));
     // It names the scan, so that what needs all of it can be asked, from any folder.
     std::fs::create_dir(bench.path("below")).unwrap();
     bench.data("surface scan.txt --unit um --pixel-size 0.5 --smooth 4e-6 --level quadratic --estimator summits --scene below/made.toml");

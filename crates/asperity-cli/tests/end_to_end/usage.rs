@@ -71,7 +71,7 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "fit scene.toml --free hardness=5:1 --load 1 --target area_fraction=1%",
         "fit scene.toml --free hardness --load 1 --target area_fraction=2",
         "joint scene.toml --closest 1 --retreat -1:2:4",
-        "curve scene.toml --pull-off --model ke --work-of-adhesion 1",
+        "curve scene.toml --pull-off --all --load 1",
         "generate --size 64x64 --pixel 1um --long 9um --short 8um --sq 1um --hurst 2 --output g.npy",
     ] {
         let run = bench.run(arguments);
