@@ -83,7 +83,6 @@ fn form() -> impl TypedValueParser<Value = TableFormat> {
         "Clearance, pressure and tangent, for cubics",
         "Pressure and overclosure, for straight lines",
         "Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure",
-        "Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area",
         "Pressure, area fraction and flow factors against the film, for a Reynolds code",
     ];
     let named =
