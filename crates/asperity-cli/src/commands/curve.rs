@@ -1,10 +1,9 @@
 //! `asperity curve`: quantities against separation or load, their plan, and the largest tension.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use asperity::bem::Bem;
-use asperity::fit::DataColumn;
 use asperity::recommended::FLOW;
 use asperity::{ContactModel, Quantity, Request, linspace};
 use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
@@ -14,7 +13,6 @@ use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
-use crate::input::destinations::protect;
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
 use crate::output::plot;
@@ -22,12 +20,6 @@ use crate::scene::LoadedScene;
 
 /// The default quantities.
 const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
-
-/// The columns of a file of measured points, which no output overwrites.
-fn measured(path: &Path) -> Result<Vec<DataColumn>> {
-    protect(path)?;
-    Ok(read_measurements(path)?.columns)
-}
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
@@ -98,7 +90,8 @@ impl Curve {
         let both = flows > 0 && flows < ids.len() && request.quantities == usual;
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, both, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
+        let points = self.data.as_deref().map(read_measurements).transpose()?;
+        let points = points.map_or(vec![], |table| table.columns);
         let from = scene.file.separation_from;
         self.output.write(&sheet, || plot::svg(&sheet, &request, from, &points))
     }

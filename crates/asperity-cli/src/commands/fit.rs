@@ -163,7 +163,6 @@ impl FitCommand {
 
     fn data(&self, scene: &LoadedScene) -> Result<Data> {
         if let Some(path) = &self.data {
-            output::keep(path);
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }

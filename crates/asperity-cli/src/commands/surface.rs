@@ -277,7 +277,6 @@ impl Surface {
 
 /// A scan as read, and despiked.
 fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
-    output::keep(path);
     let read = asperity_topography::read(path, &keys.options()).map_err(with_option)?;
     keys.clean(read).with_context(|| path.display().to_string())
 }

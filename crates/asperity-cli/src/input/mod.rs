@@ -1,7 +1,6 @@
 //! Parsing of the command line: arguments, numbers, separations.
 
 pub mod args;
-pub mod blanks;
 pub mod destinations;
 pub mod distances;
 pub mod lists;

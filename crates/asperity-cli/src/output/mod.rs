@@ -9,9 +9,7 @@ pub mod table;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
@@ -41,9 +39,6 @@ pub fn write(
         Some(path) if !is_standard(Some(path)) => {
             to_file(path, data).with_context(|| format!("cannot write {}", path.display()))
         }
-        _ if STANDARD.swap(true, Ordering::Relaxed) => {
-            bail!("standard output has one result; name a file for the other one")
-        }
         _ => {
             let mut out = BufWriter::new(io::stdout().lock());
             data(&mut out).and_then(|()| out.flush()).context("cannot write to standard output")
@@ -56,26 +51,10 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
     write(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Whether something is written to standard output.
-static STANDARD: AtomicBool = AtomicBool::new(false);
-/// Files that are read or written, which must not be overwritten.
-static KEPT: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
-
-/// Protects a file that is read or written from being overwritten by another output.
-pub fn keep(path: &Path) {
-    if let (Ok(path), Ok(mut kept)) = (fs::canonicalize(path), KEPT.lock()) {
-        kept.push(path);
-    }
-}
-
 /// Writes beside the file and renames, so that the old file stays until the new one is complete.
 fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     // A link stays, and its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-    if KEPT.lock().is_ok_and(|kept| kept.contains(&target)) {
-        let reason = "it would overwrite the input or another output; choose another name";
-        return Err(io::Error::other(reason));
-    }
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
         // A device or a pipe is written to, not replaced.
@@ -104,7 +83,6 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     out.flush()?;
     drop(out);
     file.persist(&target).map_err(|refused| refused.error)?;
-    keep(&target);
     Ok(())
 }
 

@@ -252,7 +252,7 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
             "bem scan.toml --pressure 1e6 --map x.txt",
             "'x.txt' for '--map <FILE.npy>': matrices are",
         ),
-        ("bem scan.toml --pressure 1e6 --picture -", "name a file for the data"),
+        ("bem scan.toml --pressure 1e6 --picture -", "both use standard output"),
         ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
     ] {
         let run = bench.run(arguments);

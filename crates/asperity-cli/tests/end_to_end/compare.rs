@@ -132,7 +132,8 @@ fn half_the_grid_stands_beside_it() {
 #[test]
 fn unloading_stiffnesses_are_compared_if_named() {
     let bench = bench();
-    let ask = "bem --compare scan.toml --pressure 1e9 --model zmc,ke-random --format csv --quantity";
+    let ask =
+        "bem --compare scan.toml --pressure 1e9 --model zmc,ke-random --format csv --quantity";
     // Conductances deviate alike, and need no conductivity for that.
     let [stiffness, conductance] = ["unloading-stiffness", "thermal-conductance"]
         .map(|quantity| bench.run(&format!("{ask} {quantity}")));
@@ -175,7 +176,8 @@ fn the_solved_surfaces_agree_or_differ() {
     let bench = bench();
     for (skewness, shape) in [(0.0, "psi 1."), (-1.0, ", skewness -1")] {
         resolved(&bench, skewness);
-        let run = bench.run("bem --compare made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
+        let run =
+            bench.run("bem --compare made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
         let line =
             run.messages.lines().find(|line| line.contains("ke ") && line.contains("the area by"));
         let line = line.unwrap_or_else(|| panic!("{}", run.messages));

@@ -203,10 +203,7 @@ fn a_load_is_the_abscissa_of_its_picture() {
         ("--load 1.0,1e30", ">load (N)<"),
         ("--pressure 1e4,1e5,1e6", ">pressure (Pa)<"),
         ("--pressure 1e4,1e5,1e6 --quantity pressure", ">pressure (Pa)<"),
-        (
-            "--separation 1um,2um",
-            ">separation from the mean of the asperity heights (µm)<",
-        ),
+        ("--separation 1um,2um", ">separation from the mean of the asperity heights (µm)<"),
         ("--separation 2,1,3", ">separation from the mean of the asperity heights (σ"),
     ] {
         bench.data(&format!("curve scene.toml --model gw,ke {arguments} --plot p.svg"));

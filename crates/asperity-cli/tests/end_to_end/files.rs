@@ -146,7 +146,7 @@ fn an_output_never_overwrites_its_input() {
 }
 
 #[test]
-fn an_output_never_overwrites_what_a_scene_names_or_another_scene() {
+fn an_output_never_overwrites_what_a_scene_names() {
     let bench = Bench::new();
     let scene = bench.read("scene.toml");
     let heights = "height_m,density_per_m\n-2e-6,0\n0,5e5\n2e-6,0\n";
@@ -159,35 +159,4 @@ fn an_output_never_overwrites_what_a_scene_names_or_another_scene() {
     let named = "which the scene names; choose another name";
     assert!(run.code == Some(1) && run.messages.contains(named), "{}", run.messages);
     assert_eq!(bench.read("pdf.csv"), heights);
-    let run = bench.run("curve with.toml --model ke --separation 1 --output scene.toml");
-    let may_be = "exists and may be a scene; choose another name";
-    assert!(run.code == Some(2) && run.messages.contains(may_be), "{}", run.messages);
-    assert_eq!(bench.read("scene.toml"), scene);
-}
-
-#[test]
-fn a_file_of_another_kind_is_not_overwritten() {
-    let bench = Bench::new();
-    let scan: &[u8] = b"PK\x03\x04\x14\0 a surface";
-    fs::write(bench.path("victim.x3p"), scan).unwrap();
-    fs::write(bench.path("victim.npy"), scan).unwrap();
-    bench.write("victim.sdf", "aISO-1.0\nManufacID = x\n");
-    let generate = "generate --long 20um --short 2um --size 32x32 --pixel 0.25um --sq 0.5um";
-    for (arguments, id, file) in [
-        (CURVE, "output", "victim.x3p"),
-        (CURVE, "output", "victim.sdf"),
-        ("fit scene.toml data.csv --free hardness", "output", "victim.x3p"),
-        (generate, "output", "victim.npy"),
-    ] {
-        let before = fs::read(bench.path(file)).unwrap();
-        let run = bench.run(&format!("{arguments} --{id} {file}"));
-        let named = format!("{file} exists and is no result of this kind");
-        assert!(run.code == Some(2) && run.messages.contains(&named), "{}", run.messages);
-        assert_eq!(fs::read(bench.path(file)).unwrap(), before);
-    }
-    // Results replace results.
-    for arguments in [format!("{generate} --output made.npy"), format!("{CURVE} --output a.csv")] {
-        bench.data(&arguments);
-        bench.data(&arguments);
-    }
 }

@@ -5,7 +5,8 @@ use crate::bench::{Bench, NO_SHEAR, cells, column, csv, is_long};
 #[test]
 fn a_plan_lists_its_integrals() {
     let bench = Bench::new();
-    let plan = bench.data("curve --plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
+    let plan =
+        bench.data("curve --plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
     assert!(
         plan.starts_with(
             "ke, gaussian heights, 401 rows from a separation of 0 asperity_height_std to"

@@ -31,8 +31,8 @@ fn one_key_of_the_scene_selects_random_asperities() {
     assert_eq!(cells(&all.out, "model").join(" "), ids);
     let printed = "left out: gao, at cannot give averages over the asperities of a random surface: contacts are inclined; set asperities = \"equal\" in [surface]";
     assert!(all.messages.contains(printed), "{}", all.messages);
-    let compared = bench
-        .data("curve random.toml --model gw,gw-random --reference gw --format csv --load 100");
+    let compared =
+        bench.data("curve random.toml --model gw,gw-random --reference gw --format csv --load 100");
     assert_eq!(column(&compared, "area_deviation"), [0.0, 0.0]);
     let checked = bench.data("check random.toml --model ke --load 100 --format csv");
     assert!(checked.contains("real area of contact, by ke-random"), "{checked}");
