@@ -18,7 +18,9 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
         TableFormat::Csv => "csv",
         _ => "inp",
     };
-    Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": text(file, id, format, units)? }))
+    Ok(
+        json!({ "name": format!("{id}-{form}.{extension}"), "text": text(file, id, format, units)? }),
+    )
 }
 
 /// Why models have no table in a form, by id; nothing for those that have one.

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
 use asperity::recommended::FLOW;
-use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
+use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit, linspace};
+use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
@@ -15,11 +15,14 @@ use crate::commands::pull_off::pull_off;
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
-use crate::output::plot;
+use crate::output::plot::{POINTS, Plot};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
 const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
+
+/// Columns of places, in the order in which measured points are drawn against them.
+const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separation_m"];
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
@@ -90,10 +93,48 @@ impl Curve {
         let both = flows > 0 && flows < ids.len() && request.quantities == usual;
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, both, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let points = self.data.as_deref().map(read_measurements).transpose()?;
-        let points = points.map_or(vec![], |table| table.columns);
-        let from = scene.file.separation_from;
-        self.output.write(&sheet, || plot::svg(&sheet, &request, from, &points))
+        self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.separation_from))
+    }
+
+    /// The quantities against the places, with the measured points of a file.
+    fn picture(&self, sheet: &Sheet, request: &Request, from: Datum) -> Result<String> {
+        let drawn: Vec<String> = request.quantities.iter().map(|one| one.column()).collect();
+        let mut x = match request.at.first() {
+            Some(At::Load(_)) => "load_N",
+            Some(At::Pressure(_)) => "pressure_Pa",
+            Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => "lambda",
+            Some(At::Separation(_)) if sheet.column("film_m").is_some() => "film_m",
+            Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => "separation_m",
+            _ => "separation_over_sigma",
+        };
+        let mut sheet = sheet.clone();
+        if let Some(path) = &self.data {
+            let columns = read_measurements(path)?.columns;
+            let measured = |name: &str| columns.iter().find(|(head, _)| head == name);
+            if measured(x).is_none() {
+                let is_one =
+                    |name: &&str| sheet.column(name).is_some() && !drawn.contains(&(*name).into());
+                let known: Vec<&str> = PLACES.into_iter().filter(is_one).collect();
+                let found = known.iter().find(|name| measured(name).is_some());
+                x = found.with_context(|| {
+                    format!("--data: the file has none of the columns {}", known.join(", "))
+                })?;
+            }
+            ensure!(
+                drawn.iter().any(|name| measured(name).is_some()),
+                "--data: the file has none of the plotted columns: {}",
+                drawn.join(", ")
+            );
+            for row in 0..measured(x).map_or(0, |(_, values)| values.len()) {
+                let value = |head: &String| measured(head)?.1[row];
+                let mut cells: Vec<Cell> =
+                    sheet.heads.iter().map(|head| value(head).into()).collect();
+                cells[0] = POINTS.into();
+                sheet.rows.push(cells);
+            }
+        }
+        let columns: Vec<&str> = drawn.iter().map(String::as_str).collect();
+        Plot::new(&["model"], x, &columns).from(from).svg(&sheet)
     }
 
     fn answer(

@@ -10,15 +10,14 @@ use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan
 use clap::Args;
 use clap::error::ErrorKind;
 
-use super::{bem, joint_plots};
-use crate::input::args::{
-    DrawnArgs, PressArgs, file_ending, loads, model_id, tolerance,
-};
+use super::bem;
+use crate::input::args::{DrawnArgs, PressArgs, file_ending, loads, model_id, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
+use crate::output::plot::Plot;
 use crate::output::{contact_map, once};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -163,29 +162,25 @@ impl Joint {
         if self.place.turns() {
             let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.separation_from;
-            return self.output.write(&sheet, || joint_plots::history(&sheet, from));
+            let columns = ["force_N", "stiffness_N_per_m"];
+            let plot = Plot::new(&["model", "law"], "separation_m", &columns).from(from);
+            return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
             usage_error("joint", ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
-        if is_scan {
-            let watch = terminal()?;
-            let fill =
-                |sheet: &mut Sheet| unloading_scan(&subject, closest, retreats, sheet, &watch);
-            let (sheet, ()) = scene.answer(fill)?;
-            drop(watch);
-            return self.output.write(&sheet, || joint_plots::opening(&sheet, &sheet));
-        }
-        let fill = |sheet: &mut Sheet| unloading(&subject, &laws, closest, retreats, sheet);
+        let watch = terminal()?;
+        let fill = |sheet: &mut Sheet| match is_scan {
+            true => unloading_scan(&subject, closest, retreats, sheet, &watch),
+            false => unloading(&subject, &laws, closest, retreats, sheet),
+        };
         let (sheet, ()) = scene.answer(fill)?;
-        self.output.write(&sheet, || {
-            let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
-            let dense = Some((&dense[..], SeparationUnit::Metres));
-            unloading(&subject, &laws, closest, dense, &mut smooth)?;
-            joint_plots::opening(&sheet, &smooth)
-        })
+        drop(watch);
+        let columns = ["force_N", "area_m2", "stiffness_N_per_m"];
+        let plot = Plot::new(&["model", "law"], "retreat_m", &columns);
+        self.output.write(&sheet, || plot.svg(&sheet))
     }
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
@@ -207,7 +202,18 @@ impl Joint {
             }
         }
         drop(watch);
-        self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
+        self.output.write(&sheet, || {
+            if sheet.column("shift_m").is_some() {
+                let plot = Plot::new(&["path"], "shift_m", &["tangential_force_N"]);
+                return plot.svg(&paths(&sheet));
+            }
+            let columns = ["secant_stiffness_N_per_m", "loss_J", "loss_factor"];
+            match self.cycle.amplitude {
+                Some(_) => Plot::new(&["model"], "load_N", &columns),
+                None => Plot::new(&["model", "load_N"], "tangential_force_N", &columns),
+            }
+            .svg(&sheet)
+        })
     }
 
     fn amplitudes(&self) -> Vec<Amplitude> {
@@ -215,4 +221,14 @@ impl Joint {
         let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
         shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
     }
+}
+
+/// The first shift and both ways of a loop below each other.
+fn paths(sheet: &Sheet) -> Sheet {
+    let mut long = Sheet::new(&["path", "shift_m", "tangential_force_N"]);
+    for (k, path) in [(2, "first shift"), (3, "back"), (4, "forth")] {
+        let rows = sheet.rows.iter().map(|row| vec![path.into(), row[1].clone(), row[k].clone()]);
+        long.rows.extend(rows);
+    }
+    long
 }

@@ -4,14 +4,12 @@
 mod bem;
 mod check;
 mod conductance;
-mod conductance_picture;
 mod curve;
 mod export;
 mod fit;
 mod generate;
 mod init;
 mod joint;
-mod joint_plots;
 mod list;
 mod manual;
 mod pull_off;

@@ -154,9 +154,10 @@ impl ModelArgs {
     /// The separations or loads; `otherwise` is in units of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
         let separation = |value, unit| At::from(scene.separation(value, unit));
-        let separations = self.separations.iter().flat_map(|list| {
-            list.value.iter().map(|value| separation(*value, list.unit))
-        });
+        let separations = self
+            .separations
+            .iter()
+            .flat_map(|list| list.value.iter().map(|value| separation(*value, list.unit)));
         let films = films(&self.films, &self.ratios);
         let given = separations.chain(films).chain(loads(&self.loads, &self.pressures));
         let given: Vec<At> = given.collect();

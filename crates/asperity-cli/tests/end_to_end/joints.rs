@@ -20,9 +20,8 @@ fn unloading_is_printed_as_it_is_computed() {
         (UnloadingLaw::Brake, "--law brake"),
         (UnloadingLaw::Etsion, "--law etsion"),
     ] {
-        let data = bench.data(&format!(
-            "joint scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"
-        ));
+        let data = bench
+            .data(&format!("joint scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"));
         let joint = joint(&bench, "ke", At::Load(100.0), law);
         let retreats = column(&data, "retreat_m");
         // The template's heights spread by 1 um.
@@ -70,7 +69,6 @@ fn plots_have_markers_at_the_requested_points() {
     for (arguments, panels, points) in [
         ("joint scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
         ("joint scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
-        ("joint scene.toml --model ke --history-load 10,2000,500,3000", 2, 4),
     ] {
         bench.data(&format!("{arguments} --plot joint.svg"));
         let svg = bench.read("joint.svg");

@@ -155,7 +155,7 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     assert!((shifts[2] / amplitude - 1.0).abs() < 1e-12);
     let plot = format!("{arguments} --load 100,1000 {forces} --output a.csv --plot a.svg");
     assert_eq!(bench.run(&plot).code, Some(0));
-    assert!(bench.read("a.svg").contains("preload 1000 N"));
+    assert!(bench.read("a.svg").contains("load: 1000 N"));
     for (wrong, code) in [
         ("--load 100 --tangential-force 30.001", 1),
         ("--load 100", 2),
