@@ -151,6 +151,7 @@ fn coarse_grids_have_a_warning_and_refine_adds_columns() {
     ] {
         assert!(run.messages.contains(arguments), "{arguments}\n{}", run.messages);
     }
+    assert!(!run.out.contains("iterations_half_grid") && !run.out.contains("residual_half_grid"));
     let [fine, half] = ["mean_gap_m", "mean_gap_m_half_grid"].map(|name| column(&run.out, name));
     assert!(fine.iter().zip(&half).all(|(a, b)| (1e-6..0.2).contains(&(a / b - 1.0_f64).abs())));
 }

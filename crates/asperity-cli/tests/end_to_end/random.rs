@@ -38,7 +38,6 @@ fn one_key_of_the_scene_selects_random_asperities() {
     assert!(checked.contains("real area of contact, by ke-random"), "{checked}");
     let arguments = "recommend random.toml --model gw,ke --load 10000 --quantity area --format csv";
     let advice = bench.data(arguments);
-    assert_eq!(column(&advice, "parts"), [1.0, 4.0], "{advice}");
     assert!(column(&advice, "area_off_bem").iter().all(|off| off.abs() < 0.5), "{advice}");
 }
 
