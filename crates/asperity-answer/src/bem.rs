@@ -169,7 +169,7 @@ impl<'a> Press<'a> {
         let width = sheet.heads.len();
         if half.is_some() {
             let of_half = |name: &String| format!("{name}_half_grid");
-            let names: Vec<String> = sheet.heads[2..].iter().map(of_half).collect();
+            let names: Vec<String> = of_grid(&sheet.heads).map(of_half).collect();
             sheet.heads.extend(names);
         }
         sheet.heads.push("boundary".into());
@@ -182,7 +182,7 @@ impl<'a> Press<'a> {
             let mut cells = row.unwrap_or_default();
             cells.resize(width, Cell::BLANK);
             if let Some(half) = &half {
-                cells.extend(half[k].iter().flat_map(|cells| cells[2..].to_vec()));
+                cells.extend(half[k].iter().flat_map(|cells| of_grid(cells)).cloned());
             }
             cells.resize(sheet.heads.len() - 1, Cell::BLANK);
             cells.push(self.bem.continuation().name().into());
@@ -233,6 +233,12 @@ impl<'a> Press<'a> {
         let kept = kept.into_iter().flatten().collect();
         Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
     }
+}
+
+/// The cells of a row that depend on the grid: without the load and the pressure, which are given,
+/// and the last two of [`COLUMNS`], which are about the solver.
+fn of_grid<T>(row: &[T]) -> impl Iterator<Item = &T> {
+    row[2..COLUMNS.len() - 2].iter().chain(&row[COLUMNS.len()..])
 }
 
 /// Every second pixel, to tell how much depends on the grid.

@@ -85,7 +85,9 @@ impl Ends<'_> {
             Some(_) => true,
             None => ANSWERS.iter().any(|end| sheet.heads[*column].ends_with(end)),
         };
-        let columns = (0..sheet.heads.len()).filter(|column| is_answer(column) || differs(column));
+        let is_spread = |column: &usize| sheet.heads[*column].ends_with("_spread");
+        let columns = (0..sheet.heads.len()).filter(|column| !is_spread(column));
+        let columns = columns.filter(|column| is_answer(column) || differs(column));
         let columns: Vec<usize> = columns.collect();
         let mut blank = 0;
         // From the last, so that the places of the others stay.
@@ -191,7 +193,7 @@ impl Ends<'_> {
 }
 
 /// Ends of the names of columns about models, beside those of quantities.
-const ANSWERS: [&str; 3] = ["_deviation", "_off_bem", "_spread"];
+const ANSWERS: [&str; 2] = ["_deviation", "_off_bem"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.

@@ -69,7 +69,7 @@ impl Recommend<'_> {
 
         let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
         let off = if unloading { &OFF[..] } else { &OFF[..2] };
-        sheet.heads = ["model", "asperities", "parts"].map(String::from).into();
+        sheet.heads = ["model", "asperities"].map(String::from).into();
         sheet.heads.extend(request.quantities.iter().map(|q| column_beside(*q, "deviation")));
         sheet.heads.push("simplest".into());
         sheet
@@ -142,7 +142,6 @@ fn row(
         },
     };
     let mut row = vec![found.model.id().into(), asperities.into()];
-    row.push((found.regimes as f64).into());
     let known = |quantity: &Quantity| {
         let mut known = found.deviations.iter().flatten();
         known.find(|(known, _)| known == quantity).map(|(_, deviation)| *deviation)

@@ -9,9 +9,11 @@ mod interrupt;
 mod output;
 mod scene;
 
+use std::any::TypeId;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser};
+use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser};
 
 /// Contact of rough surfaces: force, real contact area and stiffness from published models and
 /// boundary elements
@@ -25,11 +27,24 @@ struct Cli {
     treatment: output::Treatment,
 }
 
+/// The definition of the program. The options of every command stand in `asperity --help` alone,
+/// and every value but the name of a file may begin with a dash, as a negative number does.
+fn program() -> Command {
+    let program = Cli::command();
+    let global = program.get_arguments().filter(|arg| arg.is_global_set());
+    let hidden: Vec<Arg> = global.map(|arg| arg.clone().hide(true)).collect();
+    let with_dash = |arg: Arg| {
+        let is_file = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+        let has_value = arg.get_action().takes_values() && !arg.is_positional();
+        if has_value && !is_file { arg.allow_hyphen_values(true) } else { arg }
+    };
+    program.mut_subcommands(|command| command.args(&hidden).mut_args(with_dash))
+}
+
 fn main() -> ExitCode {
-    input::set_program(Cli::command);
-    let arguments = input::blanks::with_negative_numbers(std::env::args_os());
-    let mut program = Cli::command();
-    let matches = program.try_get_matches_from_mut(input::former::renamed(arguments));
+    input::set_program(program);
+    let mut program = program();
+    let matches = program.try_get_matches_from_mut(std::env::args_os());
     let matches = matches.unwrap_or_else(|e| e.exit());
     input::destinations::check(&program, &matches);
     let Cli { command, treatment } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
@@ -50,6 +65,6 @@ mod tests {
 
     #[test]
     fn clap_accepts_the_definitions() {
-        Cli::command().debug_assert();
+        program().debug_assert();
     }
 }

@@ -27,7 +27,7 @@ pub struct LoadedScene {
 impl LoadedScene {
     /// Reads the file, and reports nothing.
     pub fn open(path: &Path) -> Result<Self> {
-        Self { file: asperity_inputs::load(path)?, name: path.display().to_string() }.kept(path)
+        Self { file: asperity_inputs::load(path)?, name: path.display().to_string() }.kept()
     }
 
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
@@ -52,7 +52,7 @@ impl LoadedScene {
     /// are used.
     pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
         let file = asperity_inputs::load_scan(path, is_periodic(given))?.pressing(given);
-        let scene = Self { file, name: path.display().to_string() }.kept(path)?;
+        let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)
     }
@@ -63,8 +63,7 @@ impl LoadedScene {
     }
 
     /// The scene, whose files no output may overwrite, and which accepts what the command accepts.
-    fn kept(mut self, path: &Path) -> Result<Self> {
-        output::keep(path);
+    fn kept(mut self) -> Result<Self> {
         self.file = self.file.accepting(output::accepted()).map_err(Error::msg)?;
         self.file.files().iter().try_for_each(|file| destinations::protect(file))?;
         Ok(self)

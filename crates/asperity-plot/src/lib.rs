@@ -133,24 +133,6 @@ mod tests {
     }
 
     #[test]
-    fn marked_rows_have_the_markers_and_no_line() {
-        let mut figure = figure(&["a"], false);
-        let tag = "transform=\"translate(";
-        let csv = "curve,x,y\na,0,1\na,1,10\na,2,100\na again,1,10\n";
-        assert!(message(&figure, csv).contains("a again"), "rows that no curve draws are refused");
-        figure.panels[0].curves[0].marked = Some("a again".into());
-        let svg = draw(&figure, csv).unwrap();
-        let markers: Vec<&str> =
-            svg.lines().filter(|l| l.starts_with("<path") && l.contains(tag)).collect();
-        // Each is drawn with its rim; one stands in the legend.
-        assert_eq!(markers.len(), 4, "{svg}");
-        let curve = lines(&svg, "stroke-width=\"2\"").into_iter().find(|line| line.len() == 3);
-        let middle = curve.unwrap()[1];
-        let place = format!("translate({:.2} {:.2})", middle.0, middle.1);
-        assert!(markers.iter().any(|marker| marker.contains(&place)), "{place}: {markers:?}");
-    }
-
-    #[test]
     fn a_long_name_of_an_axis_keeps_to_its_panel() {
         let mut figure = figure(&["a", "b"], false);
         let size = |figure: &Figure| -> f64 {

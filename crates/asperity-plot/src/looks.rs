@@ -1,8 +1,7 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
-/// Ids with the numbers of their looks; correlations of conductance have those of models without
-/// one.
-const LOOKS: [(&str, usize); 21] = [
+/// Ids with the numbers of their looks.
+const LOOKS: [(&str, usize); 19] = [
     ("gw", 0),
     ("ceb", 1),
     ("zmc", 2),
@@ -22,8 +21,6 @@ const LOOKS: [(&str, usize); 21] = [
     ("jkr", 17),
     ("jkr-separation", 18),
     ("at-additive", 34),
-    ("cmy", 8),
-    ("mikic", 7),
 ];
 /// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black
 /// cross.

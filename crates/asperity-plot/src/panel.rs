@@ -243,14 +243,11 @@ impl<'a> Plot<'a> {
     /// points.
     fn markers(&self, traces: &[Vec<Vec<Point>>], frame: &Rect) -> Vec<Vec<Point>> {
         let (mut lined, mut all) = (vec![], vec![]);
-        for (Series { curve, marked: own, .. }, parts) in self.series.iter().zip(traces) {
+        for (Series { curve, .. }, parts) in self.series.iter().zip(traces) {
             let alone = |part: &&Vec<Point>| part.len() == 1 && !curve.faint;
             let marked = |part: &&Vec<Point>| curve.every_point || alone(part);
-            let mut points: Vec<Point> = parts.iter().filter(marked).flatten().copied().collect();
-            points.extend(own.iter().flat_map(|point| self.inside(&[*point], frame)).flatten());
-            all.push(points);
-            let few = curve.every_point || curve.marked.is_some();
-            let sparse = curve.line && !few && !self.panel.stacked && !curve.faint;
+            all.push(parts.iter().filter(marked).flatten().copied().collect::<Vec<_>>());
+            let sparse = curve.line && !curve.every_point && !self.panel.stacked && !curve.faint;
             lined.push(if sparse { parts.clone() } else { vec![] });
         }
         let mut places = marker_places(&lined, frame, all.concat());

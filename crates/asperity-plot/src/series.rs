@@ -74,8 +74,6 @@ impl CsvTable {
 pub(crate) struct Series<'a> {
     pub(crate) curve: &'a Curve,
     pub(crate) pieces: Vec<Vec<Point>>,
-    /// Points of its own for its markers.
-    pub(crate) marked: Vec<Point>,
     /// The lower and the upper ends of its values, if the table has columns for them: its band.
     pub(crate) band: Vec<[Vec<Point>; 2]>,
 }
@@ -94,8 +92,6 @@ pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Serie
     let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
     let ends = table.ends(&panel.y.column);
     let take = |curve: &'a Curve| {
-        let marked = curve.marked.as_ref().map(|key| pieces(panel, table, key)).transpose()?;
-        let marked = marked.unwrap_or_default().concat();
         let rows = rows(panel, table, &curve.key)?;
         let band = ends.map(|ends| split(table, &rows, [x, ends[0], ends[1]])).transpose()?;
         let [first, second] = [1, 2].map(|k| move |row: &[f64; 3]| (row[0], row[k]));
@@ -103,7 +99,7 @@ pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Serie
             [piece.iter().map(first).collect(), piece.iter().map(second).collect()]
         };
         let band = band.into_iter().flatten().filter(|piece| piece.len() > 1).map(both).collect();
-        Ok(Series { curve, pieces: points(split(table, &rows, [x, y])?), marked, band })
+        Ok(Series { curve, pieces: points(split(table, &rows, [x, y])?), band })
     };
     panel.curves.iter().map(take).collect()
 }

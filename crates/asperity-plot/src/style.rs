@@ -15,15 +15,10 @@ pub struct Curve {
     pub line: bool,
     /// A marker at every point, instead of a few that identify the curve.
     pub every_point: bool,
-    /// The name in the curve column of the rows with markers, for a line that is drawn with more
-    /// points than were requested.
-    pub marked: Option<String>,
     /// Joins the ends of a gap by a light dotted line, which marks a jump.
     pub join_gaps: bool,
     /// Thin, light grey and unbroken, without markers: the others in the background.
     pub faint: bool,
-    /// Grey and dotted, of no other look: values that do not hold.
-    pub invalid: bool,
 }
 
 impl Curve {
@@ -45,18 +40,8 @@ impl Curve {
         Self { line: false, every_point: true, ..Self::new(look, key, label) }
     }
 
-    /// A line of values that do not hold; two looks differ.
-    #[must_use]
-    pub fn invalid(look: usize, key: &str, label: &str) -> Self {
-        Self { invalid: true, ..Self::new(look, key, label) }
-    }
-
     pub(crate) fn colour(&self) -> Colour {
-        match (self.faint, self.invalid) {
-            (true, _) => LIGHT_GREY,
-            (_, true) => GREY,
-            _ => COLOURS[self.look % COLOURS.len()],
-        }
+        if self.faint { LIGHT_GREY } else { COLOURS[self.look % COLOURS.len()] }
     }
 
     /// Width of its line.
@@ -65,9 +50,6 @@ impl Curve {
     }
 
     pub(crate) fn dash(&self) -> &'static [f64] {
-        if self.invalid {
-            return DOTS[self.look % DOTS.len()];
-        }
         DASHES[(self.look + self.look / DASHES.len()) % DASHES.len()]
     }
 
@@ -115,9 +97,6 @@ const DASHES: [&[f64]; 10] = [
     &[13.3, 3.3, 2.7, 3.3, 2.7, 3.3, 2.7, 3.3],
 ];
 
-/// Those of invalid curves: dots, and dots in pairs.
-const DOTS: [&[f64]; 2] = [&[1.6, 3.2], &[1.6, 3.2, 1.6, 8.0]];
-
 /// The path of an outline around (0, 0), and whether it is filled with the curve's colour or white.
 pub(crate) type Marker = (&'static str, bool);
 
@@ -147,16 +126,6 @@ const MARKERS: [Marker; 12] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn invalid_curves_have_dashes_of_their_own() {
-        let [first, second] = [0, 1].map(|look| Curve::invalid(look, "", ""));
-        assert!(first.dash() != second.dash() && first.colour() == GREY);
-        assert!((0..15).all(|look| {
-            let valid = Curve::new(look, "", "");
-            valid.dash() != first.dash() && valid.dash() != second.dash()
-        }));
-    }
 
     #[test]
     fn fifteen_looks_differ_in_grey_and_without_markers() {

@@ -8,30 +8,26 @@ use serde_json::{Value, json};
 use crate::refusal::Refusal;
 use crate::span::Span;
 
-/// Largest error of interpolation in a table, and larger ones for programs that take few nodes.
-const ERRORS: [f64; 4] = [0.01, 0.03, 0.1, 0.3];
+/// Largest relative error of interpolation in a table.
+const ERROR: f64 = 0.01;
 
 /// The table of a model over the range of the slider for a finite-element program, as a file.
 pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Result<Value, Refusal> {
     let (format, units) = (format(form)?, units.parse().map_err(Refusal::new)?);
-    let within = |error: &f64| text(file, id, format, units, *error);
-    let found = ERRORS
-        .iter()
-        .skip(1)
-        .fold(within(&ERRORS[0]), |found, larger| found.or_else(|_| within(larger)));
     let extension = match format {
         TableFormat::Csv => "csv",
-        TableFormat::Ansys => "mac",
         _ => "inp",
     };
-    Ok(json!({ "name": format!("{id}-{form}.{extension}"), "text": found? }))
+    Ok(
+        json!({ "name": format!("{id}-{form}.{extension}"), "text": text(file, id, format, units)? }),
+    )
 }
 
 /// Why models have no table in a form, by id; nothing for those that have one.
 pub(crate) fn refusals(file: &SceneFile, ids: &[String], form: &str) -> Result<Value, Refusal> {
-    let (format, largest) = (format(form)?, ERRORS[ERRORS.len() - 1]);
+    let format = format(form)?;
     let why = |id: &String| {
-        let refused = text(file, id, format, UnitSystem::default(), largest).err();
+        let refused = text(file, id, format, UnitSystem::default()).err();
         (id.clone(), json!(refused.map(|refused| refused.message)))
     };
     Ok(ids.iter().map(why).collect())
@@ -46,13 +42,12 @@ fn text(
     id: &str,
     format: TableFormat,
     units: UnitSystem,
-    error: f64,
 ) -> Result<String, Refusal> {
     let (model, span) = (file.model(id)?, Span::of(&file.scene));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
-    let (nodes, max_error, conductance, friction) = (2, Some(error), None, None);
+    let (nodes, max_error, conductance, friction) = (2, Some(ERROR), None, None);
     let export = Export {
         subject,
         ends,
@@ -75,9 +70,7 @@ mod tests {
     fn tables_name_their_model() {
         let text = asperity_inputs::template();
         let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
-        for (form, word) in
-            [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*"), ("ansys", "R")]
-        {
+        for (form, word) in [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*")] {
             let found = table(&file, "ke", form, "mm-N-MPa").unwrap();
             assert!(found["text"].as_str().unwrap().contains(word), "{found}");
             assert!(found["name"].as_str().unwrap().starts_with("ke-"), "{found}");
@@ -94,7 +87,7 @@ mod tests {
         let ids = ["ke", "gw", "persson-fudge", "af", "dmt"].map(String::from);
         for text in [asperity_inputs::template(), ranges] {
             let file = file(text);
-            for form in ["csv", "ansys"] {
+            for form in ["csv", "calculix"] {
                 let found = refusals(&file, &ids, form).unwrap();
                 for id in &ids {
                     let made = table(&file, id, form, "SI");

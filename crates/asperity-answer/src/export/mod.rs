@@ -29,8 +29,6 @@ pub enum TableFormat {
     Abaqus,
     /// The same for CalculiX, with overclosures from the onset of pressure.
     Calculix,
-    /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
-    Ansys,
     /// Pressure, area fraction and flow factors against the film, for a Reynolds code.
     Film,
 }
@@ -56,7 +54,7 @@ pub(crate) enum Interpolation {
 
 impl TableFormat {
     /// All formats.
-    pub const ALL: [Self; 5] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Ansys, Self::Film];
+    pub const ALL: [Self; 4] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Film];
 
     /// The name of the format, in lower case.
     #[must_use]
@@ -65,7 +63,6 @@ impl TableFormat {
             Self::Csv => "csv",
             Self::Abaqus => "abaqus",
             Self::Calculix => "calculix",
-            Self::Ansys => "ansys",
             Self::Film => "film",
         }
     }

@@ -10,30 +10,24 @@ use crate::subject::Outcome;
 
 /// Points of a curve that ccx has room for (`materialdata_sp.f`).
 const CURVE: usize = 200;
-/// Points that COMBIN39 takes, of which one is the origin and one lies in tension.
-const POINTS: usize = 20;
 
 impl ContactTable {
     /// The table in its format, with clearances from the plane of the scene; `title` goes to its
     /// comments.
     pub(crate) fn text(&self, export: &Export<'_>, title: &str) -> Outcome<String> {
-        let (units, scene) = (export.units.units(), &export.subject.file.scene);
+        let units = export.units.units();
         let heat = export.conductance.is_some();
         let (form, sign) = match export.format {
             TableFormat::Csv | TableFormat::Film => (include_str!("forms/csv.txt"), "#"),
             TableFormat::Abaqus => (include_str!("forms/abaqus.txt"), "**"),
             TableFormat::Calculix if heat => (include_str!("forms/calculix_heat.txt"), "**"),
             TableFormat::Calculix => (include_str!("forms/calculix.txt"), "**"),
-            TableFormat::Ansys => (include_str!("forms/ansys.txt"), "!"),
         };
-        match export.format {
-            TableFormat::Calculix => check_nodes(self.nodes.len(), CURVE - 1, "CalculiX")?,
-            TableFormat::Ansys => check_nodes(self.nodes.len(), POINTS - 2, "COMBIN39")?,
-            _ => {}
+        if export.format == TableFormat::Calculix {
+            check_nodes(self.nodes.len(), CURVE - 1, "CalculiX")?;
         }
         let lines = self.lines(export)?;
         let ((begins, _), (last, pressure)) = (lines[0], lines[lines.len() - 1]);
-        let area = scene.nominal_area * units.per_metre.powi(2);
         let mut text = filled(
             form,
             &[
@@ -47,7 +41,6 @@ impl ContactTable {
                 ("stress", units.pressure),
                 ("begins", &format!("{begins:.9e}")),
                 ("stiffness", &format!("{:.9e}", pressure / (begins - last))),
-                ("area", &format!("{area:e}")),
             ],
         );
         match export.format {
@@ -67,18 +60,6 @@ impl ContactTable {
                 };
                 for (clearance, pressure) in lines {
                     text += &format!("{comment}{pressure:.9e}, {:.9e}\n", onset - clearance);
-                }
-            }
-            // Deflections and forces, from compression to tension, where there is no force; a point
-            // there is asked for.
-            TableFormat::Ansys => {
-                let reach = begins - lines[lines.len() - 1].0;
-                let points = lines.iter().rev().map(|(c, p)| (c - begins, 0.0 - p * area));
-                let points: Vec<(f64, f64)> = points.chain([(reach, 0.0)]).collect();
-                for (k, triple) in points.chunks(3).enumerate() {
-                    text += if k == 0 { "R,ASPERITY" } else { "RMORE" };
-                    text.extend(triple.iter().map(|(d, force)| format!(",{d:.9e},{force:.9e}")));
-                    text.push('\n');
                 }
             }
         }

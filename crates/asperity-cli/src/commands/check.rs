@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::{At, Check as CheckedScene, SeparationUnit};
+use asperity::{At, Check as CheckedScene};
 use asperity_answer::{Cell, Sheet};
 use clap::Args;
 
-use crate::input::args::{OutputArgs, model_id, separation_unit};
+use crate::input::args::{OutputArgs, model_id};
 use crate::input::distances::{Length, warn_unit};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
@@ -35,10 +35,6 @@ pub struct Check {
     /// Separation, in units of asperity_height_std (sigma), or with a unit, for example 2um
     #[arg(long, value_name = "D", group = "place")]
     separation: Option<Length<f64>>,
-    /// Unit of a separation given without one: sigma (asperity_height_std) or m
-    #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
-    #[arg(default_value = "sigma", requires = "separation")]
-    unit: SeparationUnit,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -47,10 +43,9 @@ impl Check {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::open(&self.scene)?;
         let separation = |distance: Length<f64>| {
-            let unit = distance.unit(self.unit);
             let height_std = scene.file.scene.surface.asperity_height_std;
-            warn_unit("separation", &[distance.value], unit, height_std);
-            At::from(scene.file.separation(distance.value, unit))
+            warn_unit("separation", &[distance.value], distance.unit, height_std);
+            At::from(scene.file.separation(distance.value, distance.unit))
         };
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
         let place = place.or(self.separation.map(separation));

@@ -9,11 +9,11 @@ use asperity_answer::{Conductance as Question, Gas, Sheet, with_ranges};
 use asperity_inputs::{SceneFile, likely_angle};
 use clap::{ArgGroup, Args};
 
-use super::conductance_picture::picture;
 use crate::input::args::{DrawnArgs, loads, model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, of_unit, positive, pressure, slope};
 use crate::output;
+use crate::output::plot::Plot;
 use crate::scene::LoadedScene;
 
 /// Thermal contact conductance per area, from models and from published correlations
@@ -76,7 +76,10 @@ impl Conductance {
             Question { file, ..question }.answer(&places, sheet)
         };
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        self.output.write(&sheet, || picture(&sheet, &scene.file.scene))
+        let contacts = Quantity::ThermalConductancePerArea.column();
+        let columns = [&*contacts, &format!("total_{contacts}")];
+        self.output
+            .write(&sheet, || Plot::new(&["model", "holds"], "pressure_Pa", &columns).svg(&sheet))
     }
 
     /// The scene, with the conductivity given.

@@ -1,33 +1,27 @@
-//! `asperity curve`: quantities against separation or load; also `solve`, `compare`, `plan` and
-//! `pull-off`.
+//! `asperity curve`: quantities against separation or load, their plan, and the largest tension.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
-use asperity::fit::DataColumn;
-use asperity::{ContactModel, Quantity, Request, linspace};
-use asperity_answer::{Beside, Inquiry, Sheet, models, one_model, with_ranges};
+use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit, linspace};
+use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::commands::pull_off::{pull_off, work};
+use crate::commands::pull_off::pull_off;
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
-use crate::input::destinations::protect;
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
-use crate::output::plot;
+use crate::output::plot::{POINTS, Plot};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
 const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
 
-/// The columns of a file of measured points, which no output overwrites.
-fn measured(path: &Path) -> Result<Vec<DataColumn>> {
-    protect(path)?;
-    Ok(read_measurements(path)?.columns)
-}
+/// Columns of places, in the order in which measured points are drawn against them.
+const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separation_m"];
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
@@ -60,11 +54,8 @@ pub struct Curve {
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
     #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
-    #[arg(conflicts_with_all = ["separations", "unit", "films", "ratios", "quantities", "plot"])]
+    #[arg(conflicts_with_all = ["separations", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
-    /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
-    #[arg(long, value_name = "W", value_parser = work)]
-    work_of_adhesion: Option<f64>,
     /// Also draw the measured points of this file, whose columns have the names of this table: one
     /// for the places (load_N, pressure_Pa, separation_m, ..) and the quantities
     #[arg(long, value_name = "FILE.csv", requires = "plot")]
@@ -76,49 +67,77 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Runs under the name of the command or of an alias.
-    pub fn run(self, command: &str) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let named = [&self.asked.models[..], self.reference.as_slice()].concat();
-        let press = self.press.of_models(command, &named);
+        let press = self.press.of_models("curve", &named);
         if self.plan {
             return self.print_plan();
         }
-        if self.pull_off || command == "pull-off" {
-            return pull_off(self.asked, self.work_of_adhesion, &self.output.output);
+        if self.pull_off {
+            return pull_off(self.asked, &self.output.output);
         }
-        if self.work_of_adhesion.is_some() {
-            let text = "--work-of-adhesion needs --pull-off; for a curve, set work_of_adhesion in the scene";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
-        }
-        // The former command of comparisons always has a reference, at one separation.
-        let compares = command == "compare";
-        let ids = if compares { &[][..] } else { &self.asked.models };
+        let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
             let text =
                 "bem solves a contact for each place: give --load, --pressure or --separation";
-            usage_error(command, ErrorKind::MissingRequiredArgument, text);
+            usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
-        let separations = if compares { vec![2.0] } else { linspace(0.0, 4.0, 401) };
         let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
-        let request = self.asked.request(&scene.file, &separations, &USUAL);
-        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, compares, sheet);
+        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
+        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        let points = self.data.as_deref().map(measured).transpose()?.unwrap_or_default();
-        let from = scene.file.separation_from;
-        self.output.write(&sheet, || plot::svg(&sheet, &request, from, &points))
+        self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.separation_from))
+    }
+
+    /// The quantities against the places, with the measured points of a file.
+    fn picture(&self, sheet: &Sheet, request: &Request, from: Datum) -> Result<String> {
+        let drawn: Vec<String> = request.quantities.iter().map(|one| one.column()).collect();
+        let mut x = match request.at.first() {
+            Some(At::Load(_)) => "load_N",
+            Some(At::Pressure(_)) => "pressure_Pa",
+            Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => "lambda",
+            Some(At::Separation(_)) if sheet.column("film_m").is_some() => "film_m",
+            Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => "separation_m",
+            _ => "separation_over_sigma",
+        };
+        let mut sheet = sheet.clone();
+        if let Some(path) = &self.data {
+            let columns = read_measurements(path)?.columns;
+            let measured = |name: &str| columns.iter().find(|(head, _)| head == name);
+            if measured(x).is_none() {
+                let is_one =
+                    |name: &&str| sheet.column(name).is_some() && !drawn.contains(&(*name).into());
+                let known: Vec<&str> = PLACES.into_iter().filter(is_one).collect();
+                let found = known.iter().find(|name| measured(name).is_some());
+                x = found.with_context(|| {
+                    format!("--data: the file has none of the columns {}", known.join(", "))
+                })?;
+            }
+            ensure!(
+                drawn.iter().any(|name| measured(name).is_some()),
+                "--data: the file has none of the plotted columns: {}",
+                drawn.join(", ")
+            );
+            for row in 0..measured(x).map_or(0, |(_, values)| values.len()) {
+                let value = |head: &String| measured(head)?.1[row];
+                let mut cells: Vec<Cell> =
+                    sheet.heads.iter().map(|head| value(head).into()).collect();
+                cells[0] = POINTS.into();
+                sheet.rows.push(cells);
+            }
+        }
+        let columns: Vec<&str> = drawn.iter().map(String::as_str).collect();
+        Plot::new(&["model"], x, &columns).from(from).svg(&sheet)
     }
 
     fn answer(
         &self,
         file: &SceneFile,
         request: &Request,
-        compares: bool,
         sheet: &mut Sheet,
     ) -> Result<()> {
-        let reference = match (self.reference.as_deref(), compares) {
-            (None, false) => None,
-            (id, _) => Some(one_model(file, id)?),
-        };
+        let reference = self.reference.as_deref();
+        let reference = reference.map(|id| one_model(file, Some(id))).transpose()?;
         let models =
             models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
         let beside = match reference {

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result};
-use asperity::{At, Separation, SeparationUnit, Tolerance};
+use asperity::{At, Separation, Tolerance};
 use asperity_answer::{AnswerError, ConductanceAgainst, Export, Sheet, TableFormat, UnitSystem};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
-use crate::input::args::{model_id, separation_unit};
+use crate::input::args::model_id;
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{friction, load, number, pressure, share_above_0};
@@ -35,11 +35,6 @@ pub struct ExportCommand {
     format: TableFormat,
     #[command(flatten)]
     ends: Ends,
-    /// Unit of separations given without one: sigma (asperity_height_std) or m
-    #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
-    #[arg(default_value = "sigma", requires = "separation")]
-    #[arg(conflicts_with_all = ["film", "lambda", "load", "pressure"])]
-    unit: SeparationUnit,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
     #[arg(long, value_name = "X", value_parser = share_above_0)]
@@ -88,7 +83,6 @@ fn form() -> impl TypedValueParser<Value = TableFormat> {
         "Clearance, pressure and tangent, for cubics",
         "Pressure and overclosure, for straight lines",
         "Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure",
-        "Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area",
         "Pressure, area fraction and flow factors against the film, for a Reynolds code",
     ];
     let named =
@@ -127,10 +121,10 @@ impl ExportCommand {
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;
             let ends = [span.first, span.last];
-            warn_unit("separation", &ends, distances.unit(self.unit), height_std);
+            warn_unit("separation", &ends, distances.unit, height_std);
         }
         let ends = [span.first, span.last].map(|value| match (separation, load, pressure) {
-            (Some(s), ..) => scene.file.separation(value, s.unit(self.unit)).into(),
+            (Some(s), ..) => scene.file.separation(value, s.unit).into(),
             (_, Some(_), _) => At::Load(value),
             (.., Some(_)) => At::Pressure(value),
             _ if film.is_some() => Separation::metres(value).from_surface_mean().into(),

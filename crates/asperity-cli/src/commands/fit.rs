@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Ranking, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, Ranking, rank};
+use asperity_answer::{Cell, Sheet};
 use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
 
@@ -15,8 +16,9 @@ use crate::input::target::{metres, target};
 use crate::input::valid;
 use crate::interrupt;
 use crate::output::fit_report::{report, table};
+use crate::output::plot::{PANEL, POINTS, Plot};
 use crate::output::table::Format;
-use crate::output::{self, fit_plot, progress};
+use crate::output::{self, progress};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -148,7 +150,7 @@ impl FitCommand {
         ranking: &Ranking,
     ) -> Result<()> {
         report(scene, ranking, &self.free);
-        let picture = self.output.picture(|| fit_plot::svg(&scene.file, data, models, ranking))?;
+        let picture = self.output.picture(|| picture(scene, data, models, ranking))?;
         let output = &self.output.output;
         self.output.write_beside(picture, || match output.format() {
             Format::Json => output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n")),
@@ -163,7 +165,6 @@ impl FitCommand {
 
     fn data(&self, scene: &LoadedScene) -> Result<Data> {
         if let Some(path) = &self.data {
-            output::keep(path);
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
@@ -179,4 +180,41 @@ impl FitCommand {
         let data = scene.file.data(&MeasuredTable { columns, lines: vec![] });
         Ok(valid("fit", data.map_err(|error| format!("--target: {error}"))))
     }
+}
+
+/// Points of a model's curve.
+const CURVE: usize = 101;
+
+/// The data and the fitted models: each measured column against each kind of place.
+fn picture(
+    scene: &LoadedScene,
+    data: &Data,
+    models: &[NamedModel],
+    ranking: &Ranking,
+) -> Result<String> {
+    let pair = |one: &Observation| [one.place().0.to_string(), one.measured.column()];
+    let mut plot = Plot::new(&["model"], "", &[]);
+    plot.panels = output::once(&data.iter().map(pair).collect::<Vec<_>>());
+    let mut sheet = Sheet::new(&["model", PANEL]);
+    sheet.heads.extend(output::once(&plot.panels.concat()));
+    let mut add = |name: &str, one: &Observation, value: Option<f64>| {
+        let [place, measured] = pair(one);
+        let cell = |head: &String| match head {
+            head if *head == place => one.place().1.into(),
+            head if *head == measured => value.into(),
+            head if head == PANEL => (&*measured).into(),
+            _ => Cell::BLANK,
+        };
+        let mut row: Vec<Cell> = sheet.heads.iter().map(cell).collect();
+        row[0] = name.into();
+        sheet.rows.push(row);
+    };
+    let between = data.between(CURVE);
+    for fitted in ranking.distinct() {
+        let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
+        let values = scene.file.fitted_values(model, fitted, &between)?;
+        between.iter().zip(values).for_each(|(one, value)| add(id, one, value));
+    }
+    data.iter().for_each(|one| add(POINTS, one, Some(one.value)));
+    plot.svg(&sheet)
 }

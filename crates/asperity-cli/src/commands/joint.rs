@@ -10,15 +10,14 @@ use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan
 use clap::Args;
 use clap::error::ErrorKind;
 
-use super::{bem, joint_plots};
-use crate::input::args::{
-    DrawnArgs, PressArgs, file_ending, loads, model_id, separation_unit, tolerance,
-};
+use super::bem;
+use crate::input::args::{DrawnArgs, PressArgs, file_ending, loads, model_id, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
+use crate::output::plot::Plot;
 use crate::output::{contact_map, once};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -47,10 +46,6 @@ pub struct Joint {
     /// for example 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
-    /// Unit of retreats and turning points given without one: sigma (asperity_height_std) or m
-    #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
-    #[arg(default_value = "sigma")]
-    unit: SeparationUnit,
     /// Coefficient of friction, for example 0.2 or 20%: the joint slips
     #[arg(long, alias = "mu", value_name = "MU", value_parser = friction, requires = "cycle")]
     #[arg(conflicts_with_all = ["retreat", "history", "history_load"])]
@@ -118,16 +113,13 @@ fn retreats(text: &str) -> Result<Distances, String> {
 
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
-    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel, turns: SeparationUnit) -> Vec<At> {
+    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
-        for (name, list, plain) in
-            [("closest", &self.closest, SeparationUnit::Sigma), ("history", &self.history, turns)]
-        {
+        for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
             let Some(list) = list else { continue };
-            let unit = list.unit(plain);
-            warn_unit(name, &list.value, unit, height_std);
-            let place = |value: &f64| At::from(scene.file.separation(*value, unit));
+            warn_unit(name, &list.value, list.unit, height_std);
+            let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
         places.extend(loads(self.load.iter().chain(&self.history_load), &self.pressure));
@@ -141,28 +133,27 @@ impl Closed {
 }
 
 impl Joint {
-    /// Runs under the name of the command or of an alias.
-    pub fn run(self, command: &str) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
-        let press = self.press.of_models(command, ids);
+        let press = self.press.of_models("joint", ids);
         let scene = LoadedScene::load_pressing(&self.scene, ids, press)?;
         let named = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if is_scan && self.place.turns() {
             let text = "bem opens from one load; use --load, --pressure or --closest";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if self.friction.is_some() && laws.len() > 1 {
-            usage_error(command, ErrorKind::TooManyValues, "slip follows one law; give one --law");
+            usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        let places = self.place.all(&scene, &named, self.unit);
+        let places = self.place.all(&scene, &named);
         if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
             let text = "--stick-map needs --model bem and one load";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         let subject = scene.subject(&named, self.tolerance);
         if let Some(friction) = self.friction {
@@ -171,30 +162,25 @@ impl Joint {
         if self.place.turns() {
             let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.separation_from;
-            return self.output.write(&sheet, || joint_plots::history(&sheet, from));
+            let columns = ["force_N", "stiffness_N_per_m"];
+            let plot = Plot::new(&["model", "law"], "separation_m", &columns).from(from);
+            return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
-            usage_error(command, ErrorKind::TooManyValues, text)
+            usage_error("joint", ErrorKind::TooManyValues, text)
         };
-        let retreats = self.retreat.as_ref();
-        let retreats = retreats.map(|list| (&list.value[..], list.unit(self.unit)));
-        if is_scan {
-            let watch = terminal()?;
-            let fill =
-                |sheet: &mut Sheet| unloading_scan(&subject, closest, retreats, sheet, &watch);
-            let (sheet, ()) = scene.answer(fill)?;
-            drop(watch);
-            return self.output.write(&sheet, || joint_plots::opening(&sheet, &sheet));
-        }
-        let fill = |sheet: &mut Sheet| unloading(&subject, &laws, closest, retreats, sheet);
+        let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
+        let watch = terminal()?;
+        let fill = |sheet: &mut Sheet| match is_scan {
+            true => unloading_scan(&subject, closest, retreats, sheet, &watch),
+            false => unloading(&subject, &laws, closest, retreats, sheet),
+        };
         let (sheet, ()) = scene.answer(fill)?;
-        self.output.write(&sheet, || {
-            let (mut smooth, dense) = (Sheet::default(), joint_plots::dense_retreats(&sheet));
-            let dense = Some((&dense[..], SeparationUnit::Metres));
-            unloading(&subject, &laws, closest, dense, &mut smooth)?;
-            joint_plots::opening(&sheet, &smooth)
-        })
+        drop(watch);
+        let columns = ["force_N", "area_m2", "stiffness_N_per_m"];
+        let plot = Plot::new(&["model", "law"], "retreat_m", &columns);
+        self.output.write(&sheet, || plot.svg(&sheet))
     }
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
@@ -216,7 +202,18 @@ impl Joint {
             }
         }
         drop(watch);
-        self.output.write(&sheet, || joint_plots::slip(&sheet, self.cycle.amplitude))
+        self.output.write(&sheet, || {
+            if sheet.column("shift_m").is_some() {
+                let plot = Plot::new(&["path"], "shift_m", &["tangential_force_N"]);
+                return plot.svg(&paths(&sheet));
+            }
+            let columns = ["secant_stiffness_N_per_m", "loss_J", "loss_factor"];
+            match self.cycle.amplitude {
+                Some(_) => Plot::new(&["model"], "load_N", &columns),
+                None => Plot::new(&["model", "load_N"], "tangential_force_N", &columns),
+            }
+            .svg(&sheet)
+        })
     }
 
     fn amplitudes(&self) -> Vec<Amplitude> {
@@ -224,4 +221,14 @@ impl Joint {
         let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
         shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
     }
+}
+
+/// The first shift and both ways of a loop below each other.
+fn paths(sheet: &Sheet) -> Sheet {
+    let mut long = Sheet::new(&["path", "shift_m", "tangential_force_N"]);
+    for (k, path) in [(2, "first shift"), (3, "back"), (4, "forth")] {
+        let rows = sheet.rows.iter().map(|row| vec![path.into(), row[1].clone(), row[k].clone()]);
+        long.rows.extend(rows);
+    }
+    long
 }

@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use clap::{Args, Command, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
-use crate::Cli;
+use crate::program;
 
 /// Write man pages and completions of bash, zsh and fish
 #[derive(Debug, Args)]
@@ -30,7 +30,7 @@ const SHELLS: [(Shell, &str); 3] = [
 
 impl Manual {
     pub fn run(self) -> Result<()> {
-        let mut program = Cli::command().disable_help_subcommand(true);
+        let mut program = program().disable_help_subcommand(true);
         let write = |folder: &str, write: &mut dyn FnMut(&Path) -> std::io::Result<()>| {
             let folder = self.folder.join(folder);
             let written = fs::create_dir_all(&folder).and_then(|()| write(&folder));

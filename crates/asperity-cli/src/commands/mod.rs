@@ -4,14 +4,12 @@
 mod bem;
 mod check;
 mod conductance;
-mod conductance_picture;
 mod curve;
 mod export;
 mod fit;
 mod generate;
 mod init;
 mod joint;
-mod joint_plots;
 mod list;
 mod manual;
 mod pull_off;
@@ -20,7 +18,7 @@ mod scales;
 mod surface;
 
 use anyhow::Result;
-use clap::{ArgGroup, Subcommand};
+use clap::Subcommand;
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -29,20 +27,10 @@ pub enum Command {
     Generate(generate::Generate),
     Check(check::Check),
     List(list::List),
-    #[command(hide = true, group(ArgGroup::new("given").required(true)))]
-    Solve(curve::Curve),
     Curve(curve::Curve),
-    #[command(hide = true, mut_arg("format", |arg| arg.default_value("table")))]
-    Compare(curve::Curve),
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Joint(joint::Joint),
-    #[command(hide = true)]
-    #[command(mut_arg("friction", |arg| arg.required(true)))]
-    #[command(mut_group("cycle", |group| group.required(true)))]
-    Slip(joint::Joint),
-    #[command(hide = true, mut_arg("format", |arg| arg.default_value("table")))]
-    PullOff(curve::Curve),
     Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
     Export(export::ExportCommand),
@@ -57,14 +45,10 @@ impl Command {
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::List(command) => command.run(),
-            Self::Solve(command) => command.run("solve"),
-            Self::Curve(command) => command.run("curve"),
-            Self::Compare(command) => command.run("compare"),
+            Self::Curve(command) => command.run(),
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
-            Self::Joint(command) => command.run("joint"),
-            Self::Slip(command) => command.run("slip"),
-            Self::PullOff(command) => command.run("pull-off"),
+            Self::Joint(command) => command.run(),
             Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
             Self::Export(command) => command.run(),

@@ -4,22 +4,17 @@ use anyhow::{Result, bail};
 use asperity_answer::ALL_MODELS;
 
 use crate::input::args::{ModelArgs, OutputArgs};
-use crate::input::numbers::{of_unit, positive};
 use crate::input::valid;
 use crate::output::once;
 use crate::scene::LoadedScene;
 
-/// Writes the largest tension, with this work of adhesion \[J/m²\] or that of the scene.
-pub fn pull_off(asked: ModelArgs, work: Option<f64>, output: &OutputArgs) -> Result<()> {
-    let mut scene = LoadedScene::open(&asked.scene)?;
-    let of_scene = &mut scene.file.scene.interface.work_of_adhesion;
-    *of_scene = work.or(*of_scene);
-    if of_scene.is_none() {
-        let how = "set it in the scene, or use --work-of-adhesion 50mJ/m2";
+/// Writes the largest tension.
+pub fn pull_off(asked: ModelArgs, output: &OutputArgs) -> Result<()> {
+    let scene = LoadedScene::load(&asked.scene, &[])?;
+    if scene.file.scene.interface.work_of_adhesion.is_none() {
+        let how = "set it in the scene, for example work_of_adhesion = \"50 mJ/m2\"";
         bail!("{}: work_of_adhesion is missing: {how}", scene.name);
     }
-    // The report includes the given work of adhesion.
-    scene.report_scene(true);
     let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
     let all = asked.models.is_empty() || asked.models.iter().any(|id| id == ALL_MODELS);
     let ids: Vec<String> = match all {
@@ -38,9 +33,4 @@ pub fn pull_off(asked: ModelArgs, work: Option<f64>, output: &OutputArgs) -> Res
     let (sheet, ()) = scene
         .answer(|sheet| asperity_answer::pull_off(&scene.file, &models, asked.tolerance, sheet))?;
     output.write(&sheet)
-}
-
-/// A work of adhesion.
-pub fn work(text: &str) -> Result<f64, String> {
-    of_unit(text, "J/m^2").and_then(positive)
 }

@@ -6,14 +6,14 @@ use anyhow::{Context, Result, bail};
 use asperity::{At, ContactModel, Quantity, Request};
 use asperity_answer::{Blanks, Sheet};
 use asperity_inputs::{MeasuredKeys, SceneFile};
-use asperity_plot::{Axis, Curve, Figure};
 use asperity_topography::{Statistics, Topography};
 use clap::Args;
 
 use crate::input::args::model_id;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure};
-use crate::output::{self, plot};
+use crate::output;
+use crate::output::plot::Plot;
 use crate::scene::LoadedScene;
 
 /// Statistics of a surface against the short-wavelength cut-off.
@@ -42,17 +42,16 @@ pub struct Scales {
 
 /// A number of a surface.
 type Number = fn(&Statistics) -> Option<f64>;
-/// Columns of the surface, with their labels in a plot.
-const COLUMNS: [(&str, &str, Number); 5] = [
-    ("alpha", "bandwidth α", |s| Some(s.alpha)),
-    ("asperity_radius_m", "radius R (m)", |s| s.asperity_radius),
-    ("asperity_density_per_m2", "density η (1/m²)", |s| s.asperity_density),
-    ("asperity_height_std_m", "height std σ_z (m)", |s| s.asperity_height_std),
-    ("rms_gradient", "rms gradient", |s| Some((2.0 * s.m2).sqrt())),
+/// Columns of the surface.
+const COLUMNS: [(&str, Number); 5] = [
+    ("alpha", |s| Some(s.alpha)),
+    ("asperity_radius_m", |s| s.asperity_radius),
+    ("asperity_density_per_m2", |s| s.asperity_density),
+    ("asperity_height_std_m", |s| s.asperity_height_std),
+    ("rms_gradient", |s| Some((2.0 * s.m2).sqrt())),
 ];
-/// Columns of the results of the scene.
-const ANSWERS: [(Quantity, &str); 2] =
-    [(Quantity::AreaFraction, "area fraction"), (Quantity::Tangent, "tangent (N/m)")];
+/// Results of the scene.
+const ANSWERS: [Quantity; 2] = [Quantity::AreaFraction, Quantity::Tangent];
 const CUTOFF: &str = "cutoff_m";
 
 impl Scales {
@@ -70,16 +69,16 @@ impl Scales {
         };
         let at = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
         let (mut table, mut blanks) = (Sheet::new(&[CUTOFF]), Blanks::default());
-        table.heads.extend(COLUMNS.iter().map(|(name, ..)| (*name).to_string()));
+        table.heads.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
         if asked.is_some() {
-            table.heads.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
+            table.heads.extend(ANSWERS.map(Quantity::column));
         }
         for &cutoff in cutoffs {
             let mut keys = keys.clone();
             keys.smooth = Some(cutoff);
             let found = keys.prepare(scan.clone());
             let found = found.and_then(|smooth| Ok((smooth.statistics(keys.estimator)?, smooth)));
-            let number = |(.., number): (&str, &str, Number)| number(&found.as_ref().ok()?.0);
+            let number = |(_, number): (&str, Number)| number(&found.as_ref().ok()?.0);
             let mut numbers = COLUMNS.map(number).to_vec();
             match (found.and_then(|(s, smooth)| Ok((s.surface()?, smooth))), &asked, at) {
                 (Ok((asperities, smooth)), Some((scene, (id, _))), Some(at)) => {
@@ -105,7 +104,7 @@ impl Scales {
 
 /// The results of a scene; `None` where there is none.
 fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Option<f64>>> {
-    let request = Request::new(ANSWERS.map(|(quantity, _)| quantity)).at([at]);
+    let request = Request::new(ANSWERS).at([at]);
     let response = file.model(id)?.solve(&file.scene, &request)?;
     let value = |column: &asperity::Column| column.rows[0].as_ref().ok().map(|v| v.value());
     Ok(response.columns.iter().map(value).collect())
@@ -113,16 +112,6 @@ fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Option<f64>>> {
 
 /// A panel for each column, against the cut-off.
 pub fn picture(table: &Sheet) -> Result<String> {
-    let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
-    let answers = answers.iter().map(|(name, label)| (name.as_str(), *label));
-    let columns: Vec<_> =
-        COLUMNS.into_iter().map(|(name, label, _)| (name, label)).chain(answers).collect();
-    let mut named = table.clone();
-    named.heads.insert(0, "curve".into());
-    named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));
-    let x = Axis::new(CUTOFF, "short-wavelength cut-off (µm)").times(1e6).log();
-    let mut curve = Curve::new(0, "surface", "");
-    curve.every_point = true;
-    let caption = "Values that change with the cut-off describe the measurement, not the surface.";
-    plot::drawn(&named, &Figure::new("", &[caption], plot::panels(&named, &x, &columns, &[curve])?))
+    let columns: Vec<&str> = table.heads[1..].iter().map(String::as_str).collect();
+    Plot::new(&[], CUTOFF, &columns).svg(table)
 }

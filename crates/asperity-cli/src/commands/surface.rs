@@ -81,15 +81,13 @@ pub struct Surface {
     aligned: Option<Alignment>,
     #[command(flatten)]
     output: DrawnArgs,
-    /// Write a scene that reads the files in the same way; its materials are examples, replace them
+    /// Write a scene that reads the files in the same way; its materials are examples, replace them;
+    /// an existing file is kept
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
     /// Write the measured density of the summit heights, which the scene then uses
     #[arg(long, value_name = "OUT.csv")]
     heights: Option<PathBuf>,
-    /// Overwrite the files of --scene and --heights if they exist; without --force they are kept
-    #[arg(long)]
-    force: bool,
     #[command(flatten)]
     scales: Scales,
 }
@@ -110,9 +108,7 @@ struct Report<'a> {
 impl Surface {
     pub fn run(self) -> Result<()> {
         self.check();
-        for path in self.scene.iter().chain(&self.heights) {
-            output::refuse_to_replace(path, self.force)?;
-        }
+        self.scene.as_deref().map_or(Ok(()), output::refuse_to_replace)?;
         output::show(&self.level.and_then(|level| level.tilts(self.periodic)));
         let (working, keys) = (progress("surface"), self.keys());
         if self.scales.is_requested() {
@@ -281,7 +277,6 @@ impl Surface {
 
 /// A scan as read, and despiked.
 fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
-    output::keep(path);
     let read = asperity_topography::read(path, &keys.options()).map_err(with_option)?;
     keys.clean(read).with_context(|| path.display().to_string())
 }

@@ -35,10 +35,6 @@ pub struct ModelArgs {
     #[arg(long = "separation", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
     #[arg(action = ArgAction::Append)]
     separations: Vec<Distances>,
-    /// Unit of separations given without one: sigma (asperity_height_std) or m
-    #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
-    #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
-    unit: SeparationUnit,
     /// Films between the mean planes of the surfaces: separations with the columns film_m and
     /// lambda; in m, or with a unit, for example 0.1um:3um:50
     #[arg(long = "film", value_name = "A:B:N[:log]|v,v", value_parser = all(metre))]
@@ -128,7 +124,7 @@ impl ModelArgs {
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
         for list in &self.separations {
             let height_std = scene.scene.surface.asperity_height_std;
-            warn_unit("separation", &list.value, list.unit(self.unit), height_std);
+            warn_unit("separation", &list.value, list.unit, height_std);
         }
         let at = self.at(scene, separations);
         for list in &self.films {
@@ -158,15 +154,15 @@ impl ModelArgs {
     /// The separations or loads; `otherwise` is in units of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
         let separation = |value, unit| At::from(scene.separation(value, unit));
-        let separations = self.separations.iter().flat_map(|list| {
-            let unit = list.unit(self.unit);
-            list.value.iter().map(move |value| separation(*value, unit))
-        });
+        let separations = self
+            .separations
+            .iter()
+            .flat_map(|list| list.value.iter().map(|value| separation(*value, list.unit)));
         let films = films(&self.films, &self.ratios);
         let given = separations.chain(films).chain(loads(&self.loads, &self.pressures));
         let given: Vec<At> = given.collect();
         if given.is_empty() {
-            otherwise.iter().map(|s| separation(*s, self.unit)).collect()
+            otherwise.iter().map(|s| separation(*s, SeparationUnit::Sigma)).collect()
         } else {
             given
         }
@@ -269,15 +265,6 @@ pub fn listed_model_id(name: &str) -> Result<String, String> {
     match name.trim().eq_ignore_ascii_case(ALL_MODELS) {
         true => Ok(ALL_MODELS.into()),
         false => model_id(name),
-    }
-}
-
-/// The unit of a separation by its name.
-pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
-    match name {
-        "sigma" => Ok(SeparationUnit::Sigma),
-        "m" => Ok(SeparationUnit::Metres),
-        _ => Err("the units are sigma (asperity_height_std) and m; a separation may have its own unit, for example 2mm".into()),
     }
 }
 

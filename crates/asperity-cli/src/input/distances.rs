@@ -9,25 +9,23 @@ use crate::input::lists::{Numbers, ReadNumber, Span, have_units};
 use crate::input::numbers::{number, of_unit};
 use crate::output::show;
 
-/// Separations of one option: plain numbers in the unit of the command, or metres.
+/// Separations of one option: plain numbers in units of σ_z, or lengths in metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Length<T> {
     pub value: T,
-    metres: bool,
+    pub unit: SeparationUnit,
 }
 
 /// A list or a range with its values.
 pub type Distances = Length<Vec<f64>>;
 
 impl<T> Length<T> {
-    /// The unit of the value; `plain` is that of plain numbers.
-    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
-        if self.metres { SeparationUnit::Metres } else { plain }
-    }
-
     fn read(text: &str, read: fn(&str, ReadNumber) -> Result<T, String>) -> Result<Self, String> {
-        let metres = have_units(text, metre)?;
-        Ok(Self { value: read(text, if metres { metre } else { number })?, metres })
+        let (number, unit): (ReadNumber, _) = match have_units(text, metre)? {
+            true => (metre, SeparationUnit::Metres),
+            false => (number, SeparationUnit::Sigma),
+        };
+        Ok(Self { value: read(text, number)?, unit })
     }
 }
 
@@ -73,16 +71,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_have_units_and_plain_numbers_those_of_the_command() {
+    fn lengths_have_units_and_plain_numbers_are_multiples_of_sigma() {
         let read = |text: &str| text.parse::<Distances>();
-        let sigma = SeparationUnit::Sigma;
         let plain = read("-1:4:11").unwrap();
-        assert_eq!((plain.value[0], plain.unit(sigma)), (-1.0, sigma));
+        assert_eq!((plain.value[0], plain.unit), (-1.0, SeparationUnit::Sigma));
         for (text, last) in
             [("0:2um:5", 2e-6), ("-10 nm,0,500nm", 500e-9), ("1nm:1um:4:log", 1e-6), ("3um", 3e-6)]
         {
             let found = read(text).unwrap();
-            assert_eq!(found.unit(sigma), SeparationUnit::Metres, "{text}");
+            assert_eq!(found.unit, SeparationUnit::Metres, "{text}");
             assert!((found.value.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
         }
         for (bad, part) in [
@@ -95,7 +92,7 @@ mod tests {
             assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));
         }
         let one: Length<f64> = "-0.5um".parse().unwrap();
-        assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
+        assert_eq!((one.value, one.unit), (-0.5e-6, SeparationUnit::Metres));
         let two = "2um,3um".parse::<Length<f64>>().unwrap_err();
         assert_eq!(two, "\"2um,3um\" is more than one value; write one, for example 2um");
         assert!("1,2".parse::<Length<f64>>().is_err() && "1um,2um".parse::<Length<f64>>().is_err());

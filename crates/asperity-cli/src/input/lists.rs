@@ -3,7 +3,6 @@
 use std::str::FromStr;
 
 use asperity::{linspace, shortest_digits};
-use asperity_inputs::with_decimal_point;
 
 use crate::input::numbers::{count_up_to, length, number};
 
@@ -117,19 +116,10 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     }
 }
 
-/// One size, or two along a row and along a column: `1um`, `1x5`, `0.5um,0.4um`. `1,5` is refused:
-/// it may be one size or two.
+/// One size, or two along a row and along a column: `1um`, `1x5`, `0.5um x 0.4um`.
 pub fn sizes<T: Copy>(text: &str, one: fn(&str) -> Result<T, String>) -> Result<[T; 2], String> {
-    if let Some((point, (across, down))) = with_decimal_point(text).zip(text.split_once(',')) {
-        let unit = &text[text.trim_end_matches(char::is_alphabetic).len()..];
-        return Err(format!(
-            "{text} has two readings; write {point} for square pixels, or {across}{unit}x{down} for {across} along rows and {} along columns",
-            down.trim_end_matches(char::is_alphabetic)
-        ));
-    }
-    let list = text.replace(['x', '\u{d7}'], ",");
-    have_units(&list, length)?;
-    let sizes: Vec<T> = list.split(',').map(|part| one(part.trim())).collect::<Result<_, _>>()?;
+    have_units(&text.replace('x', ","), length)?;
+    let sizes: Vec<T> = text.split('x').map(|part| one(part.trim())).collect::<Result<_, _>>()?;
     match sizes[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
@@ -159,21 +149,13 @@ mod tests {
         for (text, wanted) in [
             ("0.5", [0.5, 0.5]),
             ("1x5", [1.0, 5.0]),
-            ("1um,5um", [1e-6, 5e-6]),
             ("1 um x 5 um", [1e-6, 5e-6]),
-            ("0.5,0.4", [0.5, 0.4]),
             ("5e-7x4e-7", [5e-7, 4e-7]),
         ] {
             assert_eq!(sizes(text, length), Ok(wanted), "{text}");
         }
-        for (text, readings) in [
-            ("1,5", "write 1.5 for square pixels, or 1x5 for 1 along rows and 5 along columns"),
-            ("1,5um", "write 1.5um for square pixels, or 1umx5um for 1 along"),
-            ("1x5um", "1 has no unit"),
-            ("1x2x3", "3 values"),
-        ] {
-            let refused = sizes(text, length).unwrap_err();
-            assert!(refused.contains(readings), "{refused}");
+        for text in ["1,5", "1,5um", "1x5um", "1x2x3", "1um,5um"] {
+            assert!(sizes(text, length).is_err(), "{text}");
         }
     }
     use crate::input::numbers::{load, load_or_tension, pressure};

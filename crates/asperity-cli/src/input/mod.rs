@@ -1,10 +1,8 @@
 //! Parsing of the command line: arguments, numbers, separations.
 
 pub mod args;
-pub mod blanks;
 pub mod destinations;
 pub mod distances;
-pub mod former;
 pub mod lists;
 pub mod numbers;
 pub mod target;

@@ -1,7 +1,6 @@
 //! Standard output, or a file that is complete or absent; messages on standard error.
 
 pub mod contact_map;
-pub mod fit_plot;
 pub mod fit_report;
 mod messages;
 pub mod plot;
@@ -9,9 +8,7 @@ pub mod table;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
@@ -41,9 +38,6 @@ pub fn write(
         Some(path) if !is_standard(Some(path)) => {
             to_file(path, data).with_context(|| format!("cannot write {}", path.display()))
         }
-        _ if STANDARD.swap(true, Ordering::Relaxed) => {
-            bail!("standard output has one result; name a file for the other one")
-        }
         _ => {
             let mut out = BufWriter::new(io::stdout().lock());
             data(&mut out).and_then(|()| out.flush()).context("cannot write to standard output")
@@ -56,26 +50,10 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
     write(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Whether something is written to standard output.
-static STANDARD: AtomicBool = AtomicBool::new(false);
-/// Files that are read or written, which must not be overwritten.
-static KEPT: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
-
-/// Protects a file that is read or written from being overwritten by another output.
-pub fn keep(path: &Path) {
-    if let (Ok(path), Ok(mut kept)) = (fs::canonicalize(path), KEPT.lock()) {
-        kept.push(path);
-    }
-}
-
 /// Writes beside the file and renames, so that the old file stays until the new one is complete.
 fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     // A link stays, and its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-    if KEPT.lock().is_ok_and(|kept| kept.contains(&target)) {
-        let reason = "it would overwrite the input or another output; choose another name";
-        return Err(io::Error::other(reason));
-    }
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
         // A device or a pipe is written to, not replaced.
@@ -104,14 +82,13 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     out.flush()?;
     drop(out);
     file.persist(&target).map_err(|refused| refused.error)?;
-    keep(&target);
     Ok(())
 }
 
-/// Refuses to overwrite a file unless forced: a scene may hold an hour's work.
-pub fn refuse_to_replace(path: &Path, force: bool) -> Result<()> {
-    if !force && fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
-        bail!("{} exists; choose another name, or --force to overwrite it", path.display());
+/// Refuses to overwrite a scene, which may hold an hour's work.
+pub fn refuse_to_replace(path: &Path) -> Result<()> {
+    if fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
+        bail!("{} exists; remove it, or choose another name", path.display());
     }
     Ok(())
 }

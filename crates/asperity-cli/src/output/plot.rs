@@ -1,207 +1,152 @@
-//! Curves as a picture, drawn from the printed table alone.
+//! A sheet as a picture, drawn from its csv alone.
 
-use anyhow::{Context, Result, ensure};
-use asperity::fit::DataColumn;
-use asperity::{At, Datum, Quantity, Request, SeparationUnit};
-use asperity_answer::{Cell, Sheet};
+use anyhow::{Context, Result};
+use asperity::{Datum, Quantity};
+use asperity_answer::{Cell, Sheet, rounded};
 use asperity_plot::{Axis, Curve, Figure, MEASURED, Panel, Scale, draw, look_of};
 
 use crate::output::once;
 use crate::output::table::csv;
 
 /// Up to this many points of a curve, each has a marker; above, a few markers identify the curve.
-pub const MARKED: usize = 12;
+const MARKED: usize = 12;
+/// The first cell of rows with measured points, and their name in the legend.
+pub const POINTS: &str = "measured";
+/// The column of a drawn table that names the curve.
+const CURVE: &str = "curve";
+/// A column of rows that belong to the panel of one column alone.
+pub const PANEL: &str = "panel";
+/// Units at the end of the names of columns, which numerals and `per` join.
+const UNITS: [&str; 9] = ["N", "m", "m2", "m3", "Pa", "W", "J", "K", "S"];
 
-/// The name of measured points in legends.
-const POINTS: &str = "measured";
-/// Columns of places, beside that of the request: an axis may show them for measured points.
-const PLACES: [(&str, &str, f64); 5] = [
-    ("load_N", "load (N)", 1.0),
-    ("pressure_Pa", "pressure (Pa)", 1.0),
-    ("film_m", "film (µm)", 1e6),
-    ("lambda", "film (σ)", 1.0),
-    ("separation_m", "separation (µm)", 1e6),
-];
+/// What a picture shows of a sheet.
+#[derive(Debug, Clone)]
+pub struct Plot {
+    /// Columns whose cells name the curve of a row.
+    pub curves: Vec<String>,
+    /// The columns of the horizontal and of the vertical axis, for each panel.
+    pub panels: Vec<[String; 2]>,
+    /// The plane that separations are measured from, where they are.
+    pub from: Option<Datum>,
+}
 
-/// The picture of a table's quantities against the load or separation, one panel for each, with
-/// `measured` points of the quantities that they have.
-pub fn svg(
-    table: &Sheet,
-    request: &Request,
-    from: Datum,
-    measured: &[DataColumn],
-) -> Result<String> {
-    let mut x = axis(table, request, from);
-    if !measured.is_empty() && !has(measured, &x.column) {
-        x = axis_of(table, request, measured)?;
+impl Plot {
+    /// Some columns against one, in curves by the cells of others.
+    pub fn new(curves: &[&str], x: &str, columns: &[&str]) -> Self {
+        let panels = columns.iter().map(|y| [x.into(), (*y).into()]).collect();
+        Self { curves: curves.iter().map(|name| (*name).into()).collect(), panels, from: None }
     }
-    let along = numbers(table, &x.column)?;
-    if !is_even(&along) {
-        x.scale = Scale::fitting(&along);
-    }
-    let curves = curves(table, |k, id| Curve::new(look_of(id).unwrap_or(k), id, id));
 
-    let (mut panels, mut hidden, mut any) = (vec![], vec![], false);
-    for &quantity in &request.quantities {
-        let name = quantity.column();
-        let mut y = Axis::new(&name, &label(quantity));
-        if !quantity.is_absolute() {
-            y.scale = Scale::fitting(&numbers(table, &name)?);
-        }
-        if y.scale == Scale::Log {
-            let k = place(table, &name)?;
-            let low = |row: &&Vec<Cell>| row[k].number().is_some_and(|y| y <= 0.0);
-            let low = table.rows.iter().filter(low);
-            hidden.extend(low.map(|row| format!("{quantity} of {}", row[0].text())));
-        }
-        let mut panel = Panel::new(x.clone(), y);
-        panel.curve_column = "model".into();
-        panel.curves.clone_from(&curves);
-        if has(measured, &name) {
-            any = true;
-            panel.curves.push(Curve::points(MEASURED, POINTS, POINTS));
-        }
-        panels.push(panel);
+    /// The same with separations from this plane.
+    pub fn from(self, plane: Datum) -> Self {
+        Self { from: Some(plane), ..self }
     }
-    ensure!(
-        any || measured.is_empty(),
-        "--data: the file has none of the plotted columns: {}",
-        request.quantities.iter().map(|q| q.column()).collect::<Vec<_>>().join(", ")
-    );
-    // A line runs from left to right for any order of the rows.
-    let mut sorted = table.clone();
-    for row in 0..measured.first().map_or(0, |(_, values)| values.len()) {
-        let value = |head: &String| measured.iter().find(|(name, _)| name == head)?.1[row];
-        let cell = |head: &String| match head.as_str() {
-            "model" => POINTS.into(),
-            _ => value(head).map_or(Cell::BLANK, Cell::Number),
+
+    /// The picture: a panel for each pair of columns that the sheet has. The rows of a curve are
+    /// joined from left to right or, where the sheet counts the ways of a path, in their order.
+    pub fn svg(&self, sheet: &Sheet) -> Result<String> {
+        let named = self.curves.iter().filter_map(|name| sheet.column(name)).collect::<Vec<_>>();
+        let mut drawn = sheet.clone();
+        drawn.heads.insert(0, CURVE.into());
+        for row in &mut drawn.rows {
+            let name = curve_name(&sheet.heads, &named, row);
+            row.insert(0, name.as_str().into());
+        }
+        let has = |name: &String| sheet.column(name).is_some();
+        let shown = self.panels.iter().filter(|[x, y]| has(x) && has(y));
+        let shown: Vec<[&String; 2]> = shown.map(|[x, y]| [x, y]).collect();
+        let is_path = sheet.column("way").is_some();
+        let curves = curves(&drawn);
+        let (mut panels, mut hidden) = (vec![], vec![]);
+        for [x, y] in &shown {
+            let points = points(&drawn, x, y)?;
+            let mut across = axis(x, self.from);
+            let along: Vec<f64> = points.iter().map(|(_, x, _)| *x).collect();
+            if !is_path && !is_even(&along) {
+                across.scale = Scale::fitting(&along);
+            }
+            let mut up = axis(y, self.from);
+            let quantity = Quantity::ALL.into_iter().find(|known| known.column() == **y);
+            let low: Vec<&str> =
+                points.iter().filter(|(.., y)| *y <= 0.0).map(|(curve, ..)| *curve).collect();
+            // Loops have as many values on either side of 0.
+            if !quantity.is_some_and(Quantity::is_absolute) && 4 * low.len() < points.len() {
+                up.scale = Scale::fitting(&points.iter().map(|(.., y)| *y).collect::<Vec<_>>());
+            }
+            if up.scale == Scale::Log {
+                let name = quantity.map_or(unit_of(y).0, |quantity| quantity.to_string());
+                hidden.extend(low.iter().map(|curve| format!("{name} of {curve}")));
+            }
+            let mut panel = Panel::new(across, up);
+            panel.only = sheet.column(PANEL).map(|_| (PANEL.into(), y.to_string()));
+            panel.curve_column = CURVE.into();
+            panel.curves.clone_from(&curves);
+            panels.push(panel);
+        }
+        let mut figure = Figure::new("", &[], panels);
+        if !hidden.is_empty() {
+            let which = once(&hidden).join(", ");
+            let text = format!("Values of 0 and below are not on logarithmic axes: {which}.");
+            figure.caption.push(text);
+        }
+        for [x, _] in shown.iter().filter(|_| !is_path) {
+            let column = place(&drawn, x)?;
+            let at = |row: &Vec<Cell>| row[column].number().unwrap_or(f64::NAN);
+            drawn.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
+        }
+        let mut text = vec![];
+        csv(&drawn, &mut text)?;
+        Ok(draw(&figure, &String::from_utf8(text)?)?)
+    }
+}
+
+/// The name of a row's curve: `ke`, `ke, law: hertz`, `ke, load: 100 N`.
+fn curve_name(heads: &[String], named: &[usize], row: &[Cell]) -> String {
+    let mut name = String::new();
+    for &k in named {
+        let (head, unit) = unit_of(&heads[k]);
+        let text = match &row[k] {
+            Cell::Number(value) => format!("{} {unit}", rounded(*value)),
+            cell => cell.text().to_string(),
         };
-        sorted.rows.push(table.heads.iter().map(cell).collect());
+        match (name.is_empty(), text.is_empty()) {
+            (true, _) => name = text,
+            (_, true) => {}
+            _ => name += &format!(", {head}: {}", text.trim_end()),
+        }
     }
-    put_in_order(&mut sorted, place(table, &x.column)?);
-    let mut figure = Figure::new("", &[], panels);
-    if !hidden.is_empty() {
-        let which = once(&hidden).join(", ");
-        figure.caption.push(format!("Values of 0 and below are not on logarithmic axes: {which}."));
-    }
-    drawn(&sorted, &figure)
+    name
 }
 
-/// The horizontal axis that a request has.
-fn axis(table: &Sheet, request: &Request, from: Datum) -> Axis {
-    match request.at.first() {
-        Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
-        Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
-        Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => {
-            Axis::new("lambda", "film (σ)")
+/// A curve for each name, with the look of the model of this name or one that none here has; in a
+/// short table every point has a marker.
+fn curves(drawn: &Sheet) -> Vec<Curve> {
+    let names = once(&drawn.rows.iter().map(|row| row[0].text().to_string()).collect::<Vec<_>>());
+    let looks: Vec<Option<usize>> = names.iter().map(|name| look_of(name)).collect();
+    let mut others = (0..).filter(|look| !looks.contains(&Some(*look)));
+    let few = drawn.rows.len() <= MARKED * names.len();
+    let curve = |(name, look): (&String, &Option<usize>)| match name.as_str() {
+        POINTS => Curve::points(MEASURED, name, name),
+        _ => {
+            let look = look.or_else(|| others.next()).unwrap_or_default();
+            let mut curve = Curve::new(look, name, name);
+            curve.every_point = few;
+            curve
         }
-        Some(At::Separation(_)) if table.column("film_m").is_some() => {
-            Axis::new("film_m", "film (µm)").times(1e6)
-        }
-        Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => {
-            Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6)
-        }
-        _ => Axis::new("separation_over_sigma", &format!("separation from {from} (σ_z)")),
-    }
-}
-
-/// The horizontal axis of places that the table and the measured points have.
-fn axis_of(table: &Sheet, request: &Request, measured: &[DataColumn]) -> Result<Axis> {
-    let is_drawn = |name: &str| request.quantities.iter().any(|drawn| drawn.column() == name);
-    let known = || {
-        let has = |name: &str| table.column(name).is_some() && !is_drawn(name);
-        PLACES.into_iter().filter(move |(name, ..)| has(name))
     };
-    let names = || known().map(|(name, ..)| name).collect::<Vec<_>>().join(", ");
-    let found = known().find(|(name, ..)| has(measured, name));
-    let (name, label, factor) =
-        found.with_context(|| format!("--data: the file has none of the columns {}", names()))?;
-    Ok(Axis::new(name, label).times(factor))
+    names.iter().zip(&looks).map(curve).collect()
 }
 
-fn has(measured: &[DataColumn], column: &str) -> bool {
-    measured.iter().any(|(name, _)| name == column)
+/// The values of two columns with the names of their curves, without measured points.
+fn points<'s>(drawn: &'s Sheet, x: &str, y: &str) -> Result<Vec<(&'s str, f64, f64)>> {
+    let [x, y] = [place(drawn, x)?, place(drawn, y)?];
+    let rows = drawn.rows.iter().filter(|row| row[0].text() != POINTS);
+    let point = |row: &'s Vec<Cell>| Some((row[0].text(), row[x].number()?, row[y].number()?));
+    Ok(rows.filter_map(point).collect())
 }
 
-/// The names in the first column, each once.
-pub fn names(table: &Sheet) -> Vec<String> {
-    once(&table.rows.iter().map(|row| row[0].text().to_string()).collect::<Vec<_>>())
-}
-
-/// A curve for each name in the first column; in a short table every point has a marker.
-pub fn curves(table: &Sheet, mut curve: impl FnMut(usize, &str) -> Curve) -> Vec<Curve> {
-    let names = names(table);
-    let few = table.rows.len() <= MARKED * names.len();
-    let mut curves: Vec<Curve> =
-        names.iter().enumerate().map(|(look, name)| curve(look, name)).collect();
-    curves.iter_mut().for_each(|curve| curve.every_point = few);
-    curves
-}
-
-/// A figure of the rows of a table.
-pub fn drawn(table: &Sheet, figure: &Figure) -> Result<String> {
-    let mut text = vec![];
-    csv(table, &mut text)?;
-    Ok(draw(figure, &String::from_utf8(text)?)?)
-}
-
-/// The picture of some columns against one, with a panel for each that the table has and a curve
-/// for each name in the first column. Over a logarithmic axis, columns that span decades have one
-/// as well.
-pub fn against(
-    table: &Sheet,
-    x: &Axis,
-    columns: &[(&str, &str)],
-    curves: &[Curve],
-) -> Result<String> {
-    drawn(table, &Figure::new("", &[], panels(table, x, columns, curves)?))
-}
-
-/// The panels of [`against`].
-pub fn panels(
-    table: &Sheet,
-    x: &Axis,
-    columns: &[(&str, &str)],
-    curves: &[Curve],
-) -> Result<Vec<Panel>> {
-    let mut panels = vec![];
-    for (column, label) in columns.iter().filter(|(c, _)| table.column(c).is_some()) {
-        let mut y = Axis::new(column, label);
-        if x.scale == Scale::Log {
-            y.scale = Scale::fitting(&numbers(table, column)?);
-        }
-        let mut panel = Panel::new(x.clone(), y);
-        panel.curve_column.clone_from(&table.heads[0]);
-        panel.curves = curves.to_vec();
-        panels.push(panel);
-    }
-    Ok(panels)
-}
-
-/// The axis with the scale that fits its column; the rows are put in order, as lines run from left
-/// to right.
-pub fn fitted(sheet: &mut Sheet, mut axis: Axis) -> Axis {
-    if let Some(k) = sheet.column(&axis.column) {
-        put_in_order(sheet, k);
-        let values = sheet.rows.iter().filter_map(|row| row[k].number());
-        axis.scale = Scale::fitting(&values.collect::<Vec<_>>());
-    }
-    axis
-}
-
-fn put_in_order(sheet: &mut Sheet, column: usize) {
-    let at = |row: &Vec<Cell>| row[column].number().unwrap_or(f64::NAN);
-    sheet.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
-}
-
-/// The place of a column.
-pub fn place(table: &Sheet, name: &str) -> Result<usize> {
+fn place(table: &Sheet, name: &str) -> Result<usize> {
     table.column(name).with_context(|| format!("the table has no column {name}"))
-}
-
-fn numbers(table: &Sheet, name: &str) -> Result<Vec<f64>> {
-    let k = place(table, name)?;
-    Ok(table.rows.iter().filter_map(|row| row[k].number()).collect())
 }
 
 /// Whether numbers follow each other in equal steps, as in A:B:N.
@@ -211,8 +156,46 @@ fn is_even(values: &[f64]) -> bool {
     values.len() > 2 && high <= 1.001 * low
 }
 
+/// The axis of a column, named with its unit; lengths are in µm.
+fn axis(column: &str, from: Option<Datum>) -> Axis {
+    if let Some(quantity) = Quantity::ALL.into_iter().find(|known| known.column() == column) {
+        return Axis::new(column, &label(quantity));
+    }
+    let (name, unit) = match column {
+        "separation_over_sigma" => ("separation".into(), "σ_z".into()),
+        "lambda" => ("film".into(), "σ".into()),
+        _ => unit_of(column),
+    };
+    let name = match from.filter(|_| name == "separation") {
+        Some(from) => format!("{name} from {from}"),
+        None => name,
+    };
+    match unit.as_str() {
+        "" => Axis::new(column, &name),
+        "m" => Axis::new(column, &format!("{name} (µm)")).times(1e6),
+        unit => Axis::new(column, &format!("{name} ({unit})")),
+    }
+}
+
+/// The name of a column in words and its unit: `secant stiffness` and `N/m`.
+fn unit_of(column: &str) -> (String, String) {
+    let words: Vec<&str> = column.split('_').collect();
+    let first = words.iter().position(|word| UNITS.contains(word)).unwrap_or(words.len());
+    let first = if first > 0 && words[first - 1] == "per" { first - 1 } else { first };
+    let unit = words[first..].join(" ");
+    let (above, below) = unit.split_once("per ").unwrap_or((&unit, ""));
+    let below = below.replace("per ", "");
+    let above = if above.is_empty() && !below.is_empty() { "1" } else { above.trim_end() };
+    let unit = match (below.is_empty(), below.contains(' ')) {
+        (true, _) => above.to_string(),
+        (_, true) => format!("{above}/({below})"),
+        _ => format!("{above}/{below}"),
+    };
+    (words[..first].join(" "), unit.replace("m2", "m²").replace("m3", "m³"))
+}
+
 /// The label of an axis, with the unit of the numbers.
-pub fn label(quantity: Quantity) -> String {
+fn label(quantity: Quantity) -> String {
     let name = quantity.label();
     match quantity.unit().trim_start_matches("ln ").replace("m2", "m²") {
         none if none.is_empty() => name.into(),
@@ -235,5 +218,18 @@ mod tests {
         for (k, look) in looks.iter().enumerate() {
             assert!(!looks[k + 1..].contains(look) && *look != shown(MEASURED), "{look:?}");
         }
+    }
+
+    #[test]
+    fn columns_are_named_in_words_with_their_unit() {
+        for (column, name, unit) in [
+            ("secant_stiffness_N_per_m", "secant stiffness", "N/m"),
+            ("loss_factor", "loss factor", ""),
+            ("asperity_density_per_m2", "asperity density", "1/m²"),
+            ("gas_conductance_per_area_W_per_m2_per_K", "gas conductance per area", "W/(m² K)"),
+        ] {
+            assert_eq!(unit_of(column), (name.into(), unit.into()));
+        }
+        assert_eq!(axis("retreat_m", None).label, "retreat (µm)");
     }
 }

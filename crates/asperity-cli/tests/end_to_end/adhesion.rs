@@ -43,8 +43,8 @@ fn tensions_are_answered_by_all_models_at_the_stable_separation() {
     for (id, stiffness) in ids.iter().zip(stiffness).filter(|(id, _)| **id != "gw") {
         assert!(stiffness.is_empty() || stiffness.parse::<f64>().unwrap() > 0.0, "{id}");
     }
-    let both = bench.data("solve soft.toml --load=-0.1 --model jkr-separation --all --format csv");
-    let one = bench.data("solve soft.toml --load=-0.1 --model jkr-separation --format csv");
+    let both = bench.data("curve soft.toml --load=-0.1 --model jkr-separation --all --format csv");
+    let one = bench.data("curve soft.toml --load=-0.1 --model jkr-separation --format csv");
     let [both, one] = [both, one].map(|text| column(&text, "separation_over_sigma"));
     assert_eq!((both.len(), one), (2, vec![both[0]]));
     let run = bench.run("curve soft.toml --load=-1 --model jkr-separation");
@@ -54,7 +54,7 @@ fn tensions_are_answered_by_all_models_at_the_stable_separation() {
 #[test]
 fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     let bench = soft();
-    let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");
+    let run = bench.run("curve --pull-off soft.toml --model dmt,jkr --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["dmt", "jkr-separation"]);
     let model = JohnsonKendallRoberts { branch: JkrBranch::Separation };
@@ -70,19 +70,20 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
         run.messages.split_once("jkr-separation: roughness reduces the tension to ").unwrap();
     let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
     assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
-    let joules = bench.run("pull-off soft.toml --work-of-adhesion 50 --model jkr").messages;
+    bench.write("joules.toml", &SOFT.replace("50 mJ", "50 J"));
+    let joules = bench.run("curve --pull-off joules.toml --model jkr").messages;
     assert!(joules.contains("work_of_adhesion is 50 J/m2 (usual: 0.001 to 5)"), "{joules}");
     // With stiff exponential heights, the compression of the highest asperities exceeds the
     // adhesion of the others.
     let stiff =
         SOFT.replace("1 MPa", "1 GPa").replace("[surface]", "[surface]\nheights = \"exponential\"");
     bench.write("stiff.toml", &stiff);
-    let run = bench.run("pull-off stiff.toml --model dmt --format csv");
+    let run = bench.run("curve --pull-off stiff.toml --model dmt --format csv");
     assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
     assert!(run.messages.contains("dmt: no pull-off force"), "{}", run.messages);
     for (arguments, code, wanted) in [
-        ("pull-off soft.toml --model gw", 2, "gw has no adhesion"),
-        ("pull-off scene.toml", 1, "work_of_adhesion is missing"),
+        ("curve --pull-off soft.toml --model gw", 2, "gw has no adhesion"),
+        ("curve --pull-off scene.toml", 1, "work_of_adhesion is missing"),
     ] {
         let run = bench.run(arguments);
         assert!(run.code == Some(code) && run.messages.contains(wanted), "{}", run.messages);
@@ -99,18 +100,18 @@ fn tensions_are_loads_below_0() {
     assert_eq!(column(&run.out, "load_N"), [-0.01, 0.1, -0.01, 0.1]);
     assert!(run.messages.contains("gw carries no tension; use dmt, jkr"), "{}", run.messages);
     assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
-    let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
+    let all = bench.data("curve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");
-    let both = bench.run("solve soft.toml --model jkr-separation --load -0.01 --all").messages;
+    let both = bench.run("curve soft.toml --model jkr-separation --load -0.01 --all").messages;
     assert!(both.contains("stable states have a positive tangent"), "{both}");
-    let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").messages;
+    let largest = bench.run("curve soft.toml --model jkr-separation --load -0.01").messages;
     assert!(!largest.contains("negative"), "{largest}");
     let several = bench.run("curve soft.toml --model gw,persson --load -5").messages;
     assert!(
         several.contains("warning[no-tension]: gw, persson carry no tension; use dmt"),
         "{several}"
     );
-    let refused = bench.run("solve soft.toml --model gw --load -5").messages;
+    let refused = bench.run("curve soft.toml --model gw --load -5").messages;
     assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
     for load in ["-1N", "-1kN"] {
         let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).messages;

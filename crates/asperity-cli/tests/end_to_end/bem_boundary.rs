@@ -72,14 +72,14 @@ fn a_wave_is_solved_although_it_has_no_asperities() {
     let kurtosis = surface.out.lines().find(|line| line.starts_with("sku ")).unwrap();
     assert!(kurtosis.split_whitespace().nth(1) == Some("1.5"), "{kurtosis}");
     // Models without asperities, and the comparison with them, need none either.
-    for line in ["curve declared.toml --model bem,persson", "truth declared.toml"] {
+    for line in ["curve declared.toml --model bem,persson", "bem --compare declared.toml"] {
         let run = bench.run(&format!("{line} --pressure 1e5 --format csv"));
         assert_eq!(run.code, Some(0), "{line}: {}", run.messages);
         let ids = crate::bench::cells(&run.out, "model");
         assert!(ids.contains(&"bem") && ids.contains(&"persson"), "{line}: {ids:?}");
         assert!(!ids.contains(&"gw"), "{line}: {ids:?}");
     }
-    let truth = bench.run("truth declared.toml --pressure 1e5").messages;
+    let truth = bench.run("bem --compare declared.toml --pressure 1e5").messages;
     let line = truth.lines().find(|line| line.starts_with("note[left-out]: left out: gw, "));
     assert!(line.is_some_and(|line| line.contains("bandwidth")), "{truth}");
     let made = "surface line.txt --unit m --pixel-size 0.015625 --periodic --scene made.toml";

@@ -45,7 +45,7 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
     assert!(far.contains("p/(E g) = 1.49e90; solved up to "), "{far}");
     let refused = bench.run("curve scene.toml --model ke --corrected");
     assert_eq!(refused.code, Some(2), "{}", refused.messages);
-    let solved = bench.data("solve scene.toml --model ke --load 100 --corrected --quantity area");
+    let solved = bench.data("curve scene.toml --model ke --load 100 --corrected --quantity area");
     assert_eq!(cells(&solved, "model"), ["ke", "ke-corrected"]);
 }
 

@@ -96,7 +96,7 @@ fn negative_numbers_follow_a_blank_or_an_equals_sign() {
 #[test]
 fn metres_and_multiples_of_sigma_are_the_same_place() {
     let bench = Bench::new();
-    let metres = bench.data("curve scene.toml --model ke --separation 2e-6 --separation-unit m");
+    let metres = bench.data("curve scene.toml --model ke --separation 2e-6m");
     let sigmas = bench.data("curve scene.toml --model ke --separation 2");
     for name in ["separation_over_sigma", "separation_m", "force_N"] {
         let (a, b) = (column(&metres, name)[0], column(&sigmas, name)[0]);
@@ -116,7 +116,7 @@ fn separations_from_the_mean_plane_are_printed_as_given() {
     assert_eq!(column(&plane, "separation_over_sigma"), [3.0]);
     let (a, b) = (column(&plane, "force_N")[0], column(&same, "force_N")[0]);
     assert!(offset > 0.5 && (a / b - 1.0).abs() < 1e-12, "{offset}: {a} {b}");
-    let solved = bench.data(&format!("solve plane.toml --model ke --load {a}"));
+    let solved = bench.data(&format!("curve plane.toml --model ke --load {a}"));
     assert!((column(&solved, "separation_over_sigma")[0] - 3.0).abs() < 1e-9, "{solved}");
 }
 
@@ -203,10 +203,7 @@ fn a_load_is_the_abscissa_of_its_picture() {
         ("--load 1.0,1e30", ">load (N)<"),
         ("--pressure 1e4,1e5,1e6", ">pressure (Pa)<"),
         ("--pressure 1e4,1e5,1e6 --quantity pressure", ">pressure (Pa)<"),
-        (
-            "--separation 1e-6,2e-6 --separation-unit m",
-            ">separation from the mean of the asperity heights (µm)<",
-        ),
+        ("--separation 1um,2um", ">separation from the mean of the asperity heights (µm)<"),
         ("--separation 2,1,3", ">separation from the mean of the asperity heights (σ"),
     ] {
         bench.data(&format!("curve scene.toml --model gw,ke {arguments} --plot p.svg"));

@@ -81,13 +81,13 @@ fn plots_other_than_svg_are_refused_first() {
 fn messages_use_the_unit_and_the_plane_of_the_user() {
     let bench = Bench::new();
     bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
-    let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
+    let run = bench.run("curve plane.toml --model at --separation 1.5e-6m");
     let printed = "a separation of 1.5e-6 m from the mean plane of the surface";
     assert!(run.messages.contains(printed), "{}", run.messages);
     assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
-    let plan = bench.data("plan plane.toml --model ke --separation 1:3:3");
+    let plan = bench.data("curve --plan plane.toml --model ke --separation 1:3:3");
     assert!(plan.contains("a separation of 1 asperity_height_std from the mean plane"), "{plan}");
-    let plan = bench.data("plan plane.toml --model ke --load 10:1000:50");
+    let plan = bench.data("curve --plan plane.toml --model ke --load 10:1000:50");
     assert!(plan.contains("50 rows from a load of 1000 N to a load of 10 N"), "{plan}");
 }
 
@@ -96,23 +96,8 @@ fn facts_about_a_model_are_not_repeated_with_results() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model gao,at --separation 2");
     assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
-    let models = bench.data("models --format json");
+    let models = bench.data("list models --format json");
     assert!(models.contains("gao: the angle density falls to 4 pi psi"), "{models}");
-}
-
-#[test]
-fn a_unit_without_its_separations_is_refused() {
-    let bench = Bench::new();
-    for arguments in [
-        "curve scene.toml",
-        "compare scene.toml",
-        "recommend scene.toml --load 5",
-        "export scene.toml --model ke --as csv --load 1:5:3",
-    ] {
-        let run = bench.run(&format!("{arguments} --separation-unit m"));
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}");
-        assert!(run.messages.contains("--separation"), "{arguments}");
-    }
 }
 
 #[test]
@@ -129,11 +114,9 @@ fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
 #[test]
 fn a_comma_separates() {
     let bench = Bench::new();
-    let run = bench.run("curve scene.toml --model ke --pressure 1e6,2,5 --separation-unit m");
-    assert_eq!(run.code, Some(2), "{}", run.messages);
     let asked = "curve scene.toml --model ke --quantity area --load";
     assert_eq!(bench.data(&format!("{asked} 1,5e2")), bench.data(&format!("{asked} 1,500")));
-    let run = bench.run("slip scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
+    let run = bench.run("joint scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
     let one = "has a decimal comma; write 1.5um";
     assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
 }

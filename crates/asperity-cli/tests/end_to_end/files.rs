@@ -79,7 +79,7 @@ fn files_that_cannot_be_written_are_named_and_nothing_is_left_behind() {
 fn an_answer_that_fails_leaves_the_old_file() {
     let bench = Bench::new();
     bench.write("out.csv", "old");
-    let run = bench.run("solve scene.toml --model ke --load 1e40 --output out.csv");
+    let run = bench.run("curve scene.toml --model ke --load 1e40 --output out.csv");
     assert_eq!(run.code, Some(1));
     assert_eq!(bench.read("out.csv"), "old");
     bench.data(&format!("{CURVE} --output out.csv"));
@@ -88,14 +88,14 @@ fn an_answer_that_fails_leaves_the_old_file() {
 }
 
 #[test]
-fn a_scene_is_overwritten_only_by_force() {
+fn an_existing_scene_is_kept() {
     let bench = Bench::new();
     bench.write("mine.toml", "mine");
-    let run = bench.run("init --output mine.toml");
+    let run = bench.run("init mine.toml");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.messages.contains("mine.toml exists") && bench.read("mine.toml") == "mine");
-    bench.data("init --output mine.toml --force");
-    assert_eq!(bench.read("mine.toml"), bench.data("init"));
+    assert_eq!(bench.read("mine.toml"), "mine");
+    bench.data("init new.toml");
+    assert_eq!(bench.read("new.toml"), bench.data("init"));
 }
 
 #[cfg(unix)]
@@ -146,7 +146,7 @@ fn an_output_never_overwrites_its_input() {
 }
 
 #[test]
-fn an_output_never_overwrites_what_a_scene_names_or_another_scene() {
+fn an_output_never_overwrites_what_a_scene_names() {
     let bench = Bench::new();
     let scene = bench.read("scene.toml");
     let heights = "height_m,density_per_m\n-2e-6,0\n0,5e5\n2e-6,0\n";
@@ -159,35 +159,4 @@ fn an_output_never_overwrites_what_a_scene_names_or_another_scene() {
     let named = "which the scene names; choose another name";
     assert!(run.code == Some(1) && run.messages.contains(named), "{}", run.messages);
     assert_eq!(bench.read("pdf.csv"), heights);
-    let run = bench.run("curve with.toml --model ke --separation 1 --output scene.toml");
-    let may_be = "exists and may be a scene; choose another name";
-    assert!(run.code == Some(2) && run.messages.contains(may_be), "{}", run.messages);
-    assert_eq!(bench.read("scene.toml"), scene);
-}
-
-#[test]
-fn a_file_of_another_kind_is_not_overwritten() {
-    let bench = Bench::new();
-    let scan: &[u8] = b"PK\x03\x04\x14\0 a surface";
-    fs::write(bench.path("victim.x3p"), scan).unwrap();
-    fs::write(bench.path("victim.npy"), scan).unwrap();
-    bench.write("victim.sdf", "aISO-1.0\nManufacID = x\n");
-    let generate = "generate --long 20um --short 2um --size 32x32 --pixel 0.25um --sq 0.5um";
-    for (arguments, id, file) in [
-        (CURVE, "output", "victim.x3p"),
-        (CURVE, "output", "victim.sdf"),
-        ("fit scene.toml data.csv --free hardness", "output", "victim.x3p"),
-        (generate, "output", "victim.npy"),
-    ] {
-        let before = fs::read(bench.path(file)).unwrap();
-        let run = bench.run(&format!("{arguments} --{id} {file}"));
-        let named = format!("{file} exists and is no result of this kind");
-        assert!(run.code == Some(2) && run.messages.contains(&named), "{}", run.messages);
-        assert_eq!(fs::read(bench.path(file)).unwrap(), before);
-    }
-    // Results replace results.
-    for arguments in [format!("{generate} --output made.npy"), format!("{CURVE} --output a.csv")] {
-        bench.data(&arguments);
-        bench.data(&arguments);
-    }
 }

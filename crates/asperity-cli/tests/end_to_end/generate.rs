@@ -6,7 +6,7 @@ use asperity_topography::{ReadOptions, read};
 use crate::bench::Bench;
 
 const LINE: &str = "generate --hurst 0.7 --long 40um --roll-off 20um --short 2um --size 128x96 \
-                    --pixel 0.5um,0.4um --sq 0.3um --anisotropy 2 --direction 30 --skewness -0.8 \
+                    --pixel 0.5umx0.4um --sq 0.3um --anisotropy 2 --direction 30 --skewness -0.8 \
                     --seed 7 --output";
 
 #[test]

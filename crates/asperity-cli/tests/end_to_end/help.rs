@@ -53,11 +53,11 @@ fn the_help_lists_every_file_of_commands() {
 #[test]
 fn quiet_leaves_out_warnings_and_notes_and_keeps_errors() {
     let bench = Bench::new();
-    let line = "compare scene.toml --load 3e5";
+    let line = "curve scene.toml --load 3e5";
     let (loud, quiet) = (bench.run(line), bench.run(&format!("{line} --quiet")));
     assert!(loud.messages.contains("warning[beyond-full-contact]: ") && quiet.messages.is_empty());
     assert_eq!((loud.out, loud.code), (quiet.out, quiet.code));
-    let failed = bench.run("--quiet solve scene.toml --model ke --load 1e40");
+    let failed = bench.run("--quiet curve scene.toml --model ke --load 1e40");
     assert_eq!(failed.code, Some(1));
     assert_eq!(failed.messages, "error: scene.toml: no row has a value\n");
 }
@@ -88,8 +88,8 @@ fn the_help_states_which_files_are_overwritten() {
     let bench = Bench::new();
     for (command, texts) in [
         ("curve", &["Write to this file, which is overwritten"][..]),
-        ("init", &["without --force an existing scene is kept"]),
-        ("surface", &["which is overwritten", "without --force they are kept"]),
+        ("init", &["an existing file is kept"]),
+        ("surface", &["which is overwritten", "an existing file is kept"]),
     ] {
         let help = bench.data(&format!("{command} --help"));
         // Lines are wrapped by clap alone.

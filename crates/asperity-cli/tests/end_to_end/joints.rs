@@ -20,9 +20,8 @@ fn unloading_is_printed_as_it_is_computed() {
         (UnloadingLaw::Brake, "--law brake"),
         (UnloadingLaw::Etsion, "--law etsion"),
     ] {
-        let data = bench.data(&format!(
-            "unload scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"
-        ));
+        let data = bench
+            .data(&format!("joint scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"));
         let joint = joint(&bench, "ke", At::Load(100.0), law);
         let retreats = column(&data, "retreat_m");
         // The template's heights spread by 1 um.
@@ -47,9 +46,9 @@ fn unloading_is_printed_as_it_is_computed() {
 fn plots_show_the_printed_data() {
     let bench = Bench::new();
     for (arguments, points) in [
-        ("unload scene.toml --model ke --load 100 --retreat 0:2:41", 3),
-        ("unload scene.toml --model ke --law etsion --load 100 --retreat 0:2:41", 2),
-        ("slip scene.toml --model ke --friction 0.2 --load 100 --amplitude 1e-7", 1),
+        ("joint scene.toml --model ke --load 100 --retreat 0:2:41", 3),
+        ("joint scene.toml --model ke --law etsion --load 100 --retreat 0:2:41", 2),
+        ("joint scene.toml --model ke --friction 0.2 --load 100 --amplitude 1e-7", 1),
     ] {
         let data = bench.data(arguments);
         assert_eq!(bench.data(&format!("{arguments} --plot joint.svg")), data);
@@ -68,9 +67,8 @@ fn plots_show_the_printed_data() {
 fn plots_have_markers_at_the_requested_points() {
     let bench = Bench::new();
     for (arguments, panels, points) in [
-        ("slip scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
-        ("unload scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
-        ("unload scene.toml --model ke --history-load 10,2000,500,3000", 2, 4),
+        ("joint scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
+        ("joint scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
     ] {
         bench.data(&format!("{arguments} --plot joint.svg"));
         let svg = bench.read("joint.svg");
@@ -79,20 +77,20 @@ fn plots_have_markers_at_the_requested_points() {
         assert_eq!(markers, 2 * (panels * points + 1), "{arguments}");
     }
     // The stiffness from 100 N to 1e4 N is on a logarithmic axis, as the load is.
-    bench.data("slip scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
+    bench.data("joint scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
     assert!(bench.read("s.svg").contains("10⁹"));
 }
 
 #[test]
 fn zeros_and_few_contacts_are_reported_once() {
     let bench = Bench::new();
-    let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
+    let run = bench.run("joint scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
     assert!(run.messages.contains("contact ends at a retreat of "), "{}", run.messages);
     let open = "the joint is open at ";
-    let run = bench.run("unload scene.toml --model ke --history 2,40,0.5");
+    let run = bench.run("joint scene.toml --model ke --history 2,40,0.5");
     assert_eq!(run.messages.matches(open).count(), 1, "{}", run.messages);
-    let closed = bench.run("unload scene.toml --model ke --history 2,1").messages;
+    let closed = bench.run("joint scene.toml --model ke --history 2,1").messages;
     assert!(!closed.contains(open), "{closed}");
     let run = bench.run("curve scene.toml --model ke --separation 40");
     assert_eq!(run.messages.matches("too small for f64").count(), 1, "{}", run.messages);
@@ -105,7 +103,7 @@ fn zeros_and_few_contacts_are_reported_once() {
 fn the_worst_of_several_loads_is_reported() {
     let bench = Bench::new();
     let arguments = |loads: &str| {
-        let arguments = "slip scene.toml --model ke --friction 20% --amplitude 50nm --load";
+        let arguments = "joint scene.toml --model ke --friction 20% --amplitude 50nm --load";
         bench.run(&format!("{arguments} {loads}")).messages
     };
     for loads in ["1e-4,1e-2", "1e-2,1e-4"] {
@@ -123,14 +121,14 @@ fn missing_properties_of_a_joint_are_reported() {
     let bench = Bench::new();
     for (arguments, wanted) in [
         (
-            "unload scene.toml --model gao --closest 1 --retreat 0.1",
+            "joint scene.toml --model gao --closest 1 --retreat 0.1",
             "gao cannot give unloading and partial slip",
         ),
         (
-            "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-300",
+            "joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-300",
             "amplitude is 1e-300: an amplitude with a loss of",
         ),
-        ("unload scene.toml --model ke --closest 60", "nothing touches at a separation of 60"),
+        ("joint scene.toml --model ke --closest 60", "nothing touches at a separation of 60"),
         ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
         (
             "curve scene.toml --model at --quantity unloading-stiffness",
@@ -145,9 +143,9 @@ fn missing_properties_of_a_joint_are_reported() {
         );
     }
     for arguments in [
-        "unload scene.toml --model ke --retreat 1",
-        "unload scene.toml --model ke --closest 1 --retreat -0.1",
-        "slip scene.toml --model ke",
+        "joint scene.toml --model ke --retreat 1",
+        "joint scene.toml --model ke --closest 1 --retreat -0.1",
+        "joint scene.toml --model ke",
     ] {
         assert_eq!(bench.run(arguments).code, Some(2), "{arguments}");
     }
@@ -156,7 +154,7 @@ fn missing_properties_of_a_joint_are_reported() {
 #[test]
 fn all_laws_have_their_loss_and_end_of_contact() {
     let bench = Bench::new();
-    let run = bench.run("unload scene.toml --model ke --law hertz,brake,etsion --load 2kN");
+    let run = bench.run("joint scene.toml --model ke --law hertz,brake,etsion --load 2kN");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let (_, rows) = csv(&run.out);
     assert_eq!(rows.len(), 3 * 101);
@@ -175,17 +173,17 @@ fn all_laws_have_their_loss_and_end_of_contact() {
     assert!(run.messages.contains(&end), "{}", run.messages);
     assert_eq!(run.messages.matches("loss factor 0.0").count(), 3, "{}", run.messages);
     // Lengths have units, and likely unit errors have a warning.
-    let short = "unload scene.toml --model ke --closest 1um --retreat 0nm,100nm,200nm";
+    let short = "joint scene.toml --model ke --closest 1um --retreat 0nm,100nm,200nm";
     let retreats = column(&bench.data(short), "retreat_m");
     assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
-    let odd = bench.run("unload scene.toml --model ke --closest 1 --retreat 1e-7");
+    let odd = bench.run("joint scene.toml --model ke --closest 1 --retreat 1e-7");
     assert!(odd.messages.contains("retreat is 1e-7 asperity_height_std (usual: 0.001"));
 }
 
 #[test]
 fn histories_turn_at_separations_and_at_loads() {
     let bench = Bench::new();
-    let arguments = "unload scene.toml --model ke --history-load 10N,2kN,500N,3kN";
+    let arguments = "joint scene.toml --model ke --history-load 10N,2kN,500N,3kN";
     let run = bench.run(&format!("{arguments} --plot h.svg"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let (way, force) = (cells(&run.out, "way"), column(&run.out, "force_N"));
@@ -195,7 +193,7 @@ fn histories_turn_at_separations_and_at_loads() {
     }
     assert!(run.messages.contains("J in total") && bench.read("h.svg").starts_with("<svg"));
     // Back to the start of an elastic joint, what is in it is the work of the first closing.
-    let round = bench.run("unload scene.toml --model gw --history-load 10,200,10").messages;
+    let round = bench.run("joint scene.toml --model gw --history-load 10,200,10").messages;
     let (_, first) = round.split_once("first closing takes ").unwrap();
     let (first, rest) = first.split_once(" J, ").unwrap();
     let (_, all) = rest.split_once("returned), ").unwrap();
@@ -215,20 +213,20 @@ fn histories_turn_at_separations_and_at_loads() {
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
     // All laws open an elastic joint alike.
     let laws = "--law hertz,brake,etsion --history-load 100,200,150";
-    let alike = bench.run(&format!("unload scene.toml --model gw {laws}")).messages;
+    let alike = bench.run(&format!("joint scene.toml --model gw {laws}")).messages;
     let works = alike.lines().filter(|line| line.contains("first closing takes"));
     let works: Vec<&str> = works.collect();
     assert!(matches!(works[..], [one] if one.contains("gw by hertz, brake, etsion: ")), "{alike}");
     let loads: Vec<String> = (0..100).map(|k| (100 + k % 2).to_string()).collect();
-    let many = format!("unload scene.toml --model ke --history-load {}", loads.join(","));
+    let many = format!("joint scene.toml --model ke --history-load {}", loads.join(","));
     let many = bench.run(&many).messages;
     assert!(many.contains(", each of the 99 later paths from -"), "{many}");
     assert!(many.len() < 1000, "{many}");
-    let one = bench.run("unload scene.toml --model ke --history-load 100").messages;
+    let one = bench.run("joint scene.toml --model ke --history-load 100").messages;
     assert!(one.contains("closing to the turning point takes"), "{one}");
-    let open = bench.run("unload scene.toml --model ke --history-load 100,0");
+    let open = bench.run("joint scene.toml --model ke --history-load 100,0");
     assert_eq!(open.code, Some(2), "{}", open.messages);
-    let light = bench.run("unload scene.toml --model ke --closest 6");
+    let light = bench.run("joint scene.toml --model ke --closest 6");
     assert!(
         light.messages.contains(
             "warning[few-contacts]: ke by hertz: even at the closest approach, fewer than one"
@@ -238,7 +236,7 @@ fn histories_turn_at_separations_and_at_loads() {
     );
     assert_eq!(csv(&light.out).1.len(), 1, "{}", light.out);
     let places =
-        column(&bench.data("unload scene.toml --model ke --history 3um,1um,2um"), "separation_m");
+        column(&bench.data("joint scene.toml --model ke --history 3um,1um,2um"), "separation_m");
     assert!((places[50] / 1e-6 - 1.0).abs() < 1e-12 && places.len() == 101, "{places:?}");
 }
 
@@ -260,7 +258,7 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let rail = include_str!("../../../asperity-inputs/examples/wheel-rail.toml");
     let heights = "heights = \"exponential\"";
     bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
-    let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0nm,100nm");
+    let run = bench.run("joint scene.toml --model jg-cosine --load 20kN --retreat 0nm,100nm");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let forces = column(&run.out, "force_N");
     assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");
@@ -268,9 +266,8 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let (_, end) = run.messages.split_once("contact ends at a retreat of ").unwrap();
     let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
     let [before, after] = [0.9999, 1.0001].map(|share| {
-        let arguments =
-            format!("unload scene.toml --model jg-cosine --load 20kN --retreat {}", share * end);
-        column(&bench.data(&format!("{arguments} --retreat-unit m")), "contacts")[0]
+        let arguments = "joint scene.toml --model jg-cosine --load 20kN --retreat";
+        column(&bench.data(&format!("{arguments} {}m", share * end)), "contacts")[0]
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
 }
@@ -280,7 +277,7 @@ fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
     let bench = Bench::new();
     bench.write("low.toml", &NEGATIVE.replace("plasticity_index = 2.0", "plasticity_index = 0.5"));
     let of = |arguments: &str| {
-        let run = bench.run(&format!("unload low.toml --retreat 0 --closest -1 {arguments}"));
+        let run = bench.run(&format!("joint low.toml --retreat 0 --closest -1 {arguments}"));
         assert_eq!(run.code, Some(0), "{}", run.messages);
         run
     };
@@ -293,9 +290,9 @@ fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
             .contains("warning[energy-gain]: ke: by hertz, opening returns 0.1 % more")
     );
     assert!(!of("--model ke --tolerance 1e-2").messages.contains("more energy"));
-    let slip = "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
+    let slip = "joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
     assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));
-    assert_eq!(bench.run("unload scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
+    assert_eq!(bench.run("joint scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
 }
 
 #[test]
@@ -303,15 +300,15 @@ fn former_names_of_commands_give_the_same_rows_and_messages() {
     let bench = crate::bem::bench();
     for (former, now) in [
         (
-            "unload scene.toml --model ke --load 100 --retreat 0,0.2",
+            "joint scene.toml --model ke --load 100 --retreat 0,0.2",
             "joint scene.toml --model ke --load 100 --retreat 0,0.2",
         ),
         (
-            "slip scene.toml --friction 0.3 --load 100,1000 --amplitude 1nm",
+            "joint scene.toml --friction 0.3 --load 100,1000 --amplitude 1nm",
             "joint scene.toml --friction 0.3 --load 100,1000 --amplitude 1nm",
         ),
         (
-            "truth scan.toml --pressure 1e8 --model gw",
+            "bem --compare scan.toml --pressure 1e8 --model gw",
             "bem scan.toml --pressure 1e8 --model gw --compare",
         ),
     ] {

@@ -5,7 +5,8 @@ use crate::bench::{Bench, NO_SHEAR, cells, column, csv, is_long};
 #[test]
 fn a_plan_lists_its_integrals() {
     let bench = Bench::new();
-    let plan = bench.data("plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
+    let plan =
+        bench.data("curve --plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
     assert!(
         plan.starts_with(
             "ke, gaussian heights, 401 rows from a separation of 0 asperity_height_std to"
@@ -23,7 +24,7 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     for arguments in [
         "curve scene.toml --model ke --separation 1e-6",
         "check scene.toml --separation 1e-6",
-        "unload scene.toml --model ke --closest 1e-6 --retreat 0",
+        "joint scene.toml --model ke --closest 1e-6 --retreat 0",
         "export scene.toml --model ke --as csv --separation 0:1e-6:2",
     ] {
         let printed = bench.run(arguments).messages;
@@ -34,10 +35,6 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     let far = bench.run("joint scene.toml --load 100 --friction 0.3 --amplitude 20 --points 3");
     let warning = "warning[likely-unit]: amplitude is 20 m (usual: at most 0.1): write lengths";
     assert!(far.messages.contains(warning), "{}", far.messages);
-    let same = |arguments: &str| column(&bench.data(arguments), "force_N");
-    let [length, unit] = ["1um", "1e-6 --separation-unit m"]
-        .map(|place| same(&format!("curve scene.toml --model ke --separation {place}")));
-    assert_eq!(length, unit);
     let skewed = asperity_inputs::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
     bench.write("skewed.toml", &skewed);
     let check = bench.data("check skewed.toml --format csv");
@@ -57,11 +54,11 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
     let (head, rows) = csv(&data);
     assert_eq!(
-        head[..6],
-        ["model", "asperities", "parts", "force_deviation", "area_deviation", "simplest"]
+        head[..5],
+        ["model", "asperities", "force_deviation", "area_deviation", "simplest"]
     );
     let gao = rows.iter().find(|row| row[0] == "gao").unwrap();
-    assert_eq!(gao[3..6], ["0", "0", "yes"]);
+    assert_eq!(gao[2..5], ["0", "0", "yes"]);
     let gw: f64 = cells(&data, "force_deviation")[0].parse().unwrap();
     assert!(gw > 1.0, "{gw}");
 }
@@ -171,7 +168,7 @@ const ON_OTHERS: &str = "gw-* ceb-* zmc-* ke-* etsion-* jg-* jg-cosine-* af-* gh
 fn the_list_of_models_has_every_source() {
     let bench = Bench::new();
     let json: serde_json::Value =
-        serde_json::from_str(&bench.data("models --format json")).unwrap();
+        serde_json::from_str(&bench.data("list models --format json")).unwrap();
     let ids: Vec<&str> =
         json.as_array().unwrap().iter().map(|row| row["model"].as_str().unwrap()).collect();
     let of_asperities = "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap";
@@ -184,7 +181,7 @@ fn the_list_of_models_has_every_source() {
         )
     );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
-    let table = bench.data("models");
+    let table = bench.data("list models");
     assert_eq!(table.lines().count(), 1 + ids.len());
     assert!(table.lines().next().unwrap().contains("valid_for"), "{table}");
     assert!(table.contains("fitted to finite elements up to 110 w_c"), "{table}");
@@ -194,7 +191,7 @@ fn the_list_of_models_has_every_source() {
         let is_variant = id.contains('-');
         assert_eq!(row["variant"].as_str().unwrap().len() > 10, is_variant, "{row}");
     }
-    let messages = bench.run("models").messages;
+    let messages = bench.run("list models").messages;
     let note = "note[variant]: at-additive: every contact counts once in the sums";
     assert!(messages.contains(note), "{messages}");
 }
@@ -225,7 +222,7 @@ fn evidence_is_about_what_is_requested() {
 fn models_are_listed_by_id_name_authors_or_year() {
     let bench = Bench::new();
     let ids = |word: &str| {
-        let table = bench.data(&format!("models {word} --format csv"));
+        let table = bench.data(&format!("list models {word} --format csv"));
         cells(&table, "model").join(" ")
     };
     assert_eq!(ids("ke"), "ke ke-random ke-pairs");
@@ -239,7 +236,7 @@ fn models_are_listed_by_id_name_authors_or_year() {
         [(); 3].map(|()| pairs.clone())
     );
     assert_eq!(ids("greenwood"), "gw");
-    let narrow = bench.run("models pairs").messages;
+    let narrow = bench.run("list models pairs").messages;
     let note = "note[variant]: -pairs: between two rough surfaces, whose asperities meet beside";
     assert_eq!(narrow.matches(note).count(), 1, "{narrow}");
     let entries = bench.data("list models gw --format bibtex");
@@ -248,7 +245,7 @@ fn models_are_listed_by_id_name_authors_or_year() {
     assert!(readme.contains(program.trim_end()), "{program}");
     assert!(gw.starts_with("@article{greenwood1966,\n  author = {Greenwood, J. A. and Williamson"));
     assert!(bench.run("list materials --format bibtex").messages.contains("only models have"));
-    let run = bench.run("models westergaard");
+    let run = bench.run("list models westergaard");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     let wanted =
         "no model has the id \"westergaard\", or these words in its name, authors, year or variant";
@@ -259,7 +256,7 @@ fn models_are_listed_by_id_name_authors_or_year() {
 fn persson_is_compared_with_asperity_models_at_loads() {
     let bench = Bench::new();
     let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";
-    let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
+    let run = bench.run(&format!("curve scene.toml --reference gw {ask} --format csv"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["persson", "persson-fudge", "gw"]);
     let arguments = "persson, persson-fudge: hurst_exponent is missing: stiffness and mean gap";
@@ -279,8 +276,8 @@ fn persson_is_compared_with_asperity_models_at_loads() {
     let data = bench.data(&format!("{loads} --quantity tangent"));
     let (gaps, tangents) = (column(&data, "separation_m"), column(&data, "tangent_N_per_m"));
     assert!(gaps[0] > gaps[1] && tangents[0] < tangents[1], "{data}");
-    let back = "curve hurst.toml --model persson --separation-unit m --format csv --quantity force";
-    let back = bench.data(&format!("{back} --separation {}", gaps[0]));
+    let back = "curve hurst.toml --model persson --format csv --quantity force";
+    let back = bench.data(&format!("{back} --separation {}m", gaps[0]));
     assert!((column(&back, "force_N")[0] / 100.0 - 1.0).abs() < 1e-8, "{back}");
 }
 
@@ -344,9 +341,9 @@ fn recommendations_and_tables_have_warnings() {
         whole.contains("persson: pressures above the hardness carry 94.93 % of the force"),
         "{whole}"
     );
-    let slip = arguments("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
+    let slip = arguments("joint scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
     assert!(slip.contains("gw: yielding asperities carry "), "{slip}");
-    assert_eq!(arguments("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
+    assert_eq!(arguments("curve scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
 }
 
 #[test]
@@ -362,7 +359,7 @@ fn findings_about_the_scene_hide_none_about_results() {
         let lines = run.messages.lines().filter(|line| line.starts_with("warning["));
         lines.map(|line| line.split_once(": ").unwrap().1.to_string()).collect::<Vec<_>>()
     };
-    for command in ["curve", "solve", "compare", "unload"] {
+    for command in ["curve", "joint"] {
         let of_answer = warnings(&format!("{command} dense.toml --model ke"));
         assert!(
             of_answer.len() == 1 && of_answer[0].starts_with("ke: the real area is 31.04 % of")

@@ -48,13 +48,13 @@ fn separations_are_those_of_the_pair() {
 fn another_joint_is_told_unless_a_counterface_makes_it_the_same() {
     let bench = bench();
     let ask = "--model gw,gw-pairs --reference gw --load 100 --format csv";
-    let run = bench.run(&format!("compare equal.toml {ask}"));
+    let run = bench.run(&format!("curve equal.toml {ask}"));
     let note = "note[other-joint]: gw-pairs presses two surfaces with these asperities on each other, gw one such surface on a flat";
     assert!(run.messages.contains(note), "{}", run.messages);
     let text = asperity_inputs::template();
     let line = "# counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }";
     bench.write("both.toml", &text.replace(line, &line[2..]));
-    let run = bench.run(&format!("compare both.toml {ask}"));
+    let run = bench.run(&format!("curve both.toml {ask}"));
     assert!(!run.messages.contains("other-joint"), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["gw", "gw-pairs"]);
 }

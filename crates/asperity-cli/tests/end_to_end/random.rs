@@ -22,7 +22,6 @@ fn random_asperities_are_compared_checked_and_recommended() {
     assert!(checked.contains("real area of contact, by ke-random"), "{checked}");
     let arguments = "recommend random.toml --model gw-random,ke-random --load 10000 --quantity area --format csv";
     let advice = bench.data(arguments);
-    assert_eq!(column(&advice, "parts"), [1.0, 4.0], "{advice}");
     assert!(column(&advice, "area_off_bem").iter().all(|off| off.abs() < 0.5), "{advice}");
 }
 

@@ -1,4 +1,4 @@
-//! `slip`: a joint that is sheared.
+//! `joint --friction`: a joint that is sheared.
 
 use asperity::At;
 use asperity::joints::{PartialSlip, UnloadingLaw};
@@ -9,7 +9,7 @@ use crate::joints::joint;
 #[test]
 fn slip_is_printed_with_its_loop_and_its_loss() {
     let bench = Bench::new();
-    let arguments = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
+    let arguments = "joint scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
     let run = bench.run(&format!("{arguments} --points 5"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let joint = joint(&bench, "gw", At::Pressure(5e6), UnloadingLaw::Hertz);
@@ -40,23 +40,23 @@ fn slip_is_printed_with_its_loop_and_its_loss() {
 fn unit_errors_and_unsuitable_models_are_reported() {
     let bench = Bench::new();
     let arguments = |line: &str| bench.run(line).messages;
-    let far = bench.run("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 0.1");
+    let far = bench.run("joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 0.1");
     assert_eq!(cells(&far.out, "forth_N")[100], "30", "not 29.999999999999964");
-    let huge = bench.run("slip scene.toml --friction 0.3 --load 9 --amplitude 1e300");
+    let huge = bench.run("joint scene.toml --friction 0.3 --load 9 --amplitude 1e300");
     assert_eq!(huge.code, Some(1), "{}", huge.messages);
-    let gao = arguments("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
+    let gao = arguments("joint scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
     assert!(gao.contains("partial slip: its contacts are inclined"), "{gao}");
-    let heavy = arguments("unload scene.toml --model ke --load 2e6kN --retreat 0");
+    let heavy = arguments("joint scene.toml --model ke --load 2e6kN --retreat 0");
     assert!(
         heavy.contains(
             "warning[beyond-full-contact]: ke: the mean pressure on the nominal area is 2e13 Pa"
         ),
         "{heavy}"
     );
-    let random = arguments("unload scene.toml --model ke-random --load 100");
+    let random = arguments("joint scene.toml --model ke-random --load 100");
     assert!(random.contains("these need a model of asperities of one radius"), "{random}");
     let data = bench
-        .data("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
+        .data("joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
     let factor: f64 = cells(&data, "loss_factor")[2].parse().unwrap();
     assert!(factor > 0.9 && factor < 4.0 / std::f64::consts::PI, "{factor}");
 }
@@ -64,7 +64,7 @@ fn unit_errors_and_unsuitable_models_are_reported() {
 #[test]
 fn a_preload_without_a_cycle_leaves_the_others() {
     let bench = Bench::new();
-    let arguments = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
+    let arguments = "joint scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
     let run = bench.run(&format!("{arguments} --load 1e2,1e30"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(
@@ -84,7 +84,7 @@ fn a_preload_without_a_cycle_leaves_the_others() {
 #[test]
 fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
     let bench = Bench::new();
-    let arguments = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
+    let arguments = "joint scene.toml --model ke --friction 0.3 --amplitude 100nm";
     let data = bench.data(&format!("{arguments} --load 100:10000:3:log --plot losses.svg"));
     let (head, rows) = csv(&data);
     let columns = "model,load_N,pressure_Pa,separation_over_sigma,force_N,secant_stiffness_N_per_m,loss_J,loss_factor,sliding_m";
@@ -104,7 +104,7 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
     assert!(bench.read("losses.svg").contains("loss factor"));
     // One preload has its loop; unloading goes back from one place.
     assert!(bench.data(&format!("{arguments} --load 100 --points 3")).starts_with("model,shift_m"));
-    let run = bench.run("unload scene.toml --model ke --load 100,200");
+    let run = bench.run("joint scene.toml --model ke --load 100,200");
     assert!(
         run.code == Some(2) && run.messages.contains("--history-load take"),
         "{}",
@@ -115,7 +115,7 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
 #[test]
 fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slides() {
     let bench = Bench::new();
-    let arguments = "slip scene.toml --model ke --friction 0.3 --format csv";
+    let arguments = "joint scene.toml --model ke --friction 0.3 --format csv";
     let forces = "--tangential-force 1N:100N:3:log";
     let run = bench.run(&format!("{arguments} --load 100,1000 {forces}"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -123,7 +123,7 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     let slides = "a tangential force of 100 N reaches mu F = 30 N: the joint slides";
     assert!(run.messages.contains(slides), "{}", run.messages);
     let edge =
-        bench.run("slip scene.toml --model gw --friction 0.2 --load 500 --tangential-force 100");
+        bench.run("joint scene.toml --model gw --friction 0.2 --load 500 --tangential-force 100");
     assert!(
         edge.code == Some(1) && edge.messages.contains(": the joint slides"),
         "{}",
@@ -155,7 +155,7 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     assert!((shifts[2] / amplitude - 1.0).abs() < 1e-12);
     let plot = format!("{arguments} --load 100,1000 {forces} --output a.csv --plot a.svg");
     assert_eq!(bench.run(&plot).code, Some(0));
-    assert!(bench.read("a.svg").contains("preload 1000 N"));
+    assert!(bench.read("a.svg").contains("load: 1000 N"));
     for (wrong, code) in [
         ("--load 100 --tangential-force 30.001", 1),
         ("--load 100", 2),
@@ -169,7 +169,7 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
 #[test]
 fn forces_that_are_too_large_and_too_small_have_reasons_of_their_own() {
     let bench = Bench::new();
-    let slip = "slip scene.toml --model ke --mu 0.25 --load 4kN --format csv --tangential-force";
+    let slip = "joint scene.toml --model ke --mu 0.25 --load 4kN --format csv --tangential-force";
     let run = bench.run(&format!("{slip} 1e-300,999.9999999,1001"));
     assert_eq!(run.code, Some(1), "{}", run.messages);
     for wanted in [

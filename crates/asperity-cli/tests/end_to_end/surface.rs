@@ -134,8 +134,8 @@ fn units_and_pixels_scale_as_lengths_do() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
     let um = json(&bench, "scan.txt --unit um --pixel-size 0.5");
-    let nm = json(&bench, "scan.txt --unit nm --pixel-size 0.5,0.5");
-    let stated = json(&bench, "scan.txt --unit um --pixel-size 500nm,5e-7m");
+    let nm = json(&bench, "scan.txt --unit nm --pixel-size 0.5x0.5");
+    let stated = json(&bench, "scan.txt --unit um --pixel-size 500nmx5e-7m");
     let ratio = stated["m4"].as_f64().unwrap() / um["m4"].as_f64().unwrap();
     assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
     for (key, power) in [("sq", 1), ("m0", 2), ("m2", 0), ("m4", -2), ("asperity_radius", 1)] {
@@ -168,14 +168,13 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
     let again = bench.run(arguments);
     assert_eq!((again.code, again.out.as_str()), (Some(1), ""));
     assert!(again.messages.contains("made.toml exists"), "{}", again.messages);
-    bench.data(&format!("{arguments} --force"));
     // It names the scan, so that what needs all of it can be asked, from any folder.
     std::fs::create_dir(bench.path("below")).unwrap();
     bench.data("surface scan.txt --unit um --pixel-size 0.5 --smooth 4e-6 --level quadratic --estimator summits --scene below/made.toml");
     let bem = bench.data("bem below/made.toml --pressure 1e8 --format csv");
     assert!(column(&bem, "area_fraction")[0] > 0.0, "{bem}");
     let both =
-        "surface scan.txt scan.txt --unit um --pixel-size 0.5,0.6 --periodic --scene two.toml";
+        "surface scan.txt scan.txt --unit um --pixel-size 0.5x0.6 --periodic --scene two.toml";
     let sum: serde_json::Value =
         serde_json::from_str(&bench.data(&format!("{both} --format json"))).unwrap();
     let surface = bench.scene("two.toml").scene.surface;
@@ -215,7 +214,7 @@ fn missing_and_invalid_input_is_refused() {
         ("scan.txt --unit furlong --pixel-size 1", 2, "m, cm, mm, um, nm"),
         ("scan.txt --unit um --pixel-size 0", 2, "a length above 0 in the unit"),
         ("scan.txt --unit um --pixel-size 1x2x3", 2, "DX or DXxDY"),
-        ("scan.txt --unit um --pixel-size 1,5", 2, "write 1.5 for square pixels, or 1x5 for"),
+        ("scan.txt --unit um --pixel-size 1,5", 2, "--pixel-size"),
         ("scan.txt --unit um --pixel-size 1 --max-missing 2", 2, "2 means 200 %; write 2% or"),
         ("scan.txt scan.txt scan.txt --unit um", 2, "error"),
         (

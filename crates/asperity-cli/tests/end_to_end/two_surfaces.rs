@@ -62,12 +62,13 @@ fn heights_of_aligned_scans_add_in_the_report_the_scene_and_boundary_elements() 
             let [both, one] = [&both, &one].map(|found| found[key].as_f64().unwrap());
             assert!((both / one - 1.0).abs() < 1e-6, "{option} {key}: {both} {one}");
         }
-        let scene = format!("surface a.txt b.txt {read} {option} --scene made.toml --force");
+        let [made, one] = [format!("made-{whole}.toml"), format!("one-{whole}.toml")];
+        let scene = format!("surface a.txt b.txt {read} {option} --scene {made}");
         bench.data(&format!("{scene} --plot both.svg"));
         assert!(bench.read("both.svg").contains("a.txt and b.txt"));
-        bench.data(&format!("surface {whole} {read} --scene whole.toml --force"));
-        let [both, one] = ["made", "whole"].map(|name| {
-            let table = bench.data(&format!("bem {name}.toml --pressure 1e8 --format csv"));
+        bench.data(&format!("surface {whole} {read} --scene {one}"));
+        let [both, one] = [made, one].map(|name| {
+            let table = bench.data(&format!("bem {name} --pressure 1e8 --format csv"));
             column(&table, "area_fraction")[0]
         });
         assert!((both / one - 1.0).abs() < 1e-4, "{option}: {both} {one}");

@@ -70,8 +70,8 @@ def export(
     [Pa] to another: at ``nodes`` equally spaced clearances, or at as many as keep the pressure
     between them within a relative ``max_error``.
 
-    The format is "csv" (for cubic interpolation), "abaqus", "calculix" (both for linear
-    interpolation) or "ansys" (a nonlinear spring for the nominal area). For "abaqus" and "calculix"
+    The format is "csv" (for cubic interpolation), or "abaqus" or "calculix" (both for linear
+    interpolation). For "abaqus" and "calculix"
     ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
     ``friction`` a coefficient of friction with the stick stiffness at the largest pressure. The text
     is in ``units`` "SI" or "mm-N-MPa" (also named "mm-tonne-s", with power in mW).

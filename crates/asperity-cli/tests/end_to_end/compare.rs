@@ -1,4 +1,4 @@
-//! `truth`: comparison of models with boundary elements on a scan.
+//! `bem --compare`: comparison of models with boundary elements on a scan.
 
 use crate::bem::bench;
 use crate::bench::{NO_SHEAR, cells, column, column_of};
@@ -6,7 +6,7 @@ use crate::bench::{NO_SHEAR, cells, column, column_of};
 #[test]
 fn models_are_compared_with_boundary_elements() {
     let bench = bench();
-    let arguments = "truth scan.toml --pressure 1e8,1e9 --model zmc,ke --format csv";
+    let arguments = "bem --compare scan.toml --pressure 1e8,1e9 --model zmc,ke --format csv";
     let run = bench.run(arguments);
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["bem", "zmc", "ke", "bem", "zmc", "ke"]);
@@ -49,7 +49,7 @@ fn models_are_compared_with_boundary_elements() {
 #[test]
 fn random_asperities_and_persson_are_included_by_default() {
     let bench = bench();
-    let run = bench.run("truth scan.toml --pressure 1e9 --format csv");
+    let run = bench.run("bem --compare scan.toml --pressure 1e9 --format csv");
     let ids = cells(&run.out, "model");
     for id in ["bem", "ke", "ke-random", "jg-random", "persson-fudge"] {
         assert_eq!(ids.iter().filter(|known| **known == id).count(), 1, "{id}: {ids:?}");
@@ -61,14 +61,14 @@ fn missing_scans_and_unsolved_loads_are_reported() {
     let bench = bench();
     bench.write("none.toml", NO_SHEAR);
     for (arguments, printed) in [
-        ("truth none.toml --pressure 1e6", "surface.file is missing"),
-        ("truth scan.toml --pressure 9e9", "no load was solved"),
+        ("bem --compare none.toml --pressure 1e6", "surface.file is missing"),
+        ("bem --compare scan.toml --pressure 9e9", "no load was solved"),
     ] {
         let run = bench.run(arguments);
         assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{arguments}\n{}", run.messages);
         assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
     }
-    assert_eq!(bench.run("truth scan.toml").code, Some(2));
+    assert_eq!(bench.run("bem --compare scan.toml").code, Some(2));
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn the_reason_for_a_blank_row_is_reported() {
     let bench = bench();
     let measured = format!("{}heights = \"measured\"\n", crate::bem::SCAN);
     bench.write("measured.toml", &measured);
-    let ask = "truth measured.toml --pressure 1e8 --format csv";
+    let ask = "bem --compare measured.toml --pressure 1e8 --format csv";
     let printed = "ke-random cannot give ";
     let run = bench.run(&format!("{ask} --model ke-random"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -98,7 +98,7 @@ fn invalid_results_are_reported_and_blank() {
     // GPa where Pa was needed: thousands of times the area.
     let soft = scan.replace("116e9", "116").replace("hardness = 5e9\n", "");
     bench.write("soft.toml", &soft);
-    let run = bench.run("truth soft.toml --pressure 1e8 --model gw --format csv");
+    let run = bench.run("bem --compare soft.toml --pressure 1e8 --model gw --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction"), ["1", ""], "{}", run.out);
     for printed in [
@@ -110,7 +110,7 @@ fn invalid_results_are_reported_and_blank() {
     }
     // The reverse: that is printed, and what knows no yielding is as far off as it is.
     bench.write("hard.toml", &scan.replace("116e9", "116e15"));
-    let run = bench.run("truth hard.toml --pressure 1e8 --model gw,ke --format csv");
+    let run = bench.run("bem --compare hard.toml --pressure 1e8 --model gw,ke --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(run.messages.contains("equivalent_modulus is 1.16e17 Pa"), "{}", run.messages);
     assert!(column(&run.out, "area_deviation")[1] < -0.99, "{}", run.out);
@@ -119,7 +119,7 @@ fn invalid_results_are_reported_and_blank() {
 #[test]
 fn half_the_grid_stands_beside_it() {
     let bench = bench();
-    let arguments = "truth scan.toml --pressure 9e9,1e9 --model ke --refine --format csv";
+    let arguments = "bem --compare scan.toml --pressure 9e9,1e9 --model ke --refine --format csv";
     let run = bench.run(arguments);
     assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "ke"], "{}", run.messages);
     let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
@@ -132,7 +132,8 @@ fn half_the_grid_stands_beside_it() {
 #[test]
 fn unloading_stiffnesses_are_compared_if_named() {
     let bench = bench();
-    let ask = "truth scan.toml --pressure 1e9 --model zmc,ke-random --format csv --quantity";
+    let ask =
+        "bem --compare scan.toml --pressure 1e9 --model zmc,ke-random --format csv --quantity";
     // Conductances deviate alike, and need no conductivity for that.
     let [stiffness, conductance] = ["unloading-stiffness", "thermal-conductance"]
         .map(|quantity| bench.run(&format!("{ask} {quantity}")));
@@ -175,7 +176,8 @@ fn the_solved_surfaces_agree_or_differ() {
     let bench = bench();
     for (skewness, shape) in [(0.0, "psi 1."), (-1.0, ", skewness -1")] {
         resolved(&bench, skewness);
-        let run = bench.run("truth made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
+        let run =
+            bench.run("bem --compare made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
         let line =
             run.messages.lines().find(|line| line.contains("ke ") && line.contains("the area by"));
         let line = line.unwrap_or_else(|| panic!("{}", run.messages));

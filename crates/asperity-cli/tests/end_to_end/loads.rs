@@ -1,4 +1,4 @@
-//! `solve`: loads lead back to where they came from.
+//! Loads lead back to where they came from, and models beside each other.
 
 use crate::bench::{Bench, NEGATIVE, cells, column, csv};
 
@@ -9,7 +9,7 @@ fn loads_lead_back_to_their_separations() {
     let (force, separation) = (column(&curve, "force_N"), column(&curve, "separation_over_sigma"));
     for (k, model) in ["gw", "jg", "gao"].into_iter().enumerate() {
         let loads: Vec<String> = force[4 * k..4 * k + 4].iter().map(|f| format!("{f:e}")).collect();
-        let arguments = format!("solve scene.toml --model {model} --load {}", loads.join(","));
+        let arguments = format!("curve scene.toml --model {model} --load {}", loads.join(","));
         let data = bench.data(&arguments);
         let (head, _) = csv(&data);
         assert_eq!(
@@ -26,7 +26,7 @@ fn loads_lead_back_to_their_separations() {
 #[test]
 fn pressures_are_loads_on_the_nominal_area() {
     let bench = Bench::new();
-    let data = bench.data("solve scene.toml --model ke --pressure 1e6,1e-200 --quantity pressure");
+    let data = bench.data("curve scene.toml --model ke --pressure 1e6,1e-200 --quantity pressure");
     assert_eq!(column(&data, "load_N"), [1e6 * 1e-4, 1e-200 * 1e-4]);
     for (found, wanted) in column(&data, "pressure_Pa").iter().zip([1e6, 1e-200]) {
         assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
@@ -36,7 +36,7 @@ fn pressures_are_loads_on_the_nominal_area() {
 #[test]
 fn loads_that_no_separation_carries_are_refused_with_the_range() {
     let bench = Bench::new();
-    let run = bench.run("solve scene.toml --model gw,ke --load 1e30");
+    let run = bench.run("curve scene.toml --model gw,ke --load 1e30");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
     for printed in ["gw: load is 1e30 N", "N, above ", "error: scene.toml: no row"] {
         assert!(run.messages.contains(printed), "{}", run.messages);
@@ -49,7 +49,7 @@ fn all_separations_of_a_load_are_rows_on_request() {
     bench.write("scene.toml", NEGATIVE);
     let far = bench.data("curve scene.toml --model at --separation 5 --quantity force");
     let load = column(&far, "force_N")[0];
-    let arguments = format!("solve scene.toml --model at --load {load},1e30 --quantity force");
+    let arguments = format!("curve scene.toml --model at --load {load},1e30 --quantity force");
     let all = bench.run(&format!("{arguments} --all"));
     assert_eq!(all.code, Some(0));
     let separations = cells(&all.out, "separation_over_sigma");
@@ -68,8 +68,8 @@ fn all_separations_of_a_load_are_rows_on_request() {
     let last = found.last().copied().unwrap_or(f64::NAN);
     assert!((largest - 5.0).abs() < 1e-9 && (last - largest).abs() < 1e-9, "{largest} {last}");
     // How ill-conditioned a load near a zero of the force is, is in the bound.
-    let near = bench.data("solve scene.toml --model at --load 1e-3 --errors --quantity force");
-    let additive = "solve scene.toml --model at-additive --load 1e-3 --errors --quantity force";
+    let near = bench.data("curve scene.toml --model at --load 1e-3 --errors --quantity force");
+    let additive = "curve scene.toml --model at-additive --load 1e-3 --errors --quantity force";
     let sum = column(&bench.data(additive), "force_error")[0];
     assert!(column(&near, "force_error")[0] > 10.0 * sum, "{near} {sum:e}");
 }
@@ -77,7 +77,7 @@ fn all_separations_of_a_load_are_rows_on_request() {
 #[test]
 fn models_beside_each_other_deviate_from_the_reference() {
     let bench = Bench::new();
-    let at_two = bench.data("compare scene.toml --format csv --reference jg");
+    let at_two = bench.data("curve scene.toml --separation 2 --reference jg");
     let (head, rows) = csv(&at_two);
     assert_eq!(head[3..5], ["force_N", "force_deviation"]);
     assert_eq!(rows.len(), 9);
@@ -89,7 +89,7 @@ fn models_beside_each_other_deviate_from_the_reference() {
 #[test]
 fn models_are_compared_at_every_load_and_what_is_equal_deviates_by_0() {
     let bench = Bench::new();
-    let arguments = "compare scene.toml --format csv --load 50,500 --model gw,ke,gao";
+    let arguments = "curve scene.toml --reference ke --load 50,500 --model gw,ke,gao";
     let data = bench.data(&format!("{arguments} --quantity force,area,pressure"));
     assert_eq!(cells(&data, "model"), ["gw", "ke", "gao", "gw", "ke", "gao"]);
     assert_eq!(column(&data, "load_N"), [50.0, 50.0, 50.0, 500.0, 500.0, 500.0]);
@@ -128,14 +128,14 @@ fn cancellation_is_reported_with_its_error() {
     let force =
         column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
     let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
-    let top = run(&format!("solve scene.toml --load {load:e},20"));
+    let top = run(&format!("curve scene.toml --load {load:e},20"));
     assert!(
         top.messages.contains("at: positive and negative parts of the tangent cancel at a load of")
     );
     assert!(top.messages.contains("the force has an extremum nearby"), "{}", top.messages);
     assert_eq!(top.messages.matches("[cancelled]").count(), 1, "{}", top.messages);
     // Nothing is printed elsewhere.
-    for arguments in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {
+    for arguments in ["curve scene.toml --separation 0,2,5", "curve scene.toml --load 1e-3,1"] {
         let arguments = run(arguments).messages;
         assert!(!arguments.contains("known to"), "{arguments}");
     }
