@@ -55,9 +55,9 @@ pub(crate) fn fit<'py>(
             Err(error) => return Err(value_error(error)),
         }
     }
-    let ranking = rank(fitted);
-    let found = file.findings().into_iter().chain(file.findings_of_fits(&ranking));
+    let ranked = rank(fitted);
+    let found = file.findings().into_iter().chain(file.findings_of_fits(&ranked));
     let mut warnings = found.filter(|found| found.severity < Severity::Note);
     warnings.try_for_each(|found| warn(py, &found, 1))?;
-    object(py, &ranking)
+    object(py, &ranked)
 }

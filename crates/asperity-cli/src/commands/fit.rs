@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, Ranking, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Progress, rank};
 use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
 
@@ -14,9 +14,9 @@ use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::input::valid;
 use crate::interrupt;
-use crate::output::fit_report::{report, table};
+use crate::output::fit_report::table;
 use crate::output::table::Format;
-use crate::output::{self, fit_plot, progress};
+use crate::output::{self, fit_plot, progress, show};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -74,23 +74,13 @@ impl FitCommand {
         };
         let (fitted, interrupted) = self.fit(&scene, &data, &models)?;
         let done = fitted.len();
-        let ranking = rank(fitted);
         if done > 0 {
-            self.write(&scene, &data, &models, &ranking)?;
+            self.write(&scene, &data, &models, &rank(fitted))?;
         }
         if interrupted {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
         }
-        match &ranking.models[..] {
-            [first, ..] if ranking.models.iter().all(|one| one.misfit().is_some()) => {
-                let reason = first.misfit().unwrap_or_default();
-                bail!("{}: {}: {reason}", self.data_name(&scene), first.model)
-            }
-            all if !self.target.is_empty() && all.iter().all(Fitted::has_unreachable) => {
-                bail!("{}: no model reaches the target; the values are the nearest", scene.name)
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// The fitted models, and whether Ctrl-C ended the list.
@@ -145,14 +135,14 @@ impl FitCommand {
         scene: &LoadedScene,
         data: &Data,
         models: &[NamedModel],
-        ranking: &Ranking,
+        ranked: &[Fitted],
     ) -> Result<()> {
-        report(scene, ranking, &self.free);
-        let picture = self.output.picture(|| fit_plot::svg(&scene.file, data, models, ranking))?;
+        show(&scene.file.findings_of_fits(ranked));
+        let picture = self.output.picture(|| fit_plot::svg(&scene.file, data, models, ranked))?;
         let output = &self.output.output;
         self.output.write_beside(picture, || match output.format() {
-            Format::Json => output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n")),
-            _ => output.write(&table(ranking)),
+            Format::Json => output.write_text(&(serde_json::to_string_pretty(ranked)? + "\n")),
+            _ => output.write(&table(ranked)),
         })
     }
 

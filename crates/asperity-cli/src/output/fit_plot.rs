@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::Result;
-use asperity::fit::{Data, Fitted, Measured, Observation, Ranking};
+use asperity::fit::{Data, Fitted, Measured, Observation};
 use asperity::short;
 use asperity_answer::Sheet;
 use asperity_inputs::SceneFile;
@@ -23,7 +23,7 @@ pub fn svg(
     file: &SceneFile,
     data: &Data,
     models: &[NamedModel],
-    ranking: &Ranking,
+    ranked: &[Fitted],
 ) -> Result<String> {
     let between = data.between(POINTS);
     let mut sheet = Sheet::new(&["panel", "curve", "x", "y"]);
@@ -39,7 +39,7 @@ pub fn svg(
             bar.into_iter().for_each(|y| row(one, SPREAD, x, y));
         }
     }
-    for fitted in ranking.distinct() {
+    for fitted in ranked {
         let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
         let values = file.fitted_values(model, fitted, &between)?;
         for (one, value) in between.iter().zip(values) {
@@ -54,7 +54,7 @@ pub fn svg(
     let model = |fitted: &Fitted| {
         Curve::new(look_of(&fitted.model).unwrap_or(0), &fitted.model, &fitted.model)
     };
-    curves.extend(ranking.distinct().map(model));
+    curves.extend(ranked.iter().map(model));
     let mut panels: Vec<Panel> = vec![];
     for one in data.iter() {
         let known = |panel: &Panel| panel.only.as_ref().is_some_and(|only| only.1 == name(one));
@@ -101,7 +101,7 @@ pub fn svg(
         panel.curves.clone_from(&curves);
         panels.push(panel);
     }
-    let captions: Vec<String> = ranking.distinct().map(caption).collect();
+    let captions: Vec<String> = ranked.iter().map(caption).collect();
     let captions: Vec<&str> = captions.iter().map(String::as_str).collect();
     plot::drawn(&sheet, &Figure::new("", &captions, panels))
 }
