@@ -70,10 +70,7 @@ from asperity._slip_scan import bem_slip as bem_slip
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._surfaces import topography as topography
-from asperity._sweep import Sensitivity as Sensitivity
-from asperity._sweep import Space as Space
-from asperity._sweep import SweepResult as SweepResult
-from asperity._sweep import read_sweep as read_sweep
+from asperity._sweep import sample as sample
 from asperity._sweep import sweep as sweep
 from asperity._tables import ContactTable as ContactTable
 from asperity._tables import Correlated as Correlated

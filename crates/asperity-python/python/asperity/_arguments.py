@@ -114,6 +114,11 @@ LOADS = ("load", "pressure")
 ERRORS = ("raise", "mask")
 
 
+def unit_in(head: str, name: str) -> str:
+    """The unit in the head of a column, "N/m" in "tangent_N_per_m"; empty for pure numbers."""
+    return head[len(name) :].strip("_").replace("_per_", "/")
+
+
 def checked_unit(separation_unit: str) -> str:
     """The unit of separations; ValueError if it is none."""
     if separation_unit not in ("asperity_height_std", "m"):

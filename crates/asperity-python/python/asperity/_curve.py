@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike
+from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike, unit_in
 from asperity._asperity import Engine
 
 if TYPE_CHECKING:
@@ -168,7 +168,7 @@ class Curve:
         names = _asperity.quantities(self._columns).items()
         labels = {AXES[axis]: place.get(axis, "separation / asperity_height_std")}
         for name, head in names:
-            unit = head[len(name) :].strip("_").replace("_per_", "/")
+            unit = unit_in(head, name)
             labels[head] = f"{name} ({unit})" if unit else name
         return labels
 
