@@ -41,9 +41,8 @@ pub(crate) fn fit<'py>(
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
-        let found = run_interruptible(py, None, |stop| {
-            file.fit(&model, &data, &free, &mut |_| stop.step(""))
-        })?;
+        let found =
+            run_interruptible(py, |stop| file.fit(&model, &data, &free, &mut |_| stop.step("")))?;
         match found {
             Ok(found) => fitted.push(found),
             Err(SceneError::Fit(FitError::NoStart { reason, .. })) if engine.is_written() => {

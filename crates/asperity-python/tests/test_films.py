@@ -62,5 +62,5 @@ def test_what_has_no_factor_is_refused() -> None:
         asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
     with pytest.raises(ValueError, match="2 scenes were given: patir-cheng needs a single scene"):
         flow.solve([scene, scene], lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(TypeError, match="exactly one of separation, load, film and pressure"):
+    with pytest.raises(TypeError, match="exactly one of separation, load, film, lambda_ratio and pressure"):
         flow.solve(scene, 2, film=1e-6)

@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._advice import Finding
 from asperity._arguments import Floats, floats, one_scene, record
 from asperity._asperity import Scene
 from asperity._model import Model, as_models
+from asperity._table import Finding
 
 
 @dataclass(frozen=True)

@@ -217,8 +217,7 @@ def _arrays(
     if not isinstance(scene, Scene):
         raise TypeError(f"scene is {scene!r}: a Scene was required")
     places = {name: inputs.get(name) for name in PLACES}
-    separation, load, pressure = places.values()
-    axis, numbers = place(separation, load, pressure, separation_unit)
+    axis, numbers = place(separation_unit, **places)
     where = next(name for name, given in places.items() if given is not None)
     given = scene._inputs_in_si({name: inputs[name] for name in inputs if name not in PLACES})
     found = {}
