@@ -44,7 +44,7 @@ pub use slip::{Amplitude, Slip};
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, summary, truth,
-    unranked,
+    truth_of, unranked,
 };
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;

@@ -5,7 +5,7 @@ use asperity::{Asperities, At, Compared, Comparison, Model, Quantity, Recommenda
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
-use crate::models::{by_reason, models, one_model};
+use crate::models::{NamedModel, by_reason, models, one_model};
 use crate::{AnswerError, Cell, Sheet};
 
 /// What the sheet of a recommendation is about.
@@ -55,12 +55,25 @@ impl Recommend<'_> {
     /// Those of [`check`](Self::check), of the reference, and of the models named.
     pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
         self.check()?;
-        let Self { request, within, .. } = self;
-        let (id, reference) = one_model(file, self.reference)?;
+        let reference = one_model(file, self.reference)?;
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
-        let models = models(file, self.models, allowed, &request.quantities, sheet)?.into_iter();
-        let models: Vec<Model> = models.map(|(_, model)| model).collect();
+        let models = models(file, self.models, allowed, &self.request.quantities, sheet)?;
+        self.answer_of(file, models.into_iter().map(|(_, model)| model).collect(), reference, sheet)
+    }
+
+    /// Fills a sheet likewise, for models and a reference that are not named by ids.
+    ///
+    /// # Errors
+    /// Those of the reference, and of the models that are compared with it.
+    pub fn answer_of(
+        &self,
+        file: &SceneFile,
+        models: Vec<Model>,
+        (id, reference): NamedModel,
+        sheet: &mut Sheet,
+    ) -> Result<(), AnswerError> {
+        let Self { request, within, .. } = self;
         let other = file.other_joint(models.iter().chain([&reference]));
         sheet.extend(file.accepted(other.into_iter().collect()));
         let advice = file

@@ -2,7 +2,6 @@
 
 use asperity_core::{At, Datum, Quantity, Separation};
 
-use crate::doubt::plural;
 use crate::names::unknown_column;
 use crate::observation::{CLOSURE, LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
@@ -196,4 +195,9 @@ fn of_deviation(error: FitError, given: &str) -> FitError {
         }
         error => error,
     }
+}
+
+/// A number of things: `1 value`, `2 values`.
+pub(crate) fn plural(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }

@@ -155,23 +155,8 @@ impl Data {
                 found.push(Observation { row: k + 1, value: 1.0, std: None, ..one.placed_at(x) });
             }
         }
-        self.with(found)
-    }
-
-    /// Other observations of the same table.
-    pub(crate) fn with(&self, observations: Vec<Observation>) -> Self {
-        let lines = self.lines.clone();
-        Self { observations, from: self.from, lines, both_loads: vec![], closure: self.closure }
-    }
-
-    /// The line of an observation, or its row.
-    pub(crate) fn position(&self, one: &Observation) -> Position {
-        Position::of(&self.lines, one.row.saturating_sub(1))
-    }
-
-    /// What a row is called in messages.
-    pub(crate) fn row_name(&self) -> &'static str {
-        Position::of(&self.lines, 0).name
+        let (lines, both_loads) = (self.lines.clone(), vec![]);
+        Self { observations: found, from: self.from, lines, both_loads, closure: self.closure }
     }
 
     /// The plane of the separations.

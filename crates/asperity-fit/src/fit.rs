@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use asperity_core::ContactModel;
 use nalgebra::DVector;
 
-use crate::doubt::plural;
+use crate::columns::plural;
 use crate::forward::Forward;
 use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
@@ -121,9 +121,8 @@ impl<'f> Fit<'f> {
         let forward = Forward::new(model, data)
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
         let problem = Problem { model, forward: &forward, data, parameters, scene, count: &count };
-        let mut found = search(&problem, self.more_starts, PATIENCE)?;
-        found.best = near_the_start(&problem, found.best)?;
-        let mut fitted = Solution::new(&problem, &found)?.describe()?;
+        let best = near_the_start(&problem, search(&problem, self.more_starts, PATIENCE)?)?;
+        let mut fitted = Solution::new(&problem, &best)?.describe();
         fitted.evaluations = counted.borrow().1.evaluations;
         Ok(fitted)
     }

@@ -3,13 +3,6 @@
 use asperity_core::{Finding, Findings, Severity};
 use serde::Serialize;
 
-use crate::Doubts;
-use crate::doubt::{MISFIT, UNREACHABLE};
-
-/// Parameters and values of two models that differ by less, relative, are the same: a minimum is
-/// found to about 1e-8.
-const EQUAL: f64 = 1e-6;
-
 /// A model fitted to data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -35,41 +28,17 @@ pub struct Fitted {
     /// Condition number of the derivatives of the residuals by the parameters; `None` if a
     /// combination of parameters has no effect.
     pub condition: Option<f64>,
-    /// What its user should know; in json the texts of each kind.
-    #[serde(flatten)]
-    pub doubts: Doubts,
+    /// Doubts about the fit, each with its parameter (`not-converged`, `limits` at a bound,
+    /// `undetermined`), and unusual results of the model where data were measured, such as yielding
+    /// that it ignores.
+    pub findings: Findings,
     /// Every measured value beside the fitted one.
     pub residuals: Vec<Residual>,
-    /// The model of the list that gives the same values with the same parameters.
-    pub same_as: Option<String>,
-    /// Unusual results of the model where data were measured, such as yielding that it ignores.
-    pub unusual: Findings,
-    /// Whether its law is elastic.
-    #[serde(skip)]
-    pub(crate) is_elastic: bool,
     /// Evaluations of the model for all data.
     pub evaluations: usize,
 }
 
 impl Fitted {
-    /// Why the values are not those of the data, as of a wrong unit; `None` if they are.
-    #[must_use]
-    pub fn misfit(&self) -> Option<String> {
-        self.doubts.texts(MISFIT).pop()
-    }
-
-    /// Whether measured values are out of reach.
-    #[must_use]
-    pub fn has_unreachable(&self) -> bool {
-        !self.doubts.texts(UNREACHABLE).is_empty()
-    }
-
-    /// Whether values of the model are those of the data, so that more may be said of them.
-    #[must_use]
-    pub fn describes_data(&self) -> bool {
-        self.misfit().is_none() && !self.has_unreachable()
-    }
-
     /// The warning that the law of the model does not hold where data were measured; none where the
     /// data do not determine the hardness, on which that depends.
     #[must_use]
@@ -79,21 +48,7 @@ impl Fitted {
         if self.parameters.iter().find(is_strength).is_some_and(is_open) {
             return None;
         }
-        self.unusual.iter().find(|one| one.is_of_model() && one.severity < Severity::Note)
-    }
-
-    /// Whether another fit has the same parameters and values.
-    pub(crate) fn equals(&self, other: &Self) -> bool {
-        let near = |(a, b): (f64, f64)| (a - b).abs() <= EQUAL * b.abs();
-        let parameters = self.parameters.iter().zip(&other.parameters);
-        let values = self.residuals.iter().zip(&other.residuals);
-        parameters.map(|(a, b)| (a.value, b.value)).all(near)
-            && values.map(|(a, b)| (a.fitted, b.fitted)).all(near)
-    }
-
-    /// What is to be read of this fit, in its order: the doubts that no other hides.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> {
-        self.doubts.shown().map(|one| one.clone().of_model(&self.model))
+        self.findings.iter().find(|one| one.is_of_model() && one.severity < Severity::Note)
     }
 }
 

@@ -68,14 +68,6 @@ impl Measured {
         }
     }
 
-    /// The SI unit; empty for pure numbers.
-    pub(crate) fn unit(self) -> &'static str {
-        match self {
-            Self::Quantity(quantity) => quantity.unit(),
-            Self::Separation => "m",
-        }
-    }
-
     /// Whether residuals are differences, for lack of a logarithm.
     pub(crate) fn is_difference(self) -> bool {
         match self {

@@ -3,7 +3,6 @@
 use asperity_core::short;
 
 use crate::FitError;
-use crate::doubt::with_unit;
 
 /// The factor either way of the start within which a parameter is varied by default.
 pub const USUAL_FACTOR: f64 = 30.0;
@@ -109,6 +108,7 @@ impl Parameter {
 
     /// A value with its unit.
     pub(crate) fn shown(&self, value: f64) -> String {
-        with_unit(value, &self.unit)
+        let gap = if self.unit.is_empty() { "" } else { " " };
+        format!("{}{gap}{}", short(value), self.unit)
     }
 }

@@ -89,19 +89,8 @@ impl Problem<'_> {
         self.parameters.iter().map(|one| one.coordinate(one.start)).collect()
     }
 
-    /// The same problem with other data; `None` where the model does not have them.
-    pub(crate) fn with<T>(
-        &self,
-        change: impl Fn(&Observation) -> Option<Observation>,
-        solve: impl FnOnce(&Problem<'_>) -> T,
-    ) -> Option<T> {
-        let data = self.data.with(self.data.iter().filter_map(change).collect());
-        let forward = Forward::new(self.model, &data).ok()?;
-        Some(solve(&Problem { data: &data, forward: &forward, ..*self }))
-    }
-
     /// The scene and the rig at coordinates.
-    pub(crate) fn at(&self, coordinates: &[f64]) -> Result<(Scene, Rig), ContactError> {
+    fn at(&self, coordinates: &[f64]) -> Result<(Scene, Rig), ContactError> {
         let (mut numbers, mut rig) = (vec![], Rig::default());
         for (parameter, coordinate) in self.parameters.iter().zip(coordinates) {
             let value = parameter.value(*coordinate);

@@ -12,20 +12,14 @@ const SAME: f64 = 0.01;
 /// Minima whose sums of squares differ by less fit the data equally well.
 const EQUAL: f64 = 1e-6;
 
-/// The minimum with the least squares, and others that fit the data equally well.
-pub(crate) struct Found {
-    pub(crate) best: Minimum,
-    pub(crate) others: Vec<Minimum>,
-}
-
-/// Searches from the start given, from the best `more` samples within the bounds and, if there are
-/// more, from a body so hard that it does not yield, each with so many evaluations for a free
-/// parameter.
+/// The minimum with the least squares: searched from the start given, from the best `more` samples
+/// within the bounds and, if there are more, from a body so hard that it does not yield, each with
+/// so many evaluations for a free parameter.
 pub(crate) fn search(
     problem: &Problem<'_>,
     more: usize,
     patience: usize,
-) -> Result<Found, FitError> {
+) -> Result<Minimum, FitError> {
     let given = problem.start();
     let mut starts = vec![given.clone()];
     starts.extend(samples(problem, more)?);
@@ -50,20 +44,11 @@ pub(crate) fn search(
     // The first of equals, which is nearest to the start given.
     let best = minima.iter().map(|minimum| minimum.squares).fold(f64::INFINITY, f64::min);
     let least = best * (1.0 + EQUAL) + problem.met();
-    let mut equal = minima.into_iter().filter(|m| m.squares <= least);
-    let Some(best) = equal.next() else {
+    minima.into_iter().find(|minimum| minimum.squares <= least).ok_or_else(|| {
         let reason = problem.predicted(&given).err();
         let reason = reason.unwrap_or(asperity_core::ContactError::NoMeanPlane);
-        return Err(FitError::NoStart { model: problem.model.id().into(), reason });
-    };
-    let mut found = Found { best, others: vec![] };
-    for other in equal {
-        let far = |one: &Minimum| one.is_far_from(&other, 1e-4);
-        if other.converged && far(&found.best) && found.others.iter().all(far) {
-            found.others.push(other);
-        }
-    }
-    Ok(found)
+        FitError::NoStart { model: problem.model.id().into(), reason }
+    })
 }
 
 /// The least squares with a free strength near its upper bound: elastic data have a flat minimum

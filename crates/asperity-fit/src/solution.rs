@@ -1,19 +1,14 @@
 //! Values, intervals and residuals of a minimum.
 
-use asperity_core::{Findings, Scene};
-
-use crate::distance::rms;
-use crate::problem::{Problem, squares};
+use crate::problem::{Minimum, Problem, squares};
 use crate::ranking::{ACCURACY, bic};
-use crate::search::Found;
 use crate::spread::Spread;
-use crate::{Estimate, FitError, Fitted, Residual};
+use crate::{Data, Estimate, FitError, Fitted, Residual};
 
-/// A minimum with its values, of which there may be doubts.
+/// A minimum with its values.
 pub(crate) struct Solution<'s> {
     pub(crate) problem: &'s Problem<'s>,
-    pub(crate) found: &'s Found,
-    pub(crate) scene: Scene,
+    pub(crate) best: &'s Minimum,
     /// The fitted values.
     pub(crate) values: Vec<f64>,
     pub(crate) residuals: Vec<f64>,
@@ -26,11 +21,9 @@ pub(crate) struct Solution<'s> {
 }
 
 impl<'s> Solution<'s> {
-    pub(crate) fn new(problem: &'s Problem<'s>, found: &'s Found) -> Result<Self, FitError> {
-        let best = &found.best;
+    pub(crate) fn new(problem: &'s Problem<'s>, best: &'s Minimum) -> Result<Self, FitError> {
         let no_start = |reason| FitError::NoStart { model: problem.model.id().into(), reason };
         let values = problem.predicted(&best.coordinates).map_err(no_start)?;
-        let (scene, _) = problem.at(&best.coordinates).map_err(no_start)?;
         let residuals = problem.residuals(&best.coordinates)?;
         let spread = Spread::new(problem, best)?;
         let mut estimates = vec![];
@@ -51,12 +44,12 @@ impl<'s> Solution<'s> {
         }
         let rank = spread.as_ref().map_or(problem.parameters.len(), Spread::rank);
         let freedom = problem.data.len().saturating_sub(rank);
-        Ok(Self { problem, found, scene, values, residuals, spread, estimates, rank, freedom })
+        Ok(Self { problem, best, values, residuals, spread, estimates, rank, freedom })
     }
 
     /// All that is said of a fit, but for the number of evaluations.
-    pub(crate) fn describe(self) -> Result<Fitted, FitError> {
-        let (data, best, doubts) = (self.problem.data, &self.found.best, self.doubts()?);
+    pub(crate) fn describe(self) -> Fitted {
+        let (data, findings) = (self.problem.data, self.doubts());
         let (spread, count) = (self.spread.as_ref(), self.estimates.len());
         let correlation = |a: usize| {
             (0..count).map(|b| spread.and_then(|spread| spread.correlation(a, b))).collect()
@@ -71,21 +64,26 @@ impl<'s> Solution<'s> {
             fitted: *fitted,
             residual: *residual,
         };
-        Ok(Fitted {
+        Fitted {
             model: self.problem.model.id().into(),
-            converged: best.converged,
+            converged: self.best.converged,
             rms: rms(data, &self.values).map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
             reduced_chi_squared: Some(chi).filter(|chi| data.has_std() && chi.is_finite()),
             bic: bic(data, sum, self.rank),
             correlation: (0..count).map(correlation).collect(),
             condition: spread.and_then(Spread::condition),
-            doubts,
+            findings,
             residuals: each.map(residual).collect(),
-            same_as: None,
-            unusual: Findings::default(),
-            is_elastic: self.problem.model.validity().holds_to.is_some_and(|to| to <= 1.0),
             evaluations: 0,
             parameters: self.estimates,
-        })
+        }
     }
+}
+
+/// Root mean square of the logarithms of fitted over measured values.
+fn rms(data: &Data, values: &[f64]) -> Option<f64> {
+    let ratios = data.iter().zip(values).filter(|(one, _)| !one.measured.is_difference());
+    let ratios = ratios.map(|(one, value)| (value / one.value).ln());
+    let finite: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
+    (!finite.is_empty()).then(|| (squares(&finite) / finite.len() as f64).sqrt())
 }

@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 
 use asperity::fit::{
-    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress,
-    Ranking, Rig, Role, USUAL_FACTOR, places, predict,
+    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
+    Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Finding, Interface, Model, Quantity, Scene, Severity, short};
+use asperity::{At, Findings, Interface, Model, Quantity, Scene, Severity};
 
 use crate::free::bounds_in_other_unit;
 use crate::free::unit_of_free;
@@ -117,7 +117,7 @@ impl SceneFile {
         }
     }
 
-    /// A model fitted to data from this scene, with unusual results where it describes them;
+    /// A model fitted to data from this scene, with unusual results where they were measured;
     /// `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
@@ -141,13 +141,12 @@ impl SceneFile {
             Ok(self.with_inputs(numbers)?.scene)
         };
         let mut fitted = Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?;
-        if fitted.describes_data() {
-            let (mut file, rig) = self.fitted(&fitted)?;
-            // Whether a law holds does not depend on what is accepted.
-            file.accept.clear();
-            let places = places(&**model, &file.scene, rig, data);
-            fitted.unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
-        }
+        let (mut file, rig) = self.fitted(&fitted)?;
+        // Whether a law holds does not depend on what is accepted.
+        file.accept.clear();
+        let places = places(&**model, &file.scene, rig, data);
+        let unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
+        fitted.findings.extend(unusual);
         Ok(fitted)
     }
 
@@ -167,15 +166,10 @@ impl SceneFile {
         Ok(found.into_iter().map(Result::ok).collect())
     }
 
-    /// Doubts about fitted models and their unusual results, one for each cause, without those that
-    /// the scene accepts.
+    /// The findings of fitted models, one for each cause, without those that the scene accepts.
     #[must_use]
-    pub fn findings_of_fits(&self, ranking: &Ranking) -> Vec<Finding> {
-        let mut found = ranking.doubts();
-        found.retain(|one| !one.is_accepted(&self.accept));
-        let unusual = ranking.distinct().flat_map(|one| one.unusual.iter().cloned());
-        found.extend(self.accepted(unusual.collect()));
-        found
+    pub fn findings_of_fits(&self, models: &[Fitted]) -> Findings {
+        self.accepted(models.iter().flat_map(|one| one.findings.iter().cloned()).collect())
     }
 
     /// The scene with the fitted numbers, and the rig.
@@ -196,20 +190,6 @@ impl SceneFile {
             SceneError::from_contact(error, |field| Box::new(Place::field(field)))
         })?;
         Ok((made, rig))
-    }
-
-    /// Notes on bounds that are not given.
-    #[must_use]
-    pub fn notes_on_bounds(&self, free: &[Free], fitted: &Fitted) -> Vec<String> {
-        let usual = free.iter().filter(|free| free.bounds.is_none());
-        let note = |free: &Free| {
-            let estimate = fitted.parameters.iter().find(|one| one.name == free.name)?;
-            let ([low, high], name) = (estimate.bounds.map(short), &free.name);
-            let unit = &estimate.unit;
-            let gap = if unit.is_empty() { "" } else { " " };
-            Some(format!("{name} is varied from {low} to {high}{gap}{unit} by default"))
-        };
-        usual.filter_map(note).collect()
     }
 }
 

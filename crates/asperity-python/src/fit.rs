@@ -41,9 +41,8 @@ pub(crate) fn fit<'py>(
     for engine in &engines {
         let (engine, alone) = (engine.get(), engines.len() == 1);
         let model = engine.on(file)?;
-        let found = run_interruptible(py, None, |stop| {
-            file.fit(&model, &data, &free, &mut |_| stop.step(""))
-        })?;
+        let found =
+            run_interruptible(py, |stop| file.fit(&model, &data, &free, &mut |_| stop.step("")))?;
         match found {
             Ok(found) => fitted.push(found),
             Err(SceneError::Fit(FitError::NoStart { reason, .. })) if engine.is_written() => {
@@ -55,9 +54,9 @@ pub(crate) fn fit<'py>(
             Err(error) => return Err(value_error(error)),
         }
     }
-    let ranking = rank(fitted);
-    let found = file.findings().into_iter().chain(file.findings_of_fits(&ranking));
+    let ranked = rank(fitted);
+    let found = file.findings().into_iter().chain(file.findings_of_fits(&ranked));
     let mut warnings = found.filter(|found| found.severity < Severity::Note);
     warnings.try_for_each(|found| warn(py, &found, 1))?;
-    object(py, &ranking)
+    object(py, &ranked)
 }

@@ -28,9 +28,9 @@ mod topography;
 mod _asperity {
     #[pymodule_export]
     use crate::{
-        ask::advice::{check, plan, pull_off, recommend},
+        ask::advice::{check, corrected, plan, pull_off, recommend},
         ask::contact::Contact,
-        ask::values::{answer, corrected, separations, shares},
+        ask::values::{answer, separations, shares},
         bem::contacts::{bem, bem_unloading, truth},
         bem::slip::bem_slip,
         convert::numbers::quantity,

@@ -5,26 +5,48 @@ use asperity::joints::conductance::{self, Correlation, GapRoughness};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
-use numpy::ToPyArray;
+use asperity_inputs as scene;
+use numpy::{PyArray1, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::ask::asked::arrays;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{tolerance, value_error, warn_unless};
+use crate::convert::{Object, object, tolerance, value_error, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
 /// between the nodes, and the text.
-type Table<'py> = (Bound<'py, PyDict>, f64, f64, String);
+type Nodes<'py> = (Bound<'py, PyDict>, f64, f64, String);
+/// Columns by their heads, and findings: the package's `Table`.
+pub(crate) type Table<'py> = (Bound<'py, PyDict>, Object<'py>);
 
-/// The columns of a sheet by their heads; NaN for blanks.
+/// The columns of a sheet by their heads: arrays of numbers, NaN for blanks, or lists of words.
 pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
-    let number = |cell: &Cell| cell.number().unwrap_or(f64::NAN);
-    let column = |k: usize| sheet.rows.iter().map(|row| number(&row[k])).collect();
-    arrays(py, sheet.heads.iter().enumerate().map(|(k, head)| (head, column(k))))
+    let found = PyDict::new(py);
+    for (k, head) in sheet.heads.iter().enumerate() {
+        let cells = || sheet.rows.iter().map(|row| &row[k]);
+        if cells().any(|cell| matches!(cell, Cell::Text(_))) {
+            found.set_item(head, cells().map(Cell::text).collect::<Vec<_>>())?;
+        } else {
+            let numbers = cells().map(|cell| cell.number().unwrap_or(f64::NAN));
+            found.set_item(head, PyArray1::from_vec(py, numbers.collect()))?;
+        }
+    }
+    Ok(found)
+}
+
+/// A sheet as the package's `Table`.
+pub(crate) fn table<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Table<'py>> {
+    Ok((columns(py, sheet)?, object(py, &sheet.findings)?))
+}
+
+/// Emits the warnings of a sheet that the scene does not accept.
+pub(crate) fn warn_of(py: Python<'_>, file: &scene::SceneFile, sheet: &Sheet) -> PyResult<()> {
+    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
+    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))
 }
 
 /// A table between two places, with nodes at equal distances or, if an error is given, as many as
@@ -38,7 +60,7 @@ pub(crate) fn contact_table<'py>(
     spacing: (usize, Option<f64>, f64),
     form: (&str, &str),
     beside: (Option<String>, Option<f64>),
-) -> PyResult<Table<'py>> {
+) -> PyResult<Nodes<'py>> {
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
     let format =
@@ -65,8 +87,7 @@ pub(crate) fn contact_table<'py>(
     };
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;
-    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
-    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
+    warn_of(py, file, &sheet)?;
     let of_films = "format is \"film\": solve(film=...) returns these columns";
     let [of_pressure, of_tangent] = found.errors.ok_or_else(|| value_error(of_films))?;
     Ok((columns(py, &sheet)?, of_pressure, of_tangent, found.text))

@@ -166,9 +166,9 @@ def test_masked_in_is_masked_out(scene: asperity.Scene) -> None:
 def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     for arguments in ({}, {"separation": 1.0, "load": 1.0}, {"load": 1.0, "pressure": 1.0}):
-        with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
+        with pytest.raises(TypeError, match="exactly one of separation, load, "):
             ke.solve(scene, **arguments)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
+    with pytest.raises(TypeError, match="exactly one of load and pressure"):
         ke.separation_at(scene)
     for wrong in ({"load": "1"}, {"pressure": [1j]}):
         with pytest.raises(TypeError):
@@ -216,7 +216,7 @@ def test_texts_may_say_their_unit(scene: asperity.Scene) -> None:
 def test_a_scene_that_never_yields_is_held_against_greenwood_and_williamson() -> None:
     rubber = asperity.Interface.against_rigid(asperity.Body(2e6, 0.5))
     soft = asperity.Scene(rubber, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
-    assert asperity.recommend(soft, 2.0).reference == "gw"
+    assert asperity.recommend(soft, 2.0).of("gw")["force_deviation"] == 0.0
 
 
 def test_a_loop_over_loads_warns_once_for_each_cause() -> None:

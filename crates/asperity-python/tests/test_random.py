@@ -24,62 +24,32 @@ def test_random_asperities_differ_from_equal_ones() -> None:
 
 def test_advice_comes_with_evidence() -> None:
     scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
-    advice = asperity.recommend(scene, pressure=[1e8, 1e9], quantities=["area"])
-    assert "boundary elements" in advice.evidence
-    off = advice.off["ke-random"]["area"]
-    assert off is not None and abs(off) < 0.5
-    both = asperity.recommend(scene, pressure=[100.0, 1e9], quantities=["area"])
-    none, near = both.evidence_at
-    assert isinstance(none, str) and none.startswith("no boundary-element solution is close: less")
-    assert isinstance(near, dict) and near == both.off and "persson-fudge" in near
-    first, second, *others = both.evidence.splitlines()
-    assert first.startswith("no boundary") and " nearest to boundary elements in area " in second
-    # Only what was asked for.
-    assert "stiffness" not in both.evidence and "gap" not in both.evidence
-    tangent = asperity.recommend(scene, pressure=[1e8, 1e9], quantities=["tangent"]).evidence
-    assert " in stiffness in first loading " in tangent and "the area" not in tangent
-    assert others[0].startswith("ke") and "the area" in others[0] and "; boundary" in others[0]
+    both = asperity.recommend(scene, pressure=[1e8, 1e9], quantities=["area"])
+    off = both.of("ke-random")["area_off_bem"]
+    assert (np.abs(off) < 0.5).all()
+    assert "evidence" in {one.code for one in both.findings}
     light = asperity.recommend(scene, pressure=100.0, quantities=["area"])
-    assert light.evidence.startswith("no boundary-element solution is close") and light.off == {}
+    assert np.isnan(light["area_off_bem"]).all()
 
 
 def test_corrected_values_have_an_interval_or_a_reason() -> None:
     scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
     pressures, asked = [1e7, 1e8], ["area", "tangent"]
-    ke, jg = (
-        asperity.model(model).solve(scene, pressure=pressures, quantities=asked, corrected=True)
-        for model in ("ke-random", "jg-random")
-    )
-    assert isinstance(ke, asperity.CorrectedCurve) and ke.model == "ke-random-corrected"
-    np.testing.assert_allclose(ke.area, jg.area, rtol=1e-6)
-    for quantity in asked:
-        assert (ke.lower(quantity) < ke[quantity]).all()
-        assert (ke[quantity] < ke.upper(quantity)).all()
-    head = ke.to_csv().splitlines()[0]
-    ends = "area_lower,area_upper,tangent_lower,tangent_upper"
-    apart = "separation,separation_lower,separation_upper"
-    assert head.endswith(f"{ends},{apart}"), head
-    assert (ke.lower("separation") < ke.separation).all()
-    assert (ke.separation < ke.upper("separation")).all()
-    np.testing.assert_allclose(ke.separation, jg.separation, rtol=1e-6)
+    tables = [
+        asperity.model(model).corrected(scene, asked, pressure=pressures) for model in ("ke-random", "jg-random")
+    ]
+    ke, jg = tables[0].of("ke-random-corrected"), tables[1].of("jg-random-corrected")
+    np.testing.assert_allclose(ke["area_m2"], jg["area_m2"], rtol=1e-6)
+    np.testing.assert_allclose(ke["separation_m"], jg["separation_m"], rtol=1e-6)
+    for name, unit in [("area", "_m2"), ("tangent", "_N_per_m"), ("separation", "_m")]:
+        assert (ke[f"{name}_lower{unit}"] < ke[name + unit]).all()
+        assert (ke[name + unit] < ke[f"{name}_upper{unit}"]).all()
     plain = asperity.model("ke-random").solve(scene, pressure=pressures, quantities=asked)
-    assert not np.allclose(plain.area, ke.area, rtol=1e-3)
-    model = asperity.model("ke-random")
-    with pytest.raises(ValueError, match="^no boundary-element solution is close"):
-        model.solve(scene, load=1e9, quantities="area", corrected=True)
-    with pytest.raises(ValueError, match="contacts has no counterpart"):
-        model.solve(scene, load=1e4, quantities="contacts", corrected=True)
-    with pytest.raises(ValueError, match="corrected=True needs load or pressure"):
-        model.solve(scene, 2.0, corrected=True)
-    some = model.solve(
-        scene, pressure=[1e8, 1e12], quantities="area", corrected=True, errors="mask"
-    )
-    assert np.ma.getmaskarray(some.area).tolist() == [False, True]
-    assert "p/(E g)" in some.failures[1]
-    # Without a Hurst exponent persson has areas and no separation, which is no failure of a row.
-    template, persson = asperity.Scene.parse(asperity.template()), asperity.model("persson")
-    found = persson.solve(template, pressure=[1e6, 1e7], quantities="area", corrected=True)
-    assert not found.failures and not np.ma.getmaskarray(found.area).any()
-    assert sorted(found.separation_failures) == [0, 1]
-    with pytest.raises(TypeError, match="use lower and upper"):
-        ke.error("area")
+    np.testing.assert_allclose(tables[0].of("ke-random")["area_m2"], plain.area)
+    assert not np.allclose(plain.area, ke["area_m2"], rtol=1e-3)
+    with pytest.warns(asperity.ContactWarning):
+        some = asperity.model("ke-random").corrected(scene, "area", pressure=[1e8, 1e10])
+    assert "no-value" in {one.code for one in some.findings}
+    assert np.isnan(some.of("ke-random-corrected")["area_m2"]).tolist() == [False, True]
+    with pytest.raises(TypeError, match="exactly one of load and pressure"):
+        asperity.model("ke-random").corrected(scene, "area")

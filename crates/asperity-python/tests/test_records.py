@@ -130,13 +130,3 @@ def test_records_are_frozen_equal_hashable_and_copied() -> None:
     no_plane = asperity.Scene(interface, surface, 1e-4, heights={"skewness": -0.5})
     assert no_plane.heights == {"skewness": -0.5}
     assert eval(repr(no_plane), vars(asperity)) == no_plane
-
-
-def test_a_space_in_metres_is_in_metres() -> None:
-    scene = asperity.Scene.parse(asperity.template())
-    result = asperity.sweep(
-        asperity.Space(scene, separation=("1 um", "2 um"), hardness="2 GPa"), "ke", n=8
-    )
-    plain = asperity.Space(scene, separation=(1e-6, 2e-6), hardness=2e9)
-    wanted = asperity.sweep(plain, "ke", n=8, separation_unit="m")
-    np.testing.assert_array_equal(result["force"], wanted["force"])

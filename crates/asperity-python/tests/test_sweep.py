@@ -1,197 +1,132 @@
-"""Sweeps in memory: samples against scipy and SALib, values against one scene at a time,
-statistics against NumPy, indices against closed forms."""
+"""Sweeps: samples against scipy, values against one scene at a time, stores that are interrupted."""
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import asperity
 import numpy as np
 import numpy.typing as npt
 import pytest
-import scipy.stats
-from asperity._sweep.design import Design
-from SALib.sample import sobol as salib_sobol
+import xarray as xr
+from scipy import stats
+from scipy.stats import qmc
 
 Floats = npt.NDArray[np.float64]
 
+HARDNESS, HEIGHT_STD = stats.norm(2e9, 1e8), stats.lognorm(0.2, scale=1e-6)
 
-@pytest.fixture
-def space(scene: asperity.Scene) -> asperity.Space:
-    return asperity.Space(
-        scene,
-        separation=(0.5, 3.0),
-        hardness=scipy.stats.norm(2e9, 1e8),
-        asperity_height_std=scipy.stats.lognorm(0.2, scale=1e-6),
+
+def drawn(n: int) -> dict[str, xr.DataArray]:
+    points = qmc.Sobol(3, rng=np.random.default_rng(5)).random(n)
+    place: tuple[float, float] = (0.5, 3.0)
+    return asperity.sample(
+        points, separation=place, hardness=HARDNESS, asperity_height_std=HEIGHT_STD
     )
 
 
-def test_samples_are_scipys_sobol_points_through_the_distributions(space: asperity.Space) -> None:
-    result = asperity.sweep(space, "ke", n=256, seed=5)
-    sobol = scipy.stats.qmc.Sobol(3, rng=np.random.default_rng(5))
-    u = sobol.random(256) + 2.0**-31
-    assert result.inputs == ("separation", "hardness", "asperity_height_std")
-    assert np.allclose(result["separation"], 0.5 + 2.5 * u[:, 0], rtol=1e-15)
-    assert (result["hardness"] == scipy.stats.norm(2e9, 1e8).ppf(u[:, 1])).all()
-    wanted = scipy.stats.lognorm(0.2, scale=1e-6).ppf(u[:, 2])
-    assert (result["asperity_height_std"] == wanted).all()
+def test_samples_are_the_points_through_the_distributions() -> None:
+    u = qmc.Sobol(3, rng=np.random.default_rng(5)).random(256)
+    sample = drawn(256)
+    assert np.allclose(sample["separation"], 0.5 + 2.5 * u[:, 0], rtol=1e-15)
+    assert (sample["hardness"] == HARDNESS.ppf(u[:, 1])).all()
+    assert (sample["asperity_height_std"] == HEIGHT_STD.ppf(u[:, 2])).all()
+    ends = asperity.sample([[0.0], [1.0]], hardness=HARDNESS)
+    assert np.isfinite(ends["hardness"]).all()
 
 
-def test_every_row_is_the_value_of_its_scene(
-    scene: asperity.Scene, space: asperity.Space
+def test_every_row_is_the_value_of_its_scene(scene: asperity.Scene) -> None:
+    rows, quantities = drawn(64), ["force", "mean-pressure"]
+    result = asperity.sweep(scene, rows, "ke", quantities, rtol=1e-12)
+    assert dict(result.sizes) == {"row": 64} and (result.status == 1).all()
+    assert (result.hardness == rows["hardness"]).all()
+    assert (result.force.units, result.hardness.units) == ("N", "Pa")
+    for k in range(0, 64, 7):
+        numbers = {name: float(rows[name][k]) for name in ("hardness", "asperity_height_std")}
+        where = float(rows["separation"][k])
+        alone = asperity.model("ke").solve(scene.replace(**numbers), where, quantities, rtol=1e-12)
+        assert abs(result.force[k] / alone.force - 1.0) < 2e-12
+        assert abs(result.mean_pressure[k] / alone.mean_pressure - 1.0) < 2e-12
+
+
+def test_grids_have_a_dimension_for_each_input(scene: asperity.Scene) -> None:
+    inputs = {"load": ["10 N", "1 kN"], "hardness": [1e9, 2e9, 3e9], "youngs_modulus": "200 GPa"}
+    result = asperity.sweep(scene, inputs, ["ke", "jg"], "area")
+    assert dict(result.sizes) == {"model": 2, "load": 2, "hardness": 3}
+    found = result.area.sel(model="jg", load=1000.0, hardness=3e9).item()
+    alone = scene.replace(hardness=3e9, youngs_modulus=200e9)
+    wanted = asperity.model("jg").solve(alone, load=1000.0, quantities="area").area
+    assert abs(found / wanted - 1.0) < 1e-9
+    # Rows and a grid together.
+    rows = asperity.sample(qmc.LatinHypercube(1, rng=1).random(8), hardness=HARDNESS)
+    both = asperity.sweep(scene, {**rows, "load": [10.0, 100.0]}, "ke", "area")
+    assert dict(both.sizes) == {"row": 8, "load": 2}
+    assert both.area.quantile([0.05, 0.95], "row").shape == (2, 2)
+
+
+@pytest.mark.parametrize("names", [("separation", "hardness", "asperity_height_std"), ("separation",)])
+def test_no_digit_depends_on_the_size_of_parts(
+    scene: asperity.Scene, names: tuple[str, ...]
 ) -> None:
-    result = asperity.sweep(space, "ke", ["force", "area"], n=64, seed=2, rtol=1e-12)
-    for k in range(64):
-        alone = scene.replace(
-            hardness=result["hardness"][k], asperity_height_std=result["asperity_height_std"][k]
-        )
-        curve = asperity.model("ke").solve(
-            alone, result["separation"][k], ["force", "area"], rtol=1e-12
-        )
-        assert abs(result["force"][k] / curve.force - 1.0) < 2e-12
-        assert abs(result["area"][k] / curve.area - 1.0) < 2e-12
-
-
-@pytest.mark.parametrize("design", ["sobol", "saltelli", "saltelli-pairs"])
-def test_no_digit_depends_on_the_size_of_parts(space: asperity.Space, design: str) -> None:
-    whole = asperity.sweep(space, "ke", n=1000, seed=3, design=design)
+    rows = {name: column for name, column in drawn(1024).items() if name in names}
+    whole = asperity.sweep(scene, rows, "ke")
     for size in (1, 64, 333):
-        parts = asperity.sweep(space, "ke", n=1000, seed=3, design=design, part_size=size)
-        assert parts.rows == whole.rows
-        for column in (*whole.inputs, "force"):
-            assert (parts[column] == whole[column]).all()
-
-
-def test_latin_hypercubes_fill_every_stratum_of_every_part(scene: asperity.Scene) -> None:
-    space = asperity.Space(scene, separation=(0.0, 1.0), nominal_area=(1e-4, 2e-4))
-    result = asperity.sweep(space, "gw", n=250, seed=4, design="latin-hypercube", part_size=100)
-    sizes = []
-    for part in result.parts():
-        size = len(part)
-        sizes.append(size)
-        strata = np.floor(part.inputs["separation"] * size).astype(int)
-        assert sorted(strata) == list(range(size))
-    assert sizes == [100, 100, 50]
-    other = asperity.sweep(space, "gw", n=250, seed=5, design="latin-hypercube", part_size=100)
-    assert (other["separation"] != result["separation"]).all()
-
-
-@pytest.mark.parametrize(("design", "pairs"), [("saltelli", False), ("saltelli-pairs", True)])
-def test_saltellis_scheme_has_the_rows_of_salib(design: str, pairs: bool) -> None:
-    drawn = Design(design, n=16 * (8 if pairs else 5), seed=6, dimensions=3, part_size=20)
-    problem = {"num_vars": 3, "names": ["a", "b", "c"], "bounds": [[0.0, 1.0]] * 3}
-    wanted = salib_sobol.sample(problem, 16, calc_second_order=pairs, seed=np.random.default_rng(6))
-    rows = np.concatenate([drawn.sample(part) for part in drawn.parts])
-    assert rows.shape == wanted.shape
-    assert np.abs(rows - 2.0**-31 - wanted).max() < 1e-15
-
-
-def test_saltellis_rows_are_rounded_up_to_a_power_of_two() -> None:
-    def rows(n: int) -> int:
-        return Design("saltelli", n, seed=0, dimensions=3, part_size=1000).rows
-
-    assert [rows(n) for n in (1, 5, 6, 10, 11, 20, 21)] == [5, 5, 10, 10, 20, 20, 40]
-
-
-def test_statistics_are_numpys(space: asperity.Space) -> None:
-    result = asperity.sweep(space, "ke", n=3000, seed=1, part_size=700)
-    force = result["force"]
-    assert result.mean("force") == pytest.approx(force.mean(), rel=1e-13)
-    assert result.std("force") == pytest.approx(force.std(ddof=1), rel=1e-13)
-    probabilities = np.array([[0.0, 0.05, 0.5], [0.77, 0.95, 1.0]])
-    found = result.quantile("force", probabilities)
-    assert found.shape == (2, 3)
-    assert np.allclose(found, np.quantile(force, probabilities), rtol=1e-14)
-
-
-def test_indices_are_those_of_a_product(scene: asperity.Scene) -> None:
-    """The force is in proportion to area and density: closed forms for their product."""
-    space = asperity.Space(
-        scene, separation=1.5, nominal_area=(1e-4, 3e-4), asperity_density=(1e8, 2e8)
-    )
-    result = asperity.sweep(space, "ke", n=2**14, seed=1, design="saltelli-pairs")
-    # Squared coefficients of variation of uniform distributions.
-    area, density = (2e-4**2 / 12) / 2e-4**2, (1e8**2 / 12) / 1.5e8**2
-    whole = (1.0 + area) * (1.0 + density) - 1.0
-    found = result.sensitivity("force")
-    assert found.first["nominal_area"] == pytest.approx(area / whole, abs=0.005)
-    assert found.first["asperity_density"] == pytest.approx(density / whole, abs=0.005)
-    assert found.total["nominal_area"] == pytest.approx(area * (1 + density) / whole, abs=0.005)
-    pair = found.second["nominal_area", "asperity_density"]
-    assert pair == pytest.approx(area * density / whole, abs=0.005)
-    mean = asperity.model("ke").solve(scene.replace(nominal_area=2e-4, asperity_density=1.5e8), 1.5)
-    assert result.mean("force") == pytest.approx(float(mean.force), rel=1e-4)
-    # The logarithm of a product is a sum without an effect of pairs.
-    logarithm = result.sensitivity("force", transform=np.log)
-    assert sum(logarithm.first.values()) == pytest.approx(1.0, abs=0.005)
-    table = logarithm.to_dataframe()
-    assert list(table.index) == ["nominal_area", "asperity_density"]
-
-
-def test_plasticity_index_and_roughness_parameter_determine_the_surface(
-    scene: asperity.Scene,
-) -> None:
-    space = asperity.Space(
-        scene, separation=1.0, plasticity_index=(0.5, 4.0), hardness=(1e9, 2e9)
-    )
-    result = asperity.sweep(space, "gw", n=16, seed=1)
-    for k in range(16):
-        interface = scene.replace(hardness=result["hardness"][k]).interface
-        surface = asperity.Surface.from_plasticity_index(
-            result["plasticity_index"][k],
-            scene.surface.roughness_parameter,
-            scene.surface.asperity_height_std,
-            interface,
-        )
-        alone = asperity.Scene(interface, surface, scene.nominal_area)
-        wanted = asperity.model("gw").solve(alone, 1.0).force
-        assert abs(result["force"][k] / wanted - 1.0) < 1e-9
-    with pytest.raises(ValueError, match="is given beside .*, which describes the surface in another way"):
-        asperity.Space(scene, 1.0, plasticity_index=(1.0, 2.0), asperity_radius=(1e-4, 2e-4))
+        assert asperity.sweep(scene, rows, "ke", part_size=size).identical(whole)
 
 
 def test_separations_in_metres(scene: asperity.Scene) -> None:
-    space = asperity.Space(scene, separation=(1e-6, 2e-6), asperity_height_std=(0.5e-6, 1e-6))
-    result = asperity.sweep(space, "ke", n=32, seed=1, separation_unit="m")
-    over = asperity.model("ke").solve(
-        scene.vary(asperity_height_std=result["asperity_height_std"]),
-        result["separation"] / result["asperity_height_std"],
+    inputs = {"separation": [1e-6, 2e-6], "asperity_height_std": [0.5e-6, 1e-6]}
+    result = asperity.sweep(scene, inputs, "ke", separation_unit="m")
+    texts = asperity.sweep(scene, {**inputs, "separation": ["1 um", "2 um"]}, "ke")
+    assert result.identical(texts) and result.separation.units == "m"
+    over = asperity.model("ke").solve(scene.replace(asperity_height_std=0.5e-6), 2.0).force
+    assert abs(result.force[0, 0] / over - 1.0) < 1e-9
+
+
+def test_a_plasticity_index_determines_the_surface(scene: asperity.Scene) -> None:
+    inputs = {"separation": 1.0, "plasticity_index": [0.5, 4.0], "hardness": [1e9, 2e9]}
+    result = asperity.sweep(scene, inputs, "gw")
+    interface = scene.replace(hardness=1e9).interface
+    old = scene.surface
+    surface = asperity.Surface.from_plasticity_index(
+        4.0, old.roughness_parameter, old.asperity_height_std, interface
     )
-    assert np.allclose(result["force"], over.force, rtol=1e-9)
+    alone = asperity.Scene(interface, surface, scene.nominal_area)
+    wanted = asperity.model("gw").solve(alone, 1.0).force
+    assert abs(result.force.sel(plasticity_index=4.0, hardness=1e9) / wanted - 1.0) < 1e-9
+    with pytest.raises(ValueError, match="asperity_radius"):
+        asperity.sweep(scene, {**inputs, "asperity_radius": 1e-4}, "gw")
 
 
-def test_a_row_that_is_refused_ends_the_sweep_with_its_number(scene: asperity.Scene) -> None:
-    space = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    hardness = asperity.sweep(space, "ke", n=64, seed=1, errors="mask")["hardness"]
-    first = int(np.flatnonzero(hardness <= 0)[0])
-    with pytest.raises(ValueError, match=rf"^row {first} \(.*hardness=-\d.*\): hardness is -"):
-        asperity.sweep(space, "ke", n=64, seed=1, part_size=10)
+def test_rows_that_are_refused_raise_or_are_masked(scene: asperity.Scene) -> None:
+    inputs = {"separation": 1.0, "hardness": [1e9, 2e9, -1e9]}
+    with pytest.raises(ValueError, match="hardness from 2: scene 0: hardness is -"):
+        asperity.sweep(scene, inputs, "ke", part_size=1)
+    result = asperity.sweep(scene, inputs, "ke", errors="mask")
+    assert list(result.status) == [1, 1, 2]
+    assert list(np.isnan(result.force)) == [False, False, True]
 
 
-def test_rows_that_are_refused_are_masked(scene: asperity.Scene) -> None:
-    space = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    result = asperity.sweep(space, "ke", n=500, seed=1, errors="mask", part_size=100)
-    bad = np.flatnonzero(result["hardness"] <= 0)
-    failures = dict(result.failures())
-    assert sorted(failures) == list(bad) and 30 < len(bad) < 70
-    assert all(why.startswith("hardness is -") for why in failures.values())
-    force = result["force"]
-    assert isinstance(force, np.ma.MaskedArray)
-    assert (np.flatnonzero(np.ma.getmaskarray(force)) == bad).all()
-    with pytest.warns(asperity.ContactWarning, match=f"{len(bad)} of 500 rows failed"):
-        assert result.mean("force") == pytest.approx(force.compressed().mean(), rel=1e-13)
-    table = result.to_dataframe()
-    assert (table["error"].notna() == table["force_N"].isna()).all()
-    assert table["force_N"].isna().sum() == len(bad)
+def test_indices_by_scipy_are_those_of_a_product(scene: asperity.Scene) -> None:
+    """The force is in proportion to area and density: closed forms for their product."""
+    inputs = {"nominal_area": stats.uniform(1e-4, 2e-4), "asperity_density": stats.uniform(1e8, 1e8)}
 
+    def force(x: Floats) -> Floats:
+        columns = dict(zip(inputs, x, strict=True))
+        return asperity.model("ke").solve(scene.vary(**columns), 1.5).force
 
-def test_indices_need_every_row(scene: asperity.Scene, space: asperity.Space) -> None:
-    bad = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    result = asperity.sweep(bad, "ke", n=64, design="saltelli", errors="mask")
-    with pytest.raises(ValueError, match="rows failed: every row is required"):
-        result.sensitivity("force")
-    with pytest.raises(ValueError, match="the design is 'sobol'"):
-        asperity.sweep(space, "ke", n=64).sensitivity("force")
+    found = stats.sobol_indices(func=force, n=2**12, dists=list(inputs.values()), rng=1)
+    # Squared coefficients of variation of uniform distributions.
+    area, density = (2e-4**2 / 12) / 2e-4**2, (1e8**2 / 12) / 1.5e8**2
+    whole = (1.0 + area) * (1.0 + density) - 1.0
+    assert found.first_order == pytest.approx([area / whole, density / whole], abs=0.01)
 
 
 class Hertz:
@@ -211,64 +146,100 @@ class Hertz:
 
 
 def test_a_model_written_in_python(scene: asperity.Scene) -> None:
-    space = asperity.Space(scene, separation=1.0, hardness=(1e9, 2e9))
+    inputs = {"separation": 1.0, "hardness": [1e9, 2e9]}
     mine = asperity.model(Hertz)
-    result = asperity.sweep(space, mine, n=16, seed=1, errors="mask")
-    failures = dict(result.failures())
-    assert sorted(failures) == list(np.flatnonzero(result["hardness"] < 1.5e9))
-    assert all("too soft" in why for why in failures.values())
+    result = asperity.sweep(scene, inputs, mine, errors="mask")
     wanted = asperity.model("gw").solve(scene, 1.0).force
-    assert np.allclose(np.ma.compressed(result["force"]), wanted, rtol=1e-9)
+    assert list(result.status) == [2, 1] and abs(result.force[1] / wanted - 1.0) < 1e-9
     with pytest.raises(ZeroDivisionError, match="too soft"):
-        asperity.sweep(space, mine, n=16, seed=1)
+        asperity.sweep(scene, inputs, mine)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("inputs", "arguments", "message"),
     [
-        ({"separation": (2.0, 1.0)}, "low must be below high"),
-        ({"separation": (2.0, np.inf)}, "two finite numbers"),
-        ({"separation": 1.0}, "no input has a distribution"),
-        ({"separation": (0, 1), "asperity_radiu": 1.0}, "asperity_radiu is not an input"),
-        ({"separation": "1.0"}, "give a number, or a text with its unit"),
-        ({"separation": [1.0, 2.0]}, "a distribution with a ppf"),
-    ],
-)
-def test_spaces_that_are_refused(
-    scene: asperity.Scene, arguments: dict[str, Any], message: str
-) -> None:
-    with pytest.raises((ValueError, TypeError), match=message):
-        asperity.Space(scene, **arguments)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"n": 0}, "n is 0: an integer from 1"),
-        ({"n": 10.5}, "n is 10.5"),
-        ({"seed": -1}, "seed is -1: an integer from 0"),
-        ({"n": 2**30 + 1}, "at most 2\\^30"),
-        ({"part_size": 0}, "part_size is 0"),
-        ({"design": "halton"}, "design is 'halton': one of sobol"),
-        ({"errors": "ignore"}, "errors is 'ignore'"),
-        ({"quantities": []}, "quantities is empty"),
-        ({"quantities": "weight"}, "weight"),
-        ({"rtol": 2.0}, "tolerance"),
-        ({"client": object()}, "without a folder"),
+        ({"load": 1.0}, {}, "no input varies"),
+        ({"load": [1.0], "asperity_radiu": 1.0}, {}, "asperity_radiu is not an input"),
+        ({"load": [[1.0]]}, {}, "load has 2 dimensions"),
+        ({"load": [1.0], "pressure": 1.0}, {}, "exactly one of separation, load and pressure"),
+        ({"load": ["1.0"]}, {}, "give a number, or a text with its unit"),
+        ({"load": [1.0]}, {"part_size": 0}, "part_size is 0"),
+        ({"load": [1.0]}, {"errors": "ignore"}, "errors is 'ignore'"),
+        ({"load": [1.0]}, {"quantities": []}, "quantities is empty"),
+        ({"load": [1.0]}, {"rtol": 2.0}, "tolerance"),
     ],
 )
 def test_sweeps_that_are_refused(
-    space: asperity.Space, arguments: dict[str, Any], message: str
+    scene: asperity.Scene, inputs: Any, arguments: dict[str, Any], message: str
 ) -> None:
-    with pytest.raises(ValueError, match=message):
-        asperity.sweep(space, "ke", **arguments)
+    with pytest.raises((ValueError, TypeError), match=message):
+        asperity.sweep(scene, inputs, "ke", **arguments)
 
 
-def test_columns_that_are_not_there(space: asperity.Space) -> None:
-    result = asperity.sweep(space, "ke", n=8)
-    with pytest.raises(KeyError, match="area was not requested"):
-        result.mean("area")
-    with pytest.raises(KeyError, match="hardnes is no column"):
-        result["hardnes"]
-    with pytest.raises(ValueError, match="from 0 to 1"):
-        result.quantile("force", 1.5)
+@pytest.mark.parametrize("given", [(2.0, 1.0), (2.0, np.inf), 1.0])
+def test_distributions_that_are_refused(given: Any) -> None:
+    with pytest.raises((ValueError, TypeError), match="hardness is "):
+        asperity.sample([[0.5]], hardness=given)
+    with pytest.raises(ValueError, match="2 columns were required"):
+        asperity.sample([[0.5]], hardness=HARDNESS, load=(1.0, 2.0))
+
+
+N, PART = 8192, 512
+
+
+def swept(store: Path | None, hardness: float = 2e9) -> xr.Dataset:
+    scene = asperity.Scene.parse(asperity.template()).replace(youngs_modulus=hardness * 100)
+    return asperity.sweep(scene, drawn(N), ["ke", "gw"], store=store, part_size=PART)
+
+
+def states(store: Path) -> Floats:
+    return np.asarray(xr.open_zarr(store, consolidated=False, mask_and_scale=False).status)
+
+
+def test_a_store_has_the_digits_of_memory_and_refuses_another_sweep(tmp_path: Path) -> None:
+    store = tmp_path / "sweep.zarr"
+    result, wanted = swept(store), swept(None)
+    assert result.compute().equals(wanted)
+    assert (result.force.units, result.hardness.units) == ("N", "Pa")
+    before = {path: path.stat().st_mtime_ns for path in store.rglob("*") if path.is_file()}
+    swept(store)
+    assert before == {path: path.stat().st_mtime_ns for path in store.rglob("*") if path.is_file()}
+    with pytest.raises(ValueError, match="holds another sweep: scene is"):
+        swept(store, 1e9)
+    scene = asperity.Scene.parse(asperity.template()).replace(youngs_modulus=2e11)
+    with pytest.raises(ValueError, match="with other inputs"):
+        asperity.sweep(scene, drawn(64), ["ke", "gw"], store=store)
+    xr.Dataset({"a": 1.0}).to_zarr(tmp_path / "other.zarr", consolidated=False)
+    with pytest.raises(ValueError, match="no store of a sweep"):
+        swept(tmp_path / "other.zarr")
+
+
+def wait_for(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 60.0
+    while not condition():
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_an_interrupted_sweep_goes_on(how: signal.Signals, tmp_path: Path) -> None:
+    store = tmp_path / "sweep.zarr"
+    script = f"""
+        import sys
+        sys.path.insert(0, {str(Path(__file__).parent)!r})
+        import pathlib, test_sweep
+        test_sweep.swept(pathlib.Path({str(store)!r}))
+        """
+    run = subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(script)], stderr=subprocess.PIPE, text=True
+    )
+    wait_for(lambda: store.exists() and (states(store) != 0).sum() >= 3 * PART)
+    run.send_signal(how)
+    _, errors = run.communicate(timeout=30)
+    assert run.returncode != 0
+    assert ("KeyboardInterrupt" in errors) == (how == signal.SIGINT)
+    done = states(store) != 0
+    assert 3 * PART <= done.sum() < 2 * N
+    first = np.asarray(xr.open_zarr(store, consolidated=False).force)
+    result = swept(store).compute()
+    assert result.equals(swept(None)) and (result.force.values[done] == first[done]).all()

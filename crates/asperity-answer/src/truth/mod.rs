@@ -12,7 +12,7 @@ use asperity::{
     Scene, compile_known,
 };
 pub use sentences::{beside_table, summary, unranked};
-pub use sheet::{Truths, compared, heads, truth};
+pub use sheet::{Truths, compared, heads, truth, truth_of};
 
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]

@@ -41,14 +41,12 @@ pub fn compared(named: &[Quantity]) -> Result<Vec<Compared>, AnswerError> {
     Ok(once(&[vec![Compared::Area, Compared::MeanGap], named].concat()))
 }
 
-/// The compared quantities of boundary elements and of the models named, or of all, at mean
-/// pressures \[Pa\], with the deviations of the models; `refine` adds half the grid. Where the work
-/// is stopped, the rows are those solved by then. `name` is that of the scene in messages.
+/// Boundary elements beside the models named, or beside all, as by [`truth_of`].
 ///
 /// # Errors
-/// Those of the scene, a grid that cannot be halved, and where no load is solved.
+/// Those of the models named and of [`truth_of`].
 pub fn truth(
-    (file, name, bem): (&SceneFile, &str, &Bem),
+    of: (&SceneFile, &str, &Bem),
     models: &[String],
     pressures: &[f64],
     quantities: &[Compared],
@@ -56,13 +54,31 @@ pub fn truth(
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
-    sheet.under(&[&heads(quantities), &["boundary"]]);
-    let models = models::models(file, models, SceneFile::models_beside_bem, &[], sheet)?;
+    let models = models::models(of.0, models, SceneFile::models_beside_bem, &[], sheet)?;
     let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
+    truth_of(of, &models, pressures, quantities, refine, sheet, watch)
+}
+
+/// The compared quantities of boundary elements and of models at mean pressures \[Pa\], with the
+/// deviations of the models; `refine` adds half the grid. Where the work is stopped, the rows are
+/// those solved by then. `name` is that of the scene in messages.
+///
+/// # Errors
+/// Those of the scene, a grid that cannot be halved, and where no load is solved.
+pub fn truth_of(
+    (file, name, bem): (&SceneFile, &str, &Bem),
+    models: &[Model],
+    pressures: &[f64],
+    quantities: &[Compared],
+    refine: bool,
+    sheet: &mut Sheet,
+    watch: &dyn Watch,
+) -> Result<(), AnswerError> {
+    sheet.under(&[&heads(quantities), &["boundary"]]);
     let of_scan = Model::new(bem.clone());
     let other = file.other_joint(models.iter().chain([&of_scan]));
     sheet.extend(file.accepted(other.into_iter().collect()));
-    let solved = Truths::solve(file, bem, &models, pressures, quantities, refine, watch)?;
+    let solved = Truths::solve(file, bem, models, pressures, quantities, refine, watch)?;
     let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
     errors.for_each(|error| sheet.warn("unsolved", error.to_string()));

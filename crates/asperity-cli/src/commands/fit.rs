@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, Ranking, rank};
+use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, rank};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
@@ -15,10 +15,10 @@ use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::input::valid;
 use crate::interrupt;
-use crate::output::fit_report::{report, table};
+use crate::output::fit_report::table;
 use crate::output::plot::{PANEL, POINTS, Plot};
 use crate::output::table::Format;
-use crate::output::{self, progress};
+use crate::output::{self, progress, show};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -76,23 +76,13 @@ impl FitCommand {
         };
         let (fitted, interrupted) = self.fit(&scene, &data, &models)?;
         let done = fitted.len();
-        let ranking = rank(fitted);
         if done > 0 {
-            self.write(&scene, &data, &models, &ranking)?;
+            self.write(&scene, &data, &models, &rank(fitted))?;
         }
         if interrupted {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
         }
-        match &ranking.models[..] {
-            [first, ..] if ranking.models.iter().all(|one| one.misfit().is_some()) => {
-                let reason = first.misfit().unwrap_or_default();
-                bail!("{}: {}: {reason}", self.data_name(&scene), first.model)
-            }
-            all if !self.target.is_empty() && all.iter().all(Fitted::has_unreachable) => {
-                bail!("{}: no model reaches the target; the values are the nearest", scene.name)
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// The fitted models, and whether Ctrl-C ended the list.
@@ -147,14 +137,14 @@ impl FitCommand {
         scene: &LoadedScene,
         data: &Data,
         models: &[NamedModel],
-        ranking: &Ranking,
+        ranked: &[Fitted],
     ) -> Result<()> {
-        report(scene, ranking, &self.free);
-        let picture = self.output.picture(|| picture(scene, data, models, ranking))?;
+        show(&scene.file.findings_of_fits(ranked));
+        let picture = self.output.picture(|| picture(scene, data, models, ranked))?;
         let output = &self.output.output;
         self.output.write_beside(picture, || match output.format() {
-            Format::Json => output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n")),
-            _ => output.write(&table(ranking)),
+            Format::Json => output.write_text(&(serde_json::to_string_pretty(ranked)? + "\n")),
+            _ => output.write(&table(ranked)),
         })
     }
 
@@ -190,7 +180,7 @@ fn picture(
     scene: &LoadedScene,
     data: &Data,
     models: &[NamedModel],
-    ranking: &Ranking,
+    ranked: &[Fitted],
 ) -> Result<String> {
     let pair = |one: &Observation| [one.place().0.to_string(), one.measured.column()];
     let mut plot = Plot::new(&["model"], "", &[]);
@@ -210,7 +200,7 @@ fn picture(
         sheet.rows.push(row);
     };
     let between = data.between(CURVE);
-    for fitted in ranking.distinct() {
+    for fitted in ranked {
         let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
         let values = scene.file.fitted_values(model, fitted, &between)?;
         between.iter().zip(values).for_each(|(one, value)| add(id, one, value));

@@ -29,29 +29,24 @@ fn a_curve_of_the_program_returns_its_scene() {
     for (found, truth) in column(&run.out, "value").iter().zip([1.7e-6, 2e9]) {
         assert!((found / truth - 1.0).abs() < 1e-8, "{}", run.out);
     }
-    let usual = "note[bounds]: hardness is varied from 6.667e7 to 6e10 Pa by default";
-    assert!(run.messages.contains(usual), "{}", run.messages);
-    assert!(!run.messages.contains("asperity_height_std is varied"), "{}", run.messages);
-    // Whether gw holds depends on the hardness, which its data do not determine.
-    let best = "note[ranking]: ke fits best by BIC, clearly before the others";
-    assert!(run.messages.contains(best), "{}", run.messages);
-    let hard = "warning[undetermined]: gw: hardness is not determined: it does not change the data";
-    assert!(run.messages.contains(hard), "{}", run.messages);
+    assert!(run.messages.contains("warning[undetermined]: gw: hardness"), "{}", run.messages);
     let found: Value =
         serde_json::from_str(&bench.data(&format!("{arguments} --format json"))).unwrap();
-    let ke = &found["models"][0];
+    let ke = &found[0];
     assert_eq!((ke["model"].as_str(), ke["converged"].as_bool()), (Some("ke"), Some(true)));
     assert!(ke["rms"].as_f64().unwrap() < 1e-9 && ke["condition"].as_f64().unwrap() >= 1.0);
     // The separations of the table are compared by the pressures there.
     assert_eq!(ke["residuals"].as_array().unwrap().len(), 24);
     assert_eq!(ke["correlation"][0][0].as_f64(), Some(1.0));
     assert!(ke["parameters"][1]["lower"].as_f64() < ke["parameters"][1]["upper"].as_f64());
-    assert_eq!(ke["undetermined"].as_array().unwrap().len(), 0);
-    assert_eq!(found["models"][1]["condition"], Value::Null);
+    let codes: Vec<_> = ke["findings"].as_array().unwrap().iter().map(|one| &one["code"]).collect();
+    assert_eq!(codes, ["few-contacts"]);
+    assert_eq!(found[1]["condition"], Value::Null);
+    assert_eq!(found[1]["findings"][0]["field"], "hardness");
 }
 
 #[test]
-fn one_target_answers_the_inverse_question_or_says_why_not() {
+fn one_target_answers_the_inverse_question() {
     let bench = Bench::new();
     let ask = |value: &str| {
         let target = format!("--target area_fraction={value} --pressure 5MPa --format csv");
@@ -67,17 +62,11 @@ fn one_target_answers_the_inverse_question_or_says_why_not() {
     let check = "curve smooth.toml --model ke --pressure 5MPa --quantity area-fraction";
     let found = column(&bench.data(check), "area_fraction")[0];
     assert!((found / 0.004 - 1.0).abs() < 1e-8, "{found}");
-    // What is unusual at the nearest value says nothing of the target.
-    let gw = bench.run(
-        "fit scene.toml --free asperity_height_std --target area_fraction=60% --pressure 5MPa --model gw",
-    );
-    assert!(gw.code == Some(1) && gw.messages.contains("no model reaches"), "{}", gw.messages);
-    assert!(!gw.messages.contains("gw ignores yielding"), "{}", gw.messages);
+    // Contacts of ke carry at most the hardness.
     let run = ask("0.1%");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    assert!(run.messages.contains("no model reaches the target"), "{}", run.messages);
-    let why = "warning[unreachable]: ke: area_fraction = 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
-    assert!(run.messages.contains(why), "{}", run.messages);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("warning[limits]: ke: asperity_height_std"), "{}", run.messages);
+    assert!(column(&run.out, "rms")[0] > 0.1, "{}", run.out);
 }
 
 #[test]
@@ -170,10 +159,12 @@ fn a_hardness_starts_from_the_yield_strength() {
     let scene = asperity_inputs::template().replace("hardness = 2e9 ", "yield_strength = 7e8 ");
     bench.write("scene.toml", &scene.replace("hardness = 2e9\n", "yield_strength = 7e8\n"));
     for free in ["hardness", "body1_hardness"] {
-        let run = bench.run(&format!("fit scene.toml data.csv --free {free} --format csv"));
-        assert_eq!(run.code, Some(0), "{}", run.messages);
-        let varied = format!("note[bounds]: {free} is varied from 6.533e7 to 5.88e10 Pa");
-        assert!(run.messages.contains(&varied), "{}", run.messages);
+        let found = bench.data(&format!("fit scene.toml data.csv --free {free} --format json"));
+        let found: Value = serde_json::from_str(&found).unwrap();
+        let bounds = &found[0]["parameters"][0]["bounds"];
+        for (k, wanted) in [1.96e9 / 30.0, 1.96e9 * 30.0].iter().enumerate() {
+            assert!((bounds[k].as_f64().unwrap() / wanted - 1.0).abs() < 1e-9, "{bounds}");
+        }
     }
 }
 
@@ -207,7 +198,7 @@ fn an_interrupted_fit_keeps_the_models_that_are_done() {
 }
 
 #[test]
-fn models_that_do_not_hold_come_last_and_equal_ones_are_one() {
+fn models_that_do_not_hold_come_last() {
     let bench = Bench::new();
     let free = "--free asperity_height_std --model gw,ke,jg --format csv";
     let data = bench.data("curve scene.toml --model gw --load 10:1000:5:log --quantity area");
@@ -216,15 +207,7 @@ fn models_that_do_not_hold_come_last_and_equal_ones_are_one() {
     assert_eq!(run.code, Some(0), "{}", run.messages);
     // GW describes its own data best.
     assert_eq!(cells(&run.out, "model")[2], "gw", "{}", run.out);
-    let last = "gw (yields) ranks last, as its law does not hold here";
-    assert!(run.messages.contains(last), "{}", run.messages);
-    let hard = asperity_inputs::template().replace("hardness = 2e9", "hardness = 2e10");
-    bench.write("hard.toml", &format!("accept = [\"few-contacts\"]\n{hard}"));
-    let run = bench.run(&format!("fit hard.toml data.csv {free}"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert_eq!(cells(&run.out, "model"), ["gw"], "{}", run.messages);
-    assert!(run.messages.contains("note[ranking]: nothing yields: "), "{}", run.messages);
-    assert!(!run.messages.contains("few-contacts"), "{}", run.messages);
+    assert!(run.messages.contains("warning[yields]: gw: "), "{}", run.messages);
 }
 
 /// Elastic data have a flat minimum at large hardnesses, beside one of yielding asperities.

@@ -4,7 +4,5 @@
 mod coverage;
 mod kit;
 mod limits;
-mod messages;
-mod outliers;
 mod ranking;
 mod recovery;

@@ -11,7 +11,7 @@ use crate::kit::{TRUTH, columns, data, parameters, scene, varied};
 const LOADS: [f64; 8] = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0];
 
 fn assert_recovered(fitted: &Fitted, truth: &[f64]) {
-    assert!(fitted.converged && fitted.doubts.texts("undetermined").is_empty(), "{fitted:?}");
+    assert!(fitted.findings.is_empty(), "{fitted:?}");
     for (found, wanted) in fitted.parameters.iter().zip(truth) {
         let off = (found.value / wanted - 1.0).abs();
         assert!(off < 1e-8, "{}: {} is off by {off:e}", fitted.model, found.name);

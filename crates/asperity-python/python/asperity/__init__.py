@@ -22,7 +22,6 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Check as Check
-from asperity._advice import Finding as Finding
 from asperity._advice import Plan as Plan
 from asperity._advice import PlanStep as PlanStep
 from asperity._advice import Recommendation as Recommendation
@@ -42,12 +41,9 @@ from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
 from asperity._bem import BemUnloading as BemUnloading
-from asperity._bem import TruthRow as TruthRow
-from asperity._bem import TruthRows as TruthRows
 from asperity._bem import bem as bem
 from asperity._bem import bem_unloading as bem_unloading
 from asperity._bem import truth as truth
-from asperity._curve import CorrectedCurve as CorrectedCurve
 from asperity._curve import Curve as Curve
 from asperity._fit import Estimate as Estimate
 from asperity._fit import Fit as Fit
@@ -70,11 +66,10 @@ from asperity._slip_scan import bem_slip as bem_slip
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._surfaces import topography as topography
-from asperity._sweep import Sensitivity as Sensitivity
-from asperity._sweep import Space as Space
-from asperity._sweep import SweepResult as SweepResult
-from asperity._sweep import read_sweep as read_sweep
+from asperity._sweep import sample as sample
 from asperity._sweep import sweep as sweep
+from asperity._table import Finding as Finding
+from asperity._table import Table as Table
 from asperity._tables import ContactTable as ContactTable
 from asperity._tables import Correlated as Correlated
 from asperity._tables import correlated_conductance as correlated_conductance

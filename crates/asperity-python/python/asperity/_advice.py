@@ -12,30 +12,10 @@ from asperity import _asperity
 from asperity._arguments import LOADS, Rows, one_scene, place, record
 from asperity._asperity import Engine, Scene
 from asperity._model import Model, as_model, as_models
+from asperity._table import Finding, Table
 
 #: Name, value, ends of its range, unit and meaning.
 Number = tuple[str, float, "tuple[float, float] | None", str, str]
-
-
-@dataclass(frozen=True)
-class Finding:
-    """An unusual number of a scene or an answer."""
-
-    #: The kind of finding: ``unusual-size``, ``crowded``.
-    code: str
-    #: ``refusal``: there is no value; ``warning``; ``note``.
-    severity: str
-    #: The name of the number in scene files.
-    field: str
-    #: Its value, in SI units.
-    value: float
-    #: The usual range; None for an open end.
-    usual: tuple[float | None, float | None]
-    #: The text with the advice.
-    message: str
-
-    def __str__(self) -> str:
-        return f"{self.severity}[{self.code}]: {self.message}"
 
 
 @dataclass(frozen=True)
@@ -94,34 +74,20 @@ class Plan:
         return self.text
 
 
-@dataclass(frozen=True)
-class Recommendation:
-    """Models compared with a reference; ``print`` it."""
+class Recommendation(Table):
+    """Models compared with a reference and with boundary elements; ``print`` it.
 
-    #: Id of the simplest valid model within the deviation; None if there is none.
-    simplest: str | None
-    #: Id of the reference model.
-    reference: str
-    #: Largest allowed relative deviation.
-    within: float
-    #: Largest relative deviation of each quantity that a model has, by model.
-    deviations: dict[str, dict[str, float]]
-    #: The reasons of models without a value, of all quantities or of some, by model.
-    refused: dict[str, str]
-    #: Evidence from boundary elements on solved surfaces: the nearest models, the expected
-    #: deviations of the reference and of the simplest model, and the reason for none.
-    evidence: str
-    #: ``off`` place by place (24 of them if there are more), or the reason for no evidence.
-    evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
-    #: Expected relative deviations of models from boundary elements, and half the width of their
-    #: intervals: area, area_spread, stiffness, stiffness_spread, and if requested the same of
-    #: unloading_stiffness (None otherwise), by model; the largest of all places
-    #: with evidence.
-    off: dict[str, dict[str, float | None]]
-    text: str = field(repr=False)
+    For each model the largest relative deviation of each quantity from the reference
+    (``area_deviation``), whether it is the ``simplest`` valid one within the limit, and its expected
+    deviations from boundary elements on solved surfaces, with half the width of their intervals
+    (``area_off_bem``, ``area_off_bem_spread``). Findings have the verdict and the evidence.
+    """
 
-    def __str__(self) -> str:
-        return self.text
+    @property
+    def simplest(self) -> str | None:
+        """Id of the simplest valid model within the deviation; None if there is none."""
+        rows = zip(self["model"], self["simplest"], strict=True)
+        return next((model for model, word in rows if word.startswith("yes")), None)
 
 
 def plan(
@@ -148,7 +114,7 @@ def plan(
         elastic-plastic 2: sum of powers
         plastic: sum of powers
     """
-    rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
+    rows = Rows(one_scene(scene, "plan"), *place(separation_unit, separation=separation, load=load, pressure=pressure))
     text, found = _asperity.plan((as_model(model), rows, quantities, rtol))
     steps = tuple(record(PlanStep, step) for step in found["steps"])
     return Plan(steps, text.rstrip("\n"))
@@ -181,19 +147,16 @@ def recommend(
     >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
     'gw'
     """
-    axis, numbers = place(separation, load, pressure, separation_unit)
+    axis, numbers = place(
+        separation_unit, separation=separation, load=load, pressure=pressure
+    )
     rows = Rows(one_scene(scene, "recommend"), axis, numbers)
     if quantities is None:
         quantities = ("area",) if axis in LOADS else ("force", "area")
     against = as_model(reference or scene._usual_reference())
     engines = None if models is None else as_models(models)
-    asked = against, rows, quantities, rtol
-    simplest, compared, evidence, places, text = _asperity.recommend(asked, within, engines)
-    deviations = {id: dict(known) for id, known, _, _ in compared if known}
-    refused = {id: reason for id, _, reason, _ in compared if reason is not None}
-    off = {id: off for id, _, _, off in compared if off is not None}
-    found = deviations, refused, evidence, tuple(places), off, text
-    return Recommendation(simplest, against.id, within, *found)
+    return Recommendation(*_asperity.recommend((against, rows, quantities, rtol), within, engines))
+
 
 
 def check(
@@ -211,6 +174,8 @@ def check(
         raise TypeError("at most one of separation, load and pressure was expected")
     if not given:
         return Check._of(*_asperity.check(scene))
-    axis, number = place(separation, load, pressure, separation_unit)
+    axis, number = place(
+        separation_unit, separation=separation, load=load, pressure=pressure
+    )
     engine = model if isinstance(model, Engine) else Engine(model or scene._usual_reference(), {})
     return Check._of(*_asperity.check(scene, (engine, axis, number)))

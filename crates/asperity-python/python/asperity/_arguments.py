@@ -114,6 +114,11 @@ LOADS = ("load", "pressure")
 ERRORS = ("raise", "mask")
 
 
+def unit_in(head: str, name: str) -> str:
+    """The unit in the head of a column, "N/m" in "tangent_N_per_m"; empty for pure numbers."""
+    return head[len(name) :].strip("_").replace("_per_", "/")
+
+
 def checked_unit(separation_unit: str) -> str:
     """The unit of separations; ValueError if it is none."""
     if separation_unit not in ("asperity_height_std", "m"):
@@ -123,27 +128,19 @@ def checked_unit(separation_unit: str) -> str:
     return separation_unit
 
 
-def place(
-    separation: Any,
-    load: Any,
-    pressure: Any,
-    separation_unit: str,
-    name: str = "separation",
-    films: Mapping[str, Any] | None = None,
-) -> tuple[str, Any]:
-    """The meaning of the given numbers, and the numbers; TypeError unless one of them is given."""
+def place(separation_unit: str = "m", **given: Any) -> tuple[str, Any]:
+    """The meaning of the one that is given, and its numbers; TypeError unless it is one."""
     unit = checked_unit(separation_unit)
-    in_metres = in_si(separation, "m")
-    if in_metres is not separation:
-        separation, unit = in_metres, "m"
-    given = {unit: separation, "load": in_si(load, "N"), "pressure": in_si(pressure, "Pa")}
-    given_films = {a: in_si(x, "m") for a, x in (films or {}).items() if x is not None}
-    given |= given_films
-    found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
+    found = {name: numbers for name, numbers in given.items() if numbers is not None}
     if len(found) != 1:
-        names = ", ".join([name, "load", *given_films])
-        raise TypeError(f"exactly one of {names} and pressure was required")
-    return found[0]
+        *names, last = given
+        raise TypeError(f"exactly one of {', '.join(names)} and {last} was required")
+    ((name, numbers),) = found.items()
+    si = in_si(numbers, {"load": "N", "pressure": "Pa"}.get(name, "m"))
+    if name in ("separation", "closest"):
+        # Texts have a unit of their own.
+        name = unit if si is numbers else "m"
+    return name, si
 
 
 def one_number(name: str, given: Any) -> float:
@@ -315,7 +312,7 @@ class Rows:
         """The model's name on these scenes, quantities of the rows in their shape, the reasons of
         failures, and the texts of findings, with ``checked`` also those of the scenes."""
         asked, stop = (engine, self, quantities, rtol), errors == "raise"
-        name, columns, failures, findings = _asperity.answer(asked, aspect, stop, None, checked)
+        name, columns, failures, findings = _asperity.answer(asked, aspect, stop, checked)
         reasons = self.failed(failures, errors)
         return name, {q: self.shaped(v) for q, v in columns.items()}, reasons, findings
 

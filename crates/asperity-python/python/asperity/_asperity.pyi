@@ -79,6 +79,8 @@ _Pressed: TypeAlias = tuple[Topography | Scene, Interface | None, str | None, _P
 # A model, rows, quantities and the relative tolerance.
 _Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
+# Columns by their heads, and findings.
+_Table: TypeAlias = tuple[dict[str, Any], list[_Fields]]
 
 class NotConverged(RuntimeError): ...
 class UnsupportedFormat(ValueError): ...
@@ -370,7 +372,6 @@ def answer(
     asked: _Asked,
     aspect: Literal["value", "ln", "error"],
     stop: bool,
-    threads: int | None,
     checked: bool,
 ) -> tuple[str, dict[str, _Floats], _Failures, list[str]]: ...
 def separations(
@@ -378,18 +379,8 @@ def separations(
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
 def shares(asked: _Asked) -> dict[str, _Floats]: ...
 def plan(asked: _Asked) -> tuple[str, _Fields]: ...
-def corrected(
-    asked: _Asked, unit: str
-) -> tuple[str, dict[str, tuple[_Floats, _Floats, _Floats]], _Failures, _Failures]: ...
-def recommend(
-    asked: _Asked, within: _Float, engines: Sequence[Engine] | None
-) -> tuple[
-    str | None,
-    list[tuple[str, list[tuple[str, float]], str | None, _Fields | None]],
-    str,
-    list[str | _Fields],
-    str,
-]: ...
+def corrected(asked: _Asked) -> _Table: ...
+def recommend(asked: _Asked, within: _Float, engines: Sequence[Engine] | None) -> _Table: ...
 def bem(
     pressed: _Pressed,
     given: tuple[str, Sequence[_Float]],
@@ -412,21 +403,14 @@ def truth(
     pressing: _Pressing,
     engines: Sequence[Engine] | None,
     quantities: str | Iterable[str],
-    refine_and_mask: tuple[bool, bool],
-) -> tuple[
-    list[str],
-    list[list[str | float | None]],
-    tuple[str | None, list[str]],
-    dict[str, str],
-    dict[int, str],
-    str,
-]: ...
+    refine: bool,
+) -> _Table: ...
 def fit(
     scene: Scene,
     data: str | Sequence[tuple[str, Sequence[float | None]]],
     free: Sequence[str],
     engines: Sequence[Engine],
-) -> dict[str, Any]: ...
+) -> list[dict[str, Any]]: ...
 def quantities(names: str | Iterable[str] | None = None) -> dict[str, str]: ...
 def numbers_of(section: str) -> list[tuple[str, str, bool, str]]: ...
 def checked(kind: str, given: _Fields) -> _Fields: ...

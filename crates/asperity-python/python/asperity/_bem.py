@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Literal, TypedDict
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +15,7 @@ from asperity._arguments import Floats, checked_errors, floats, in_si, place
 from asperity._asperity import Scene, Topography
 from asperity._model import Model, as_models
 from asperity._records import Interface
+from asperity._table import Table
 
 Boundary = Literal["periodic", "periodic-part", "free"]
 
@@ -136,7 +136,8 @@ def bem(
     >>> contacts.pressures.shape, contacts.area_fraction.round(3), contacts.patches
     ((2, 192, 192), array([0.021, 0.126]), array([72, 72]))
     """
-    name, values = _load_given(pressure, load, gap)
+    name, given_values = place(pressure=pressure, load=load, gap=gap)
+    values = floats(given_values, name)
     maps_and_mask = maps, checked_errors(errors) == "mask"
     scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)
     given = name, values.ravel().tolist()
@@ -162,18 +163,6 @@ def bem(
     joints = MappingProxyType({name: numbers.pop(name) for name in arrays if name not in own})
     pressures, gaps = (None, None) if kept is None else (shaped(k, *pixels) for k in kept)
     return BemContacts(**found, **numbers, pressures=pressures, gaps=gaps, quantities=joints)
-
-
-def _load_given(
-    pressure: npt.ArrayLike | None, load: npt.ArrayLike | None, gap: npt.ArrayLike | None
-) -> tuple[str, Floats]:
-    """The one of them that was given."""
-    given = {"pressure": in_si(pressure, "Pa"), "load": in_si(load, "N"), "gap": in_si(gap, "m")}
-    named = [(name, value) for name, value in given.items() if value is not None]
-    if len(named) != 1:
-        raise TypeError(f"{len(named)} of pressure, load and gap were given: exactly one was required")
-    ((name, value),) = named
-    return name, floats(value, name)
 
 
 def _pressed(
@@ -273,7 +262,8 @@ def bem_unloading(
     >>> path.pressure[0] > path.pressure[1] > path.pressure[2]
     np.True_
     """
-    name, value = _load_given(pressure, load, gap)
+    name, given_value = place(pressure=pressure, load=load, gap=gap)
+    value = floats(given_value, name)
     if value.size != 1:
         raise TypeError(f"{name} has {value.size} values: one greatest load was required")
     if not 2 <= points <= 100_000:
@@ -287,56 +277,6 @@ def bem_unloading(
     return BemUnloading(**found | arrays)
 
 
-class _ComparedRow(TypedDict):
-    load: float
-    pressure: float
-    model: str
-    area_fraction: float | None
-    area_deviation: float | None
-    mean_gap: float | None
-    mean_gap_deviation: float | None
-
-
-class TruthRow(_ComparedRow, total=False):
-    """One model at one pressure, compared with boundary elements; stiffnesses as requested."""
-
-    stiffness: float | None
-    stiffness_deviation: float | None
-    unloading_stiffness: float | None
-    unloading_stiffness_deviation: float | None
-
-
-class TruthRows(list[TruthRow]):
-    """Rows of ``truth``."""
-
-    #: The models nearest to boundary elements, in a sentence; None if none was compared.
-    nearest: str | None = None
-    #: How far the usual reference model is from boundary elements on this scan, and whether solved
-    #: surfaces would have said the same, a sentence for each quantity; or why they say nothing.
-    solved_surfaces: tuple[str, ...] = ()
-    #: The reasons of models without a row or with blanks, by model.
-    refused: Mapping[str, str] = MappingProxyType({})
-    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
-    boundary: str = "periodic"
-    #: The reasons of pressures without rows with ``errors="mask"``, by place.
-    failures: Mapping[int, str] = MappingProxyType({})
-
-    def __str__(self) -> str:
-        """A table of the rows, and the nearest models."""
-        heads = list(self[0] if self else TruthRow.__annotations__)
-        table = [heads, *([_cell(value) for value in row.values()] for row in self)]
-        widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-        cells = (zip(line, widths, strict=True) for line in table)
-        lines = ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in cells]
-        return "\n".join([*lines, *([self.nearest] if self.nearest else []), *self.solved_surfaces])
-
-
-def _cell(value: Any) -> str:
-    if value is None:
-        return ""
-    return value if isinstance(value, str) else f"{value:.4g}"
-
-
 def truth(
     scene: Scene,
     *,
@@ -347,35 +287,23 @@ def truth(
     models: str | Model | Sequence[str | Model] | None = None,
     quantities: str | Sequence[str] = "stiffness",
     refine: bool = False,
-    errors: str = "raise",
-) -> TruthRows:
+) -> Table:
     """Models compared with boundary elements on a scan.
 
     The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
     one for every model: all that the scene allows, or the given ones, also of your own. Area and mean
     gap are compared, and ``quantities``: "stiffness", that of first loading, and
     "unloading-stiffness", as which conductances deviate. Deviations are relative to bem; that of the
-    mean gap is over the rms height of the scan. A quantity that a model lacks is None, with a
-    warning, and so are all numbers of a model that needs more than the nominal area, or a pressure
-    above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that the scene
-    does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the nearest
-    models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and with
-    ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without a solution
-    raises or, with ``errors="mask"``, has no rows and a reason in ``rows.failures``.
+    mean gap is over the rms height of the scan. A quantity that a model lacks is NaN, and so are all
+    numbers of a model that needs more than the nominal area, or a pressure above 1.5 times the
+    hardness; a finding has the reason, the code "nearest" that of the nearest models, and "evidence"
+    says whether the table behind ``recommend`` agrees. With ``refine`` the rows "bem-half-grid" show
+    the effect of the grid. A pressure without a solution has no rows and a warning.
     """
-    if (pressure is None) == (load is None):
-        raise TypeError("exactly one of pressure and load was required")
-    name, value = place(None, load, pressure, "m")
+    name, value = place(load=load, pressure=pressure)
     pressures = floats(value, name).ravel()
     if name == "load":
         pressures = pressures / scene.nominal_area
     engines = None if models is None else as_models(models)
-    how, refine_and_mask = (boundary, elastic), (refine, checked_errors(errors) == "mask")
-    heads, found, (nearest, beside), refused, failures, used = _asperity.truth(
-        scene, pressures.tolist(), how, engines, quantities, refine_and_mask
-    )
-    names = [re.sub("_(N|Pa|m|N_per_m|over_sq)$", "", head) for head in heads]
-    rows = TruthRows(TruthRow(**dict(zip(names, row, strict=True))) for row in found)  # type: ignore[typeddict-item]
-    rows.nearest, rows.refused, rows.failures = nearest, refused, failures
-    rows.boundary, rows.solved_surfaces = used, tuple(beside)
-    return rows
+    how = boundary, elastic
+    return Table(*_asperity.truth(scene, pressures.tolist(), how, engines, quantities, refine))

@@ -14,6 +14,7 @@ from asperity import _asperity
 from asperity._arguments import Floats, floats, one_scene, record
 from asperity._asperity import Scene
 from asperity._model import Model, as_models
+from asperity._table import Finding
 
 
 @dataclass(frozen=True)
@@ -52,23 +53,9 @@ class Fit:
     correlation: Floats
     #: Condition number of the residuals' derivatives; None if a combination has no effect.
     condition: float | None
-    #: Combinations that the data do not fix, in words.
-    undetermined: tuple[str, ...]
-    #: Measured values that cannot be reached, with the reasons.
-    unreachable: tuple[str, ...]
-    #: Bounds, and ends of the range of scene and model, at which parameters stop.
-    limits: tuple[str, ...]
-    #: The line of the file, or the row, that the others contradict, or two of more than six.
-    outlier: str | None
-    #: The column of another stiffness that describes the data clearly better than the one given.
-    other_column: str | None
-    #: If no values within the bounds describe the data, or the fit has less than one contact in a
-    #: row and other units describe the data as well: how large the misfit is, and what explains it.
-    misfit: str | None
-    #: Remarks on intervals, and other values that fit as well.
-    notes: tuple[str, ...]
-    #: The fitted model with the same parameters and values, as gw of ke where nothing yields.
-    same_as: str | None
+    #: Doubts about the fit, each with its parameter (``not-converged``, ``limits`` at a bound,
+    #: ``undetermined``), and results outside the range of the model.
+    findings: tuple[Finding, ...]
     #: Row and column of the data, and the measured value, the fitted one and the residual of each.
     residuals: tuple[dict[str, Any], ...]
     #: The scene with the fitted numbers.
@@ -89,8 +76,6 @@ class Fits:
 
     #: The fitted models.
     models: tuple[Fit, ...]
-    #: The meaning of their order, and its limits.
-    summary: str
 
     @property
     def best(self) -> Fit:
@@ -144,10 +129,9 @@ def fit(
     model : str, Model or a sequence of these, optional
         By default ke, or gw without a hardness.
 
-    A ``ContactWarning`` names data that cannot be reached or described, with the line or the unit
-    that explains them, at most two outliers, another stiffness than the column's, parameters at a
-    bound, combinations of parameters that the data do not determine, searches that did not
-    converge, and results outside the range of a model.
+    A ``ContactWarning`` names parameters at a bound, parameters that the data do not determine,
+    searches that did not converge, and results outside the range of a model. A fit that misses the
+    data has a large ``rms``.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -169,8 +153,7 @@ def fit(
     if not engines:
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
-    fits = tuple(_fit(one, scene) for one in found["models"])
-    return Fits(fits, found["summary"])
+    return Fits(tuple(_fit(one, scene) for one in found))
 
 
 def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:
@@ -209,4 +192,5 @@ def _fit(found: dict[str, Any], scene: Scene) -> Fit:
     numbers = {name: one.value for name, one in parameters.items() if name not in rig}
     correlation = np.array(found["correlation"], dtype=np.float64)
     made = {"correlation": correlation, "parameters": parameters, "scene": scene.replace(**numbers)}
+    made["findings"] = [record(Finding, one) for one in found["findings"]]
     return record(Fit, found | made)

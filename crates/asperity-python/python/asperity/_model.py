@@ -24,8 +24,9 @@ from asperity._arguments import (
     place,
 )
 from asperity._asperity import Contact, Engine, JointTable, Scene, Unloading
-from asperity._curve import CorrectedCurve, Curve
+from asperity._curve import Curve
 from asperity._records import Asperity
+from asperity._table import Table
 from asperity._warn import warn
 
 
@@ -180,7 +181,6 @@ class Model(Engine):
         film: npt.ArrayLike | None = None,
         lambda_ratio: npt.ArrayLike | None = None,
         errors: str = "raise",
-        corrected: bool = False,
     ) -> Curve:
         """Quantities at separations, or under loads or pressures.
 
@@ -213,10 +213,6 @@ class Model(Engine):
         errors : "raise" or "mask"
             The treatment of a refused row, as with a load that no separation carries: it raises; or
             its values are masked, and ``Curve.failures`` has the reason.
-        corrected : bool
-            Divide by the ratio to boundary elements that is expected from solved surfaces, at loads
-            only; the result is a ``CorrectedCurve`` with ``lower`` and ``upper`` ends of intervals
-            that hold nine of ten surfaces. A row without evidence is refused.
 
         Examples
         --------
@@ -229,15 +225,35 @@ class Model(Engine):
         array([[7.68e-07],
                [7.15e-07]])
         """
-        films = {"film": film, "lambda_ratio": lambda_ratio}
-        rows = Rows(scene, *place(separation, load, pressure, separation_unit, films=films))
+        given = {"separation": separation, "load": load, "film": film, "lambda_ratio": lambda_ratio}
+        rows = Rows(scene, *place(separation_unit, **given, pressure=pressure))
         checked_errors(errors)
-        if corrected:
-            return CorrectedCurve.of(self, rows, rtol, separation_unit, quantities, errors)
         name, columns, failures, found = rows.answer(self, quantities, rtol, "value", errors, True)
         for message in found:
             warn(message, 1)
         return Curve(self, name, rows, rtol, separation_unit, columns, failures)
+
+    def corrected(
+        self,
+        scene: Scene,
+        quantities: str | Sequence[str] = ("area",),
+        rtol: float = 1e-10,
+        *,
+        load: npt.ArrayLike | None = None,
+        pressure: npt.ArrayLike | None = None,
+    ) -> Table:
+        """Quantities under loads as they are, and in the rows of the model ``..-corrected`` divided by
+        the ratio to boundary elements that is expected from solved surfaces, with the ends of
+        intervals that hold nine of ten surfaces. Values without evidence are NaN, with a warning.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> found = asperity.model("ke").corrected(scene, "area", load=100.0).of("ke-corrected")
+        >>> bool(found["area_lower_m2"][0] < found["area_m2"][0] < found["area_upper_m2"][0])
+        True
+        """
+        rows = Rows(one_scene(scene, "corrected"), *place(load=load, pressure=pressure))
+        return Table(*_asperity.corrected((self, rows, quantities, rtol)))
 
     def separation_at(
         self,
@@ -261,8 +277,9 @@ class Model(Engine):
         >>> asperity.model("ke").separation_at(scene, load=[1, 10, 100]).round(4)
         array([3.5715, 2.9723, 2.2698])
         """
-        rows = Rows(scene, *place(None, load, pressure, separation_unit))
-        found: Floats = rows.separations(self, separation_unit, rtol, checked_errors(errors), all)
+        rows = Rows(scene, *place(load=load, pressure=pressure))
+        unit = checked_unit(separation_unit)
+        found: Floats = rows.separations(self, unit, rtol, checked_errors(errors), all)
         return found
 
     def compile(
@@ -332,7 +349,7 @@ class Model(Engine):
         'contact ends at a retreat of 7.9e-07 m'
         """
         scene = one_scene(scene, "unloading")
-        axis, number = place(closest, load, pressure, separation_unit, "closest")
+        axis, number = place(separation_unit, closest=closest, load=load, pressure=pressure)
         where = axis, one_number("closest" if axis not in LOADS else axis, number)
         return Unloading(self, scene, where, law, rtol, separation_unit)
 

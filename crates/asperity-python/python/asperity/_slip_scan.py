@@ -73,7 +73,7 @@ def bem_slip(
     """
     if not 2 <= points <= 100_000:
         raise ValueError(f"points is {points}: 2 to 100000 were required")
-    axis, number = place(None, load, pressure, "m")
+    axis, number = place(load=load, pressure=pressure)
     given = axis, one_number(axis, number)
     cycle = one_number("amplitude", in_si(amplitude, "m")), points
     scan = _pressed(surface, interface, pixel_size, level, elastic, boundary)

@@ -88,7 +88,9 @@ def export(
     if isinstance(model, Scene):
         raise TypeError("model is a Scene: export takes the model first, then the scene")
     scene = one_scene(scene, "export")
-    axis, ends_given = place(separation, load, pressure, separation_unit)
+    axis, ends_given = place(
+        separation_unit, separation=separation, load=load, pressure=pressure
+    )
     ends = axis, *two_numbers(axis if axis in LOADS else "separation", ends_given)
     if nodes is None and max_error is None:
         raise TypeError("nodes or max_error was required")
@@ -142,7 +144,7 @@ def correlated_conductance(
     >>> asperity.correlated_conductance("cmy", softer, pressure=1e5).conductance.round()
     array([293., 152.])
     """
-    axis, given = place(None, load, pressure, "m")
+    axis, given = place(load=load, pressure=pressure)
     if (surface_height_std is None) != (mean_slope is None):
         raise TypeError("surface_height_std and mean_slope go together: give both, or neither")
     rows, roughness = Rows(scene, axis, given), None

@@ -1,20 +1,20 @@
 //! Checks of scenes and answers, plans of requests, and recommendations of models.
 
-use std::collections::BTreeMap;
-
 use asperity::{
-    At, Check, Compared, Comparison, ContactError, ContactModel, EvidenceAt, Finding, Findings,
-    Model, Quantity, Ratio, Request, Scene, Severity,
+    At, Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Scene,
+    Severity,
 };
-use pyo3::IntoPyObjectExt;
+use asperity_answer::{Beside, Inquiry, Recommend, Sheet};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
+use crate::ask::long::run_interruptible;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::{Object, object, refused, tolerance, value_error};
-use crate::model::engine::{Engine, Engines, models_among, raise_own};
+use crate::model::engine::{Engine, Engines, answered, models_among};
 use crate::scene::SceneFile;
+use crate::tables::{Table, table, warn_of};
 
 /// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
 type CheckResult<'py> = (Vec<CheckedNumber>, Object<'py>);
@@ -152,62 +152,39 @@ pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(Str
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// What is known of a model: its id, the deviation of each quantity, why some or all have no value,
-/// and the deviation from boundary elements.
-type Known<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Object<'py>>);
-/// The simplest model, all models, the evidence in sentences and place by place, and the text.
-type Advice<'py> = (Option<String>, Vec<Known<'py>>, String, Vec<Object<'py>>, String);
-
-/// Deviations from boundary elements by the name of the quantity, and half the widths of their
-/// intervals.
-fn by_name(off: &[(Compared, Ratio)]) -> BTreeMap<String, f64> {
-    let each = |(quantity, ratio): &(Compared, Ratio)| {
-        let name = quantity.name();
-        [(name.into(), ratio.deviation(*quantity)), (format!("{name}_spread"), ratio.half_width())]
-    };
-    off.iter().flat_map(each).collect()
-}
-
-/// Deviations from the reference of the models of a scene, or of these.
+/// Deviations of the models of a scene, or of these, from the reference that is asked, and from
+/// boundary elements.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
     asked: Arguments<'_>,
     within: f64,
     engines: Engines,
-) -> PyResult<Advice<'py>> {
+) -> PyResult<Table<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    let (among, left_out) = models_among(file, &engines)?;
-    let advice =
-        asked.engine().run(py, || file.recommend_among(among, &request, &asked.model, within))?;
-    let refusals = advice.comparisons.iter().flat_map(|found| {
-        let lacking = found.lacking.iter().map(|(_, why)| why);
-        found.deviations.as_ref().err().into_iter().chain(lacking)
-    });
-    raise_own(py, &engines, refusals)?;
-    let compared = |found: &Comparison| -> PyResult<Known<'py>> {
-        let (all, lacking) = (&found.deviations, found.lacking.first().map(|(_, reason)| reason));
-        let known = all.iter().flatten().map(|(quantity, off)| (quantity.to_string(), *off));
-        let reason = all.as_ref().err().or(lacking).map(ToString::to_string);
-        let off = (!found.off.is_empty()).then(|| object(py, &by_name(&found.off))).transpose()?;
-        Ok((found.model.id().into(), known.collect(), reason, off))
-    };
-    let left_out = left_out.into_iter();
-    let left_out = left_out.map(|one| Ok((one.id, vec![], Some(one.reason.to_string()), None)));
-    let models = advice.comparisons.iter().map(compared).chain(left_out);
-    let place = |place: &EvidenceAt| match &place.expected {
-        Err(reason) => reason.to_string().into_bound_py_any(py),
-        Ok(_) => {
-            let ids = advice.comparisons.iter().map(|found| found.model.id());
-            let known = ids.map(|id| (id, by_name(&place.relative(id))));
-            let off = known.filter(|(_, off)| !off.is_empty());
-            object(py, &off.collect::<BTreeMap<_, _>>())
-        }
-    };
-    let places = advice.evidence.iter().map(place).collect::<PyResult<_>>()?;
-    let evidence = [advice.summary(), advice.expectations()].concat().join("\n");
-    let simplest = advice.simplest.as_ref().map(|model| model.id().into());
-    let text = advice.to_string().trim_end_matches('\n').into();
-    Ok((simplest, models.collect::<PyResult<_>>()?, evidence, places, text))
+    let (mut sheet, id) = (Sheet::default(), asked.model.id().to_string());
+    let among = models_among(file, &engines, &request.quantities, &mut sheet)?;
+    let (models, at_defaults) = (&[][..], false);
+    let question = Recommend { models, reference: Some(&id), within, request, at_defaults };
+    let reference = (id.clone(), asked.model.clone());
+    let found = py.detach(|| question.answer_of(file, among, reference, &mut sheet));
+    answered(found, &engines, &sheet)?;
+    table(py, &sheet)
+}
+
+/// Quantities of a model under loads and their corrected values, with the ends of their intervals.
+#[pyfunction]
+pub(crate) fn corrected<'py>(py: Python<'py>, asked: Arguments<'_>) -> PyResult<Table<'py>> {
+    let asked = Asked::new(asked)?;
+    let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
+    // Under the id by which the model was asked for.
+    let named = (asked.engine().id_asked(&asked.model), asked.model.clone());
+    let mut sheet = Sheet::default();
+    let mut inquiry = Inquiry::new(file, vec![named], request);
+    inquiry.beside = Beside::Intervals;
+    let found = run_interruptible(py, |stop| inquiry.answer(&mut sheet, stop))?;
+    found.map_err(value_error)?;
+    warn_of(py, file, &sheet)?;
+    table(py, &sheet)
 }

@@ -42,7 +42,6 @@ impl Asked {
         &self,
         py: Python<'_>,
         (aspect, is_value): (Aspect, bool),
-        threads: Option<usize>,
         stop: bool,
     ) -> PyResult<Answer> {
         let len = self.rows.len();
@@ -60,13 +59,13 @@ impl Asked {
                         self.read(aspect, range.start, contact.respond(&self.request_at(range)))
                     })
                 };
-                run_stretches(py, threads, (len, ROWS_PER_TASK_ON_ONE_SCENE), run, ends)?
+                run_stretches(py, (len, ROWS_PER_TASK_ON_ONE_SCENE), run, ends)?
             }
             None => {
                 let sweep =
                     Sweep::new(&self.model, &self.request.quantities, self.request.tolerance);
                 let run = |range| self.on_many(aspect, &sweep, range);
-                run_stretches(py, threads, (len, ROWS_PER_TASK), run, ends)?
+                run_stretches(py, (len, ROWS_PER_TASK), run, ends)?
             }
         };
         let mut answer = Answer::default();

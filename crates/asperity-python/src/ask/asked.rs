@@ -26,6 +26,8 @@ pub(crate) struct Asked {
     pub(crate) request: Request,
 }
 
+/// What the contact of a scene is, or why it has none.
+type Compiled = Result<Arc<dyn Contact>, ContactError>;
 /// Rows that failed, with their exceptions, ascending.
 pub(crate) type Failures = Vec<(usize, Py<PyAny>)>;
 /// What is found in a row; boxed, as there may be millions.
@@ -75,29 +77,18 @@ impl Asked {
             Some(one) => Ok(one.clone()),
             None => model.compile(&self.rows.scene(row)?, request).map(Arc::from),
         };
-        self.on_scenes(py, together, stop, compiled, |contact, row| of(&**contact, row))
-    }
-
-    /// `of` what is made for its scene at each row: once for rows of a task on the same scene.
-    pub(crate) fn on_scenes<S, T: Send>(
-        &self,
-        py: Python<'_>,
-        together: usize,
-        stop: bool,
-        make: impl Fn(usize) -> Result<S, ContactError> + Sync,
-        of: impl Fn(&S, usize) -> Result<T, ContactError> + Sync,
-    ) -> PyResult<Split<T>> {
+        // Rows of one scene together, which is compiled once.
         let mut order: Vec<usize> = (0..self.rows.len()).collect();
         order.sort_by_key(|row| self.rows.place(*row));
         let run = |range: Range<usize>| {
-            let mut held: Option<(usize, Result<S, ContactError>)> = None;
+            let mut held: Option<(usize, Compiled)> = None;
             let one = |&row: &usize| {
                 let place = self.rows.place(row);
                 let made = match held.take() {
                     Some((known, made)) if known == place => made,
-                    _ => make(row),
+                    _ => compiled(row),
                 };
-                let found = made.as_ref().map_err(Clone::clone).and_then(|made| of(made, row));
+                let found = made.as_ref().map_err(Clone::clone).and_then(|made| of(&**made, row));
                 held = Some((place, made));
                 Ok(found?)
             };
@@ -121,7 +112,7 @@ pub(crate) fn split<T: Send>(
 ) -> PyResult<Split<T>> {
     let ends = |found: &Vec<Found<T>>| stop && found.iter().any(Result::is_err);
     let mut failed = vec![];
-    let found = run_stretches(py, None, (len, together), run, ends)?.into_iter().flatten().zip(0..);
+    let found = run_stretches(py, (len, together), run, ends)?.into_iter().flatten().zip(0..);
     let kept = found.map(|(found, row)| found.map_err(|error| failed.push((row, *error))).ok());
     Ok((kept.collect(), failed))
 }

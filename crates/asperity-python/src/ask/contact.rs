@@ -203,7 +203,7 @@ impl Contact {
         };
         let tasks = (numbers.len(), VALUES_PER_TASK);
         let mut columns = [(); N].map(|()| Vec::with_capacity(numbers.len()));
-        for found in run_stretches(py, None, tasks, fill, Option::is_none)? {
+        for found in run_stretches(py, tasks, fill, Option::is_none)? {
             let Some(found) = found else { return Ok(None) };
             columns.iter_mut().zip(found).for_each(|(column, found)| column.extend(found));
         }

@@ -20,24 +20,17 @@ const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 /// The pool of this process, and the process it belongs to.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
-/// A pool of `threads`, or of one thread for every core (or `RAYON_NUM_THREADS`).
+/// A pool of one thread for every core (or `RAYON_NUM_THREADS`).
 ///
 /// Not rayon's global pool: a forked process, as of `multiprocessing`, inherits that pool without
 /// its threads, and would wait for them forever.
-fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
-    let build = |threads| {
-        let built = ThreadPoolBuilder::new().num_threads(threads).build();
-        built.map(Arc::new).map_err(value_error)
-    };
-    if let Some(threads) = threads {
-        return build(threads);
-    }
+fn pool() -> PyResult<Arc<ThreadPool>> {
     let mut held = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     let process = std::process::id();
     match &*held {
         Some((owner, pool)) if *owner == process => Ok(pool.clone()),
         _ => {
-            let pool = build(0)?;
+            let pool = ThreadPoolBuilder::new().build().map(Arc::new).map_err(value_error)?;
             // The threads of the previous pool belong to another process: dropping it would wait
             // for them.
             std::mem::forget(held.replace((process, pool.clone())));
@@ -62,11 +55,10 @@ impl Watch for Interrupt {
     }
 }
 
-/// Runs `work` on a number of threads, or on those of this process, while this thread, which gets
-/// the signals, checks for them; a signal stops `work`.
+/// Runs `work` on the threads of this process, while this thread, which gets the signals, checks for
+/// them; a signal stops `work`.
 pub(crate) fn run_interruptible<T: Send>(
     py: Python<'_>,
-    threads: Option<usize>,
     work: impl FnOnce(&Interrupt) -> T + Send,
 ) -> PyResult<T> {
     let stop = Interrupt::default();
@@ -90,7 +82,7 @@ pub(crate) fn run_interruptible<T: Send>(
             }
         }
     };
-    let pool = pool(threads)?;
+    let pool = pool()?;
     py.detach(|| {
         pool.in_place_scope(|scope| {
             let (done, answer) = channel();
@@ -106,7 +98,6 @@ pub(crate) fn run_interruptible<T: Send>(
 /// `ends` the run. The bounds of stretches do not depend on time or threads.
 pub(crate) fn run_stretches<S: Send>(
     py: Python<'_>,
-    threads: Option<usize>,
     (len, together): (usize, usize),
     run: impl Fn(Range<usize>) -> S + Sync,
     ends: impl Fn(&S) -> bool + Sync,
@@ -117,7 +108,7 @@ pub(crate) fn run_stretches<S: Send>(
         return Ok(py.detach(|| vec![stretch(0)]));
     }
     let last = AtomicUsize::new(usize::MAX);
-    run_interruptible(py, threads, |stop| {
+    run_interruptible(py, |stop| {
         let one = |k: usize| {
             if stop.is_stopped() || k > last.load(Ordering::Relaxed) {
                 return None;

@@ -72,7 +72,7 @@ impl<'py> Given<'py> {
             range.map(|k| one(k, numbers[k])).collect()
         };
         let mut columns = [(); N].map(|()| Vec::with_capacity(numbers.len()));
-        for found in run_stretches(py, None, (numbers.len(), together), run, Result::is_err)? {
+        for found in run_stretches(py, (numbers.len(), together), run, Result::is_err)? {
             for row in found.map_err(&raise)? {
                 columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
             }

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity::bem::{BemError, Leak};
 use asperity::{AsWritten, ContactModel, Dialect, Findings, Quantity, Request, linspace};
-use asperity_answer::{
-    self as answer, Press, Truths, Watch, beside_table, compared, heads, summary,
-};
+use asperity_answer::{self as answer, Press, Sheet, Watch, compared, truth_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,11 +12,10 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
-use crate::convert::{
-    Object, Quantities, object, refused, value_error, warn, warn_text, warn_unless,
-};
-use crate::model::engine::{Engines, models_among, raise_own};
+use crate::convert::{Quantities, refused, value_error, warn_unless};
+use crate::model::engine::{Engines, answered, models_among};
 use crate::scene::SceneFile;
+use crate::tables::{Table, table, warn_of};
 
 /// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
 /// rows and columns.
@@ -60,7 +57,7 @@ pub(crate) fn bem<'py>(
     let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
     let mut columns: Vec<Vec<f64>> = vec![missing(1); heads.len()];
     let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, None, |stop| {
+    run_interruptible(py, |stop| {
         let mut fail = |index, reason: String| match mask {
             true => drop(failures.insert(index, reason)),
             false => {
@@ -117,7 +114,7 @@ pub(crate) fn bem_unloading<'py>(
     let elements = bem.elements(&scene.interface).map_err(refused)?;
     let area = scene.nominal_area;
     let greatest = load_cases(given, area).remove(0);
-    let (retreats, end, found) = run_interruptible(py, None, |stop| -> Result<_, BemError> {
+    let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
         let path = elements.unloading_from(greatest)?;
         let end = path.last_contact();
         let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
@@ -150,20 +147,7 @@ pub(crate) fn bem_unloading<'py>(
     Ok(fields)
 }
 
-/// Sentences about the nearest models, and beside solved surfaces.
-type Sentences = (Option<String>, Vec<String>);
-/// Heads, rows, sentences, the reasons of missing models by id, the reasons of failed pressures by
-/// place, and the boundary.
-type TruthFields<'py> = (
-    Vec<&'static str>,
-    Object<'py>,
-    Sentences,
-    BTreeMap<String, String>,
-    BTreeMap<usize, String>,
-    &'static str,
-);
-
-/// Models of a scene compared with boundary elements on its scan.
+/// Models of a scene, or these, compared with boundary elements on its scan.
 #[pyfunction]
 pub(crate) fn truth<'py>(
     py: Python<'py>,
@@ -172,35 +156,18 @@ pub(crate) fn truth<'py>(
     pressing: Pressing,
     engines: Engines,
     quantities: Quantities,
-    refine_and_mask: (bool, bool),
-) -> PyResult<TruthFields<'py>> {
-    let (scene, (refine, mask)) = (&*scene.0, refine_and_mask);
-    let Pressed { bem, .. } = Pressed::of_scene(py, scene.clone(), options(pressing)?)?;
+    refine: bool,
+) -> PyResult<Table<'py>> {
+    let file = &*scene.0;
+    let Pressed { bem, .. } = Pressed::of_scene(py, file.clone(), options(pressing)?)?;
     let quantities = compared(&quantities.0).map_err(value_error)?;
-    let (models, left_out) = models_among(scene, &engines)?;
-    let found = run_interruptible(py, None, |stop| {
-        Truths::solve(scene, &bem, &models, &pressures, &quantities, refine, stop)
+    let mut sheet = Sheet::default();
+    let models = models_among(file, &engines, &[], &mut sheet)?;
+    let of = (file, "truth", &bem);
+    let found = run_interruptible(py, |stop| {
+        truth_of(of, &models, &pressures, &quantities, refine, &mut sheet, stop)
     })?;
-    let found = found.map_err(value_error)?;
-    if let Some((_, error)) = found.failed.first().filter(|_| !mask) {
-        return Err(value_error(error));
-    }
-    let missing = found.missing();
-    raise_own(py, &engines, missing.iter().map(|(_, why)| *why))?;
-    scene.accepted(found.findings()).iter().try_for_each(|note| warn(py, note, 1))?;
-    let left_out = left_out.into_iter();
-    let mut refused: BTreeMap<String, String> =
-        left_out.map(|model| (model.id, model.reason.to_string())).collect();
-    for (id, why) in missing {
-        warn_text(py, &scene.accept, "no-value", format!("{id}: {why}"))?;
-        let reasons = refused.entry(id.into()).or_default();
-        *reasons += if reasons.is_empty() { "" } else { "; " };
-        *reasons += &why.to_string();
-    }
-    let failures = found.failed.iter().map(|(place, error)| (*place, error.to_string())).collect();
-    let rows = object(py, &found.rows(scene.scene.nominal_area, &quantities))?;
-    let nearest = (!models.is_empty() && !found.found.is_empty()).then(|| summary(&found.found));
-    let sentences = (nearest, py.detach(|| beside_table(scene, &found.found)));
-    let boundary = bem.continuation().name();
-    Ok((heads(&quantities), rows, sentences, refused, failures, boundary))
+    answered(found, &engines, &sheet)?;
+    warn_of(py, file, &sheet)?;
+    table(py, &sheet)
 }

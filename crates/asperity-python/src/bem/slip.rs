@@ -2,7 +2,7 @@
 
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
-use asperity::{Model, Severity, Tolerance};
+use asperity::{Model, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, Subject};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed};
 use crate::ask::long::run_interruptible;
 use crate::convert::axis::Axis;
-use crate::convert::{value_error, warn_unless};
-use crate::tables::columns;
+use crate::convert::value_error;
+use crate::tables::{columns, warn_of};
 
 /// The loop of a cycle of this amplitude \[m\] on a scan under a load or pressure, and
 /// whether each pixel slips (1) or sticks (2) at the amplitude. The fields of the package's class,
@@ -33,10 +33,9 @@ pub(crate) fn bem_slip<'py>(
     let slip = Slip { subject, law: UnloadingLaw::Hertz, friction };
     let (mut sheet, cycle) = (Sheet::default(), [Amplitude::Shift(amplitude)]);
     let states =
-        run_interruptible(py, None, |stop| slip.answer(&[at], &cycle, points, &mut sheet, stop))?;
+        run_interruptible(py, |stop| slip.answer(&[at], &cycle, points, &mut sheet, stop))?;
     let states = states.map_err(value_error)?;
-    let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
-    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))?;
+    warn_of(py, &file, &sheet)?;
     let fields = columns(py, &sheet)?;
     fields.set_item("states", PyArray1::from_vec(py, states))?;
     Ok((fields, pixels))

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use asperity::bem::Bem;
 use asperity::{Asperities, Citation, ContactError, Model, Quantity, testkit};
-use asperity_inputs::{LeftOut, ModelOptions, SceneFile};
+use asperity_answer::{AnswerError, Sheet, models};
+use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -259,6 +260,14 @@ impl Engine {
         self.own(py, &refusal).unwrap_or_else(|| refused(refusal))
     }
 
+    /// The last exception of the user's own code, once.
+    fn raised(&self) -> Option<PyErr> {
+        match &self.0 {
+            Kind::Python { raised, .. } => raised.take(),
+            Kind::Named { .. } => None,
+        }
+    }
+
     /// The exception of the user's own code that caused a refusal.
     fn own(&self, py: Python<'_>, refusal: &ContactError) -> Option<PyErr> {
         match &self.0 {
@@ -285,25 +294,36 @@ fn asperities_of(laws: &Object<'_>) -> PyResult<Asperities> {
 /// Models that are compared.
 pub(crate) type Engines = Option<Vec<Py<Engine>>>;
 
-/// These models on a scene or, without any, all that can be compared with boundary elements, and
-/// those that the scene does not allow.
+/// These models on a scene or, without any, all that can be compared with boundary elements and
+/// have the quantities; the sheet names the others.
 pub(crate) fn models_among(
     file: &SceneFile,
     engines: &Engines,
-) -> PyResult<(Vec<Model>, Vec<LeftOut>)> {
-    let Some(engines) = engines else { return Ok(file.models_beside_bem()) };
-    let models = engines.iter().map(|engine| engine.get().on(file));
-    Ok((models.collect::<PyResult<_>>()?, vec![]))
+    quantities: &[Quantity],
+    sheet: &mut Sheet,
+) -> PyResult<Vec<Model>> {
+    let Some(engines) = engines else {
+        let all = models(file, &[], SceneFile::models_beside_bem, quantities, sheet);
+        return Ok(all.map_err(value_error)?.into_iter().map(|(_, model)| model).collect());
+    };
+    let model = |engine: &Py<Engine>| {
+        drop(engine.get().raised());
+        engine.get().on(file)
+    };
+    engines.iter().map(model).collect()
 }
 
-/// Raises the exception of the user's own code among refusals of these models.
-pub(crate) fn raise_own<'e>(
-    py: Python<'_>,
+/// The answer in a sheet, or the exception of the user's own code where models [among](models_among)
+/// these lack a value.
+pub(crate) fn answered(
+    found: Result<(), AnswerError>,
     engines: &Engines,
-    refusals: impl IntoIterator<Item = &'e ContactError>,
+    sheet: &Sheet,
 ) -> PyResult<()> {
-    let own = |why| engines.iter().flatten().find_map(|engine| engine.get().own(py, why));
-    refusals.into_iter().find_map(own).map_or(Ok(()), Err)
+    let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == "no-value");
+    let mut engines = engines.iter().flatten().filter(|_| lacks);
+    let raised = engines.find_map(|engine| engine.get().raised());
+    raised.map_or_else(|| found.map_err(value_error), Err)
 }
 
 /// The ids of all models.
