@@ -3,16 +3,20 @@
 use std::sync::Arc;
 
 use asperity::film::{PatirCheng, not_gaussian};
+use asperity::joints::conductance::gap_conductance;
 use asperity::{
-    At, Contact, ContactError, ContactModel, Corrected, Datum, Evaluation, Finding, Findings,
-    Model, Quantity, Request, Separation, SeparationUnit, Severity, compile_compared,
-    compile_known,
+    ATOMIC_DISTANCE, At, Contact, ContactError, ContactModel, Corrected, Datum, Evaluation,
+    Finding, Findings, Model, Quantity, Request, Separation, SeparationUnit, Severity,
+    compile_compared, compile_known, short,
 };
-use asperity_inputs::SceneFile;
+use asperity_inputs::{Gas, SceneFile};
 
 use crate::AnswerError;
 use crate::models::grouped;
 use crate::subject::measured;
+
+/// The conductance of the contacts beside that of the gas.
+const CONTACTS: Quantity = Quantity::ThermalConductancePerArea;
 
 /// A model on a scene, compiled once for the quantities that it has.
 #[derive(Debug)]
@@ -22,6 +26,8 @@ pub struct Asked {
     request: Request,
     /// The factors of flow, where some are asked for.
     flow: Option<PatirCheng>,
+    /// The gas in the gap, where its conductance is asked for.
+    gas: Option<Gas>,
     /// The quantities that the model does not have, and why.
     refused: Vec<(Quantity, ContactError)>,
     /// Whether a load has a row for every separation that carries it, not for the largest alone.
@@ -55,10 +61,13 @@ impl Asked {
         (all, corrected): (bool, bool),
     ) -> Result<Self, AnswerError> {
         let scene = &file.scene;
-        let of_film = request.quantities.iter().any(|quantity| quantity.is_flow_factor());
-        let flow = of_film.then(|| file.flow(model)).transpose()?;
-        let of_model = request.quantities.iter().copied().filter(|q| !q.is_flow_factor());
-        let of_model: Vec<Quantity> = of_model.collect();
+        let asked = |is: fn(&Quantity) -> bool| request.quantities.iter().any(is);
+        let flow = asked(|q| q.is_flow_factor()).then(|| file.flow(model)).transpose()?;
+        let of_gas = asked(|q| q.is_of_film() && !q.is_flow_factor());
+        let gas = of_gas.then(|| file.needed_gas()).transpose()?;
+        let of_model = request.quantities.iter().copied().filter(|q| !q.is_of_film());
+        let contacts = asked(|q| *q == Quantity::JointConductancePerArea).then_some(CONTACTS);
+        let of_model: Vec<Quantity> = of_model.chain(contacts).collect();
         // The law of an area that is not asked for is made for it: of inclined contacts, it takes
         // longer than to judge without tables. Boundary elements count no contacts.
         let (asperities, angles) = (model.validity().asperities, model.validity().angles);
@@ -77,7 +86,7 @@ impl Asked {
             if corrected { compile_compared(quantities, alone) } else { alone(quantities) }
         })?;
         let (model, request) = (model.clone(), request.clone());
-        Ok(Self { model, contact: contact.into(), request, flow, refused, all })
+        Ok(Self { model, contact: contact.into(), request, flow, gas, refused, all })
     }
 
     /// The model.
@@ -105,8 +114,8 @@ impl Asked {
         let notes = match self.model.validity().asperities {
             true => Findings::default(),
             false => {
-                let notes = self.contact.notes().iter();
-                notes.filter(|note| note.severity == Severity::Note).cloned().collect()
+                let notes = self.contact.notes(places).into_iter();
+                notes.filter(|note| note.severity == Severity::Note).collect()
             }
         };
         let of_flow = self.flow.and_then(|_| not_gaussian(&file.scene.heights));
@@ -143,7 +152,7 @@ impl Asked {
     #[must_use]
     pub fn lines(&self, file: &SceneFile, places: &[At]) -> (Vec<Line>, Vec<Finding>) {
         let places: Vec<(At, At)> = places.iter().flat_map(|at| self.places(file, *at)).collect();
-        let of_film = |q: &Quantity| q.is_flow_factor();
+        let of_film = |q: &Quantity| q.is_of_film();
         let had = self.request.quantities.iter().copied();
         let had = had.filter(|quantity| self.has(*quantity) && !of_film(quantity));
         let request = Request::new(had).within(self.request.tolerance);
@@ -156,9 +165,8 @@ impl Asked {
             let (places, film) = self.separations(file, &separation);
             let mut found = columns.iter_mut().filter_map(Iterator::next);
             let value = |quantity: &Quantity| {
-                if let Some(flow) = self.flow.filter(|_| of_film(quantity)) {
-                    let film = separation.clone().and_then(|at| self.film_ratio(at));
-                    return film.and_then(|film| flow.factor(*quantity, film));
+                if of_film(quantity) {
+                    return self.of_film(*quantity, separation.clone()?, given);
                 }
                 let lacks = self.refused.iter().find(|(lacks, _)| lacks == quantity);
                 match lacks.map_or_else(|| found.next(), |(_, why)| Some(Err(why.clone().into()))) {
@@ -187,6 +195,35 @@ impl Asked {
             .ok()
             .and_then(|at| Some(at.measured_in(metres, Datum::SurfaceMean, scene).ok()?.value));
         ([sigma, metres].map(from_scene), [film, ratio])
+    }
+
+    /// A quantity of the film at a separation, where a load or another place is given.
+    fn of_film(
+        &self,
+        quantity: Quantity,
+        separation: Separation,
+        given: At,
+    ) -> Result<Evaluation, ContactError> {
+        if let Some(flow) = self.flow.filter(|_| quantity.is_flow_factor()) {
+            return flow.factor(quantity, self.film_ratio(separation)?);
+        }
+        let (unit, scene) = (SeparationUnit::Metres, self.contact.scene());
+        let gap = separation.measured_in(unit, Datum::SurfaceMean, scene)?.value;
+        let Some(gas) = self.gas.filter(|_| gap > ATOMIC_DISTANCE) else {
+            return Err(ContactError::Unsupported {
+                model: self.model.id().into(),
+                what: format!("`{quantity}`: the mean planes are {} m apart", short(gap)),
+            });
+        };
+        let of_gas = Evaluation::new(gap_conductance(gas.conductivity, gap, gas.parameter)?, 1e-15);
+        match quantity {
+            Quantity::JointConductancePerArea => {
+                let of_contacts = self.contact.evaluate(CONTACTS, given)?;
+                let sum = of_contacts.value() + of_gas.value();
+                Ok(Evaluation::new(sum, of_contacts.relative_error().max(1e-15)))
+            }
+            _ => Ok(of_gas),
+        }
     }
 
     /// A film over the standard deviation of the heights of both surfaces.

@@ -3,7 +3,6 @@
 mod asked;
 mod bem;
 mod blanks;
-mod conductance;
 mod corrected;
 mod error;
 mod export;
@@ -27,7 +26,6 @@ mod watch;
 pub use asked::{Asked, Line};
 pub use bem::{FLOWS, Press, Pressed, half_grid};
 pub use blanks::Blanks;
-pub use conductance::{Conductance, Gas};
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;

@@ -246,8 +246,8 @@ impl Contact for OnScene {
         &self.quantities
     }
 
-    fn notes(&self) -> &[Finding] {
-        &self.notes
+    fn notes(&self, _: &[At]) -> Vec<Finding> {
+        self.notes.to_vec()
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

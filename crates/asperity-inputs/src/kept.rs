@@ -53,6 +53,7 @@ impl Read {
             }
         }
         table.remove("options");
+        table.remove("gap");
         Self { table, interface, bodies: bodies.to_vec(), surface, summits, files: named }
     }
 }

@@ -43,6 +43,8 @@ pub enum Subject {
     Scan,
     /// The surface that both rough surfaces make.
     Surface,
+    /// What fills the gap between the surfaces.
+    Gap,
     /// Variants of the models.
     Options,
 }
@@ -211,6 +213,10 @@ keys! {
         peklenik_number("" "lay: correlation length along x, of sliding, over that across; for factors of flow")
         separation_from("" "or \"surface-mean\"")
         mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
+    }
+    "gap" Gap {
+        gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")
+        gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")
     }
     "options" Options {
         angle_density("" "of gao and at; or \"upright\"")

@@ -1,5 +1,6 @@
 //! The models that a scene allows.
 
+use asperity::joints::conductance::{Correlated, Correlation};
 use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 
@@ -35,6 +36,11 @@ impl SceneFile {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;
+                let of_id = |one: &Correlation| one.id() == model.id();
+                if let Some(correlation) = Correlation::ALL.into_iter().find(of_id) {
+                    let roughness = Some(self.gap_roughness());
+                    return Ok(Model::known(Correlated { correlation, roughness }));
+                }
                 match self.no_asperities_for(&model) {
                     Some(reason) => {
                         let at = Place::field("surface.file").into();

@@ -10,6 +10,7 @@ use asperity::{
 use asperity_topography::Topography;
 
 use crate::document::{Document, Files, HandedFiles};
+use crate::gap::{Gas, gas};
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::interface;
 use crate::kept::Read;
@@ -30,6 +31,8 @@ pub struct SceneFile {
     pub scene: Scene,
     /// The variants of the models.
     pub options: ModelOptions,
+    /// The gas in the gap, if there is one.
+    pub gas: Option<Gas>,
     /// The plane from which separations are measured.
     pub separation_from: Datum,
     /// The table of heights of `scene.heights`, if there is one.
@@ -216,8 +219,10 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             .advice("remove `hurst_exponent` to use the spectrum of the scan");
         notes.push(found.from_origin(at.to_string()));
     }
+    let gas = gas(document)?;
     file.read = Some(Arc::new(Read::new(document, (interface, &bodies), scene.surface, table)));
     Ok(SceneFile {
+        gas,
         separation_from,
         bodies,
         warnings: notes.into_iter().collect::<Findings>().silenced(&accept),
@@ -249,6 +254,7 @@ impl From<Scene> for SceneFile {
         Self {
             scene,
             options: ModelOptions::default(),
+            gas: None,
             separation_from: Datum::AsperityMean,
             table: None,
             bodies: vec![],

@@ -116,9 +116,12 @@ impl SceneFile {
         if !self.accept.is_empty() {
             top.insert("accept".into(), self.accept.clone().into());
         }
+        if let Some(gas) = self.gas {
+            top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
+        }
         top.insert("options".into(), self.options.changed().into());
         let mut sections = String::new();
-        for name in ["body", "interface", "surface", "options"] {
+        for name in ["body", "interface", "surface", "gap", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
             let all = match top.remove(name) {
                 Some(Value::Array(bodies)) => bodies,

@@ -21,12 +21,12 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 use asperity_core::{ContactError, ProfileMoments, positive};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-pub use crate::correlation::Correlation;
+pub use crate::correlation::{Correlated, Correlation};
 
 /// The combined roughness of a gap, input of the correlations.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct GapRoughness {
     /// σ \[m\], > 0: standard deviation of the surface heights.
     pub height_std: f64,

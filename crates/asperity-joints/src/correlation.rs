@@ -1,6 +1,10 @@
 //! Correlations of conductance on scenes, and the contacts that they describe.
 
-use asperity_core::{ContactError, Scene, short};
+use asperity_core::{
+    At, Citation, Contact, ContactError, ContactModel, Described, Evaluation, Finding, Provenance,
+    Quantity, Request, Scene, Validity, short,
+};
+use serde::{Deserialize, Serialize};
 
 use crate::conductance::{
     CorrelationValue, ELASTIC, GapRoughness, PLASTIC, cooper_mikic_yovanovich, mikic_elastic,
@@ -11,7 +15,7 @@ use crate::conductance::{
 const PLASTIC_FROM: f64 = 1.0;
 
 /// A correlation between nominally flat rough surfaces in vacuum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Correlation {
     /// [`cooper_mikic_yovanovich`]: plastic contacts.
@@ -30,15 +34,6 @@ impl Correlation {
         match self {
             Self::CooperMikicYovanovich => "cmy",
             Self::MikicElastic => "mikic",
-        }
-    }
-
-    /// Authors, year and kind of contacts.
-    #[must_use]
-    pub fn citation(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "Cooper, Mikic & Yovanovich 1969, plastic contacts",
-            Self::MikicElastic => "Mikic 1974, elastic contacts",
         }
     }
 
@@ -68,20 +63,6 @@ impl Correlation {
         }
     }
 
-    /// The reason why the correlation does not hold for a scene of
-    /// [other contacts](Self::other_contacts).
-    #[must_use]
-    pub fn reason_against(self, scene: &Scene) -> Option<String> {
-        self.foreign(scene).map(|index| {
-            format!(
-                "plasticity_index is {}, so that the contacts are {} and this correlation does not hold ({})",
-                short(index),
-                self.other_contacts(),
-                self.citation()
-            )
-        })
-    }
-
     /// The plasticity index of a scene with [other contacts](Self::other_contacts): below 1 for the
     /// plastic correlation, at least 1 for the elastic one. `None` for contacts that the
     /// correlation describes, or without a hardness.
@@ -105,7 +86,7 @@ impl Correlation {
         roughness: &GapRoughness,
         pressure: f64,
     ) -> Result<CorrelationValue, ContactError> {
-        let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.citation()));
+        let (field, reason) = ("thermal_conductivity", format!("`{}` needs it", self.id()));
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
         let asperity = scene.asperity()?;
@@ -118,6 +99,148 @@ impl Correlation {
             }
         }?;
         Ok(CorrelationValue { holds: found.holds && self.foreign(scene).is_none(), ..found })
+    }
+}
+
+/// A correlation as a model: it has the thermal conductance per area at loads, and warns where it
+/// does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Correlated {
+    /// The correlation.
+    pub correlation: Correlation,
+    /// The roughness of the gap, if it is not that of the asperities of the scene.
+    pub roughness: Option<GapRoughness>,
+}
+
+const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
+
+const PLASTIC_CONTACTS: Citation = Citation {
+    id: "cmy",
+    name: "CMY",
+    authors: "Cooper, Mikic & Yovanovich",
+    year: 1969,
+    title: "Thermal contact conductance",
+    provenance: Provenance::Seen,
+    published: &[
+        ("author", "Cooper, M. G. and Mikic, B. B. and Yovanovich, M. M."),
+        ("journal", "International Journal of Heat and Mass Transfer"),
+    ],
+};
+
+const ELASTIC_CONTACTS: Citation = Citation {
+    id: "mikic",
+    name: "Mikic",
+    authors: "Mikic",
+    year: 1974,
+    title: "Thermal contact conductance; theoretical considerations",
+    provenance: Provenance::Seen,
+    published: &[
+        ("author", "Mikic, B. B."),
+        ("journal", "International Journal of Heat and Mass Transfer"),
+    ],
+};
+
+impl Described for Correlated {
+    fn citation(&self) -> &Citation {
+        match self.correlation {
+            Correlation::CooperMikicYovanovich => &PLASTIC_CONTACTS,
+            Correlation::MikicElastic => &ELASTIC_CONTACTS,
+        }
+    }
+
+    fn validity(&self) -> Validity {
+        let valid_for = match self.correlation {
+            Correlation::CooperMikicYovanovich => {
+                "conductance of plastic contacts, p/H of 1e-6 to 0.023; nothing else"
+            }
+            Correlation::MikicElastic => {
+                "conductance of elastic contacts, sqrt(2) p/(E m) of 1e-5 to 0.012; nothing else"
+            }
+        };
+        Validity { asperities: false, hertz_limit: None, valid_for, ..Validity::default() }
+    }
+}
+
+impl ContactModel for Correlated {
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        let moments = || match scene.pair {
+            Some(pair) => pair.moments(),
+            None => scene.surface.moments(),
+        };
+        let roughness = self.roughness.unwrap_or_else(|| GapRoughness::of(&moments()));
+        let (scene, quantities) = (scene.clone(), request.quantities.clone());
+        let contact = Correlating { model: *self, roughness, scene, quantities };
+        for quantity in &contact.quantities {
+            contact.check_asked(*quantity, |one| one == CONDUCTANCE)?;
+        }
+        self.correlation.at(&contact.scene, &roughness, 1.0)?;
+        Ok(Box::new(contact))
+    }
+}
+
+/// A correlation on a scene.
+#[derive(Debug)]
+struct Correlating {
+    model: Correlated,
+    roughness: GapRoughness,
+    scene: Scene,
+    quantities: Vec<Quantity>,
+}
+
+impl Correlating {
+    /// A warning of contacts of another kind, and of the first place outside the range.
+    fn warnings(&self, places: &[At]) -> impl Iterator<Item = Finding> {
+        let of = self.model.correlation;
+        let found = |field, value| Finding::warning("correlation", field, value).of_model(of.id());
+        let foreign = of.foreign(&self.scene).map(|index| {
+            let kind = of.other_contacts();
+            let fact = format!("`plasticity_index` is {}: the contacts are {kind}", short(index));
+            found("plasticity_index", index).fact(fact).advice("use the other correlation, or `ke`")
+        });
+        let relative = |at: &At| {
+            let pressure = at.pressure(&self.scene)?;
+            Some((*at, of.at(&self.scene, &self.roughness, pressure).ok()?.relative_pressure))
+        };
+        let [from, to] = of.range();
+        let mut outside = places.iter().filter_map(relative);
+        let outside = outside.find(|(_, relative)| !(from..=to).contains(relative));
+        let outside = outside.map(|(at, relative)| {
+            let fact = format!(
+                "{} is {} at {at}, outside the range of the correlation, {from:e} to {to}",
+                of.relative_pressure(),
+                short(relative)
+            );
+            found("pressure", relative).fact(fact)
+        });
+        foreign.into_iter().chain(outside)
+    }
+}
+
+impl Contact for Correlating {
+    fn model(&self) -> &str {
+        self.model.correlation.id()
+    }
+
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        self.check_asked(quantity, |one| one == CONDUCTANCE)?;
+        let Some(pressure) = at.pressure(&self.scene) else {
+            return Err(self.unsupported("a conductance at a separation: use a load"));
+        };
+        let found = self.model.correlation.at(&self.scene, &self.roughness, pressure)?;
+        Ok(Evaluation::new(found.conductance, f64::EPSILON))
+    }
+
+    fn notes(&self, at: &[At]) -> Vec<Finding> {
+        self.warnings(at).collect()
     }
 }
 

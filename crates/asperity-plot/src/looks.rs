@@ -1,7 +1,7 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
 /// Ids with the numbers of their looks.
-const LOOKS: [(&str, usize); 19] = [
+const LOOKS: [(&str, usize); 21] = [
     ("gw", 0),
     ("ceb", 1),
     ("zmc", 2),
@@ -17,9 +17,11 @@ const LOOKS: [(&str, usize); 19] = [
     ("persson", 12),
     ("persson-fudge", 13),
     ("persson-plastic", 14),
+    ("cmy", 15),
     ("dmt", 16),
     ("jkr", 17),
     ("jkr-separation", 18),
+    ("mikic", 19),
     ("at-additive", 34),
 ];
 /// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black

@@ -1,17 +1,15 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
 use asperity::Severity;
-use asperity::joints::conductance::{self, Correlation, GapRoughness};
+use asperity::joints::conductance;
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
 use asperity_inputs as scene;
-use numpy::{PyArray1, ToPyArray};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::ask::asked::arrays;
-use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
 use crate::convert::{Object, object, tolerance, value_error, warn_unless};
 use crate::model::engine::Engine;
@@ -91,40 +89,6 @@ pub(crate) fn contact_table<'py>(
     let of_films = "format is \"film\": solve(film=...) returns these columns";
     let [of_pressure, of_tangent] = found.errors.ok_or_else(|| value_error(of_films))?;
     Ok((columns(py, &sheet)?, of_pressure, of_tangent, found.text))
-}
-
-/// Conductances per area [W/(m^2 K)] and relative pressures by a correlation at loads or pressures
-/// on scenes, with their roughness or the one given (height_std [m] and mean slope); its range of
-/// relative pressures, and the plasticity index of a scene if it is for other contacts.
-#[pyfunction]
-pub(crate) fn correlated<'py>(
-    py: Python<'py>,
-    name: &str,
-    rows: Rows,
-    given: Option<(f64, f64)>,
-) -> PyResult<(Bound<'py, PyDict>, [f64; 2], Option<String>)> {
-    let all = Correlation::ALL;
-    let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
-        let needed = "\"cmy\" or \"mikic\" was required";
-        return Err(value_error(format!("correlation is {name:?}: {needed}")));
-    };
-    let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
-    let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
-    let mut reason = None;
-    for row in 0..rows.len() {
-        let file = rows.file_of(row).map_err(value_error)?;
-        file.need_known().map_err(value_error)?;
-        let pressure = rows.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
-        let roughness = given.unwrap_or_else(|| file.gap_roughness());
-        reason = reason.or_else(|| correlation.reason_against(&file.scene));
-        let found = correlation.at(&file.scene, &roughness, pressure).map_err(value_error)?;
-        conductances.push(found.conductance);
-        relative.push(found.relative_pressure);
-        holds.push(found.holds);
-    }
-    let columns = arrays(py, [("conductance", conductances), ("relative_pressure", relative)])?;
-    columns.set_item("holds", holds.to_pyarray(py))?;
-    Ok((columns, correlation.range(), reason))
 }
 
 /// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.

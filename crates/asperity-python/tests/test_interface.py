@@ -368,7 +368,7 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
 
 def test_all_ids_make_models() -> None:
     ids = [model.id for model in asperity.models()]
-    assert len(ids) == len(set(ids)) == 38
+    assert len(ids) == len(set(ids)) == 40
     assert {"jg-cosine", "at-overlap", "persson-plastic", "jkr", "ghaednia", "bem"} < set(ids)
     assert {"ke-random", "ghaednia-pairs"} < set(ids)
     assert all(asperity.model(one.upper()).id == one for one in ids)

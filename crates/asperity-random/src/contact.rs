@@ -132,8 +132,8 @@ impl Contact for OnScene {
         self.averaged.quantities()
     }
 
-    fn notes(&self) -> &[Finding] {
-        self.averaged.notes()
+    fn notes(&self, at: &[At]) -> Vec<Finding> {
+        self.averaged.notes(at)
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -130,12 +130,7 @@ impl Curve {
         Plot::new(&["model"], x, &columns).from(from).svg(&sheet)
     }
 
-    fn answer(
-        &self,
-        file: &SceneFile,
-        request: &Request,
-        sheet: &mut Sheet,
-    ) -> Result<()> {
+    fn answer(&self, file: &SceneFile, request: &Request, sheet: &mut Sheet) -> Result<()> {
         let reference = self.reference.as_deref();
         let reference = reference.map(|id| one_model(file, Some(id))).transpose()?;
         let models =

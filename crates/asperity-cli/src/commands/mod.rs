@@ -3,7 +3,6 @@
 
 mod bem;
 mod check;
-mod conductance;
 mod curve;
 mod export;
 mod fit;
@@ -31,7 +30,6 @@ pub enum Command {
     Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Joint(joint::Joint),
-    Conductance(conductance::Conductance),
     Bem(bem::BemCommand),
     Export(export::ExportCommand),
     Manual(manual::Manual),
@@ -49,7 +47,6 @@ impl Command {
             Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
             Self::Joint(command) => command.run(),
-            Self::Conductance(command) => command.run(),
             Self::Bem(command) => command.run(),
             Self::Export(command) => command.run(),
             Self::Manual(command) => command.run(),

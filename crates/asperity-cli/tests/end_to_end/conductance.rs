@@ -1,31 +1,11 @@
-//! Conductances and stiffnesses of contact radii, and correlations beside them.
+//! Conductances of contact radii, of correlations and of the gas in the gap.
+
+use asperity::joints::conductance::{cooper_mikic_yovanovich, gap_conductance, mikic_elastic};
 
 use crate::bench::{Bench, cells, column, column_of, conducting, csv};
 
-#[test]
-fn the_list_of_models_is_what_is_printed() {
-    let bench = Bench::new();
-    let ids = |models: &str| {
-        let run = bench.run(&format!(
-            "conductance scene.toml --conductivity 50 --load 100 --model {models} --format csv"
-        ));
-        assert_eq!(run.code, Some(0), "{}", run.messages);
-        cells(&run.out, "model").join(" ")
-    };
-    assert_eq!(ids("CMY"), "cmy");
-    assert_eq!(ids("ke,gao,mikic"), "ke mikic");
-    assert_eq!(ids("ke"), "ke");
-    // A model that lacks a property of the scene leaves the others.
-    assert_eq!(ids("dmt,ke,ghaednia,cmy"), "ke cmy");
-    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt,ke");
-    let why = "warning[left-out]: left out: dmt: work_of_adhesion is missing: dmt needs it";
-    assert!(run.messages.contains(why), "{}", run.messages);
-    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model cym");
-    let near = "the correlations are cmy, mikic (the nearest is \"cmy\")";
-    assert!(run.code == Some(2) && run.messages.contains(near), "{}", run.messages);
-}
+const GAS: &str = "[gap]\ngas_conductivity = 0.026\ngas_parameter = \"0.37 um\"\n[options]\n";
+const CONTACTS: &str = "thermal_conductance_per_area_W_per_m2_per_K";
 
 #[test]
 fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
@@ -35,7 +15,6 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
         "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("left out: gao"), "{}", run.messages);
     assert_eq!(csv(&run.out).1.len(), 7, "gw to af");
     let radii = column(&run.out, "contact_radius_sum_m");
     for (name, factor) in
@@ -48,139 +27,53 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
 }
 
 #[test]
-fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
-    use asperity::joints::conductance::{cooper_mikic_yovanovich, gap_conductance, mikic_elastic};
+fn correlations_and_the_gas_stand_beside_the_models() {
     let bench = Bench::new();
-    let arguments = "conductance scene.toml --conductivity 50 --pressure 1e6,1e8 --format csv";
-    let run = bench.run(&format!("{arguments} --gas 0.026 --gas-parameter 0.37um"));
+    bench.write("scene.toml", &conducting().replace("[options]\n", GAS));
+    let asked = "curve scene.toml --model ke,cmy,mikic --pressure 1e6,1e8 --format csv --quantity";
+    let run = bench.run(&format!(
+        "{asked} thermal-conductance-per-area,gap-conductance-per-area,joint-conductance-per-area"
+    ));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let file = bench.scene("scene.toml");
     let (roughness, modulus) = (file.gap_roughness(), file.scene.interface.equivalent_modulus);
-    let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
+    let contacts = column_of(&run.out, CONTACTS);
     assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
-    assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
-    assert!(run.messages.contains("mikic: plasticity_index is "), "{}", run.messages);
-    assert!(
-        run.messages
-            .contains("so that the contacts are plastic and this correlation does not hold"),
-        "{}",
-        run.messages
-    );
     for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
         let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
         let mikic = mikic_elastic(50.0, &roughness, pressure, modulus).unwrap();
-        assert_eq!((found[2 + k], found[4 + k]), (Some(cmy.conductance), Some(mikic.conductance)));
+        let of = [contacts[2 + k], contacts[4 + k]];
+        assert_eq!(of, [Some(cmy.conductance), Some(mikic.conductance)]);
     }
-    // Models give what their quantity does, and the gas that of the mean gap.
-    bench.write("scene.toml", &conducting().replace("asperity-mean", "surface-mean"));
-    let arguments =
-        "curve scene.toml --model ke --pressure 1e6,1e8 --quantity thermal-conductance-per-area";
-    let curve = bench.data(arguments);
-    let wanted = column_of(&curve, "thermal_conductance_per_area_W_per_m2_per_K");
-    assert!((found[0].unwrap() / wanted[0].unwrap() - 1.0).abs() < 1e-9, "{found:?} {wanted:?}");
-    let gas = column_of(&run.out, "gas_thermal_conductance_per_area_W_per_m2_per_K");
-    let gap = column(&curve, "separation_m")[0];
+    // p/H is 0.05 at the second pressure, and the contacts are plastic.
+    assert_eq!(run.messages.matches("warning[correlation]").count(), 2, "{}", run.messages);
+    // The gas has the mean gap, which is closed at the second pressure; correlations have none.
+    let film = bench.data("curve scene.toml --model ke --pressure 1e6 --quantity area");
+    let offset = file.scene.mean_plane_offset();
+    let gap = column(&film, "separation_m")[0] + offset;
     let wanted = gap_conductance(0.026, gap, 0.37e-6).unwrap();
-    assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9 && gas[2].is_none(), "{gas:?} {wanted}");
-    let total = column_of(&run.out, "total_thermal_conductance_per_area_W_per_m2_per_K");
-    assert_eq!(total[0], Some(found[0].unwrap() + gas[0].unwrap()));
-    assert!(total[2..].iter().all(Option::is_none), "{total:?}");
-    for printed in
-        ["cmy: p/H is 0.05 at a pressure of 1e8 Pa, outside the range of", "mean slope m"]
-    {
-        assert!(run.messages.contains(printed), "{}", run.messages);
-    }
-    let printed = |extra: &str| {
-        bench.run(&format!(
-            "conductance scene.toml --conductivity 50 --pressure 1e6 --gas 0.026{extra}"
-        ))
-    };
-    let unsaid = printed("").messages;
-    assert!(
-        unsaid.contains("note[gas-parameter]: --gas-parameter is missing and taken as 0"),
-        "{unsaid}"
-    );
-    assert!(!run.messages.contains("--gas-parameter"), "{}", run.messages);
-    bench.write(
-        "soft.toml",
-        include_str!("../../../asperity-inputs/examples/elastomer-on-glass.toml"),
-    );
-    let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
-    assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
-    assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
-    let elastic = "note[default-model]: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
-    assert!(soft.messages.contains(elastic), "{}", soft.messages);
-    // The only one of the list is missed with its reason, also under --quiet.
-    let alone =
-        bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --model cmy --quiet");
-    let reason = "error: soft.toml: cmy: hardness is missing";
-    assert!(alone.code == Some(1) && alone.messages.contains(reason), "{}", alone.messages);
+    let [gas, joint] = ["gap", "joint"]
+        .map(|part| column_of(&run.out, &format!("{part}_conductance_per_area_W_per_m2_per_K")));
+    assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9, "{gas:?} {wanted}");
+    assert_eq!(joint[0], Some(contacts[0].unwrap() + gas[0].unwrap()));
+    assert!(gas[1..].iter().chain(&joint[1..]).all(Option::is_none), "{gas:?} {joint:?}");
 }
 
 #[test]
-fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
-    use asperity::joints::conductance::{GapRoughness, cooper_mikic_yovanovich};
+fn what_a_conductance_needs_is_named() {
     let bench = Bench::new();
-    let asked = "conductance scene.toml --conductivity 50 --pressure 1e5:1e7:20:log --format csv";
-    let run = bench.run(&format!(
-        "{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026 --gas-parameter 0.37um --plot h.svg"
-    ));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("mean slope m 0.14, as given"), "{}", run.messages);
-    let roughness = GapRoughness { height_std: 1.4e-6, mean_slope: 0.14 };
-    let wanted = cooper_mikic_yovanovich(50.0, &roughness, 1e5, 2e9).unwrap().conductance;
-    let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
-    assert!((found[20].unwrap() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted}");
-    let picture = std::fs::read_to_string(bench.path("h.svg")).unwrap();
-    let labels = [
-        ">ke<",
-        ">cmy, holds: yes<",
-        ">mikic, holds: no<",
-        ">total thermal conductance per area (W/(m² K))<",
-    ];
-    for label in labels {
-        assert!(picture.contains(label), "{label}");
-    }
-    for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1", "--conductivity 45:200:2"] {
-        assert_eq!(bench.run(&format!("{asked} {wrong}")).code, Some(2), "{wrong}");
-    }
-}
-
-#[test]
-fn unlikely_numbers_are_named_with_their_unit() {
-    let bench = Bench::new();
-    let asked =
-        "conductance scene.toml --conductivity 50 --pressure 1MPa --model cmy,ke --format csv";
-    let run = bench.run(&format!("{asked} --sigma 1um --mean-slope 14"));
-    let steep = "mean_slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent";
-    assert!(run.code == Some(2) && run.messages.contains(steep), "{}", run.messages);
-    let run = bench.run(&format!("{asked} --conductivity 50000"));
-    assert_eq!(run.code, Some(2), "given twice: {}", run.messages);
-    let run = bench.run("conductance scene.toml --conductivity 50000 --pressure 1MPa");
-    let unusual = "warning[unusual-size]: thermal_conductivity is 50000 W/(m K) (usual: 0.01 to 3000): 50000 looks like mW";
-    assert!(run.messages.contains(unusual), "{}", run.messages);
-    let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026"));
-    let wanted = "note[gap-roughness]: cmy: sigma is 1.4e-6 m and the mean slope m 0.14, as given";
-    assert!(run.messages.contains(wanted), "{}", run.messages);
-    let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 14% --gas 0.026"));
-    assert!(!run.messages.contains("looks like"), "{}", run.messages);
-}
-
-#[test]
-fn the_conductivities_of_two_bodies_may_be_given_and_a_missing_one_is_named() {
-    let bench = Bench::new();
-    let asked = "conductance scene.toml --pressure 1MPa --format csv";
-    let two = bench.run(&format!("{asked} --conductivity 50,401"));
-    assert_eq!(two.code, Some(0), "{}", two.messages);
-    let mean = 2.0 * 50.0 * 401.0 / 451.0;
-    let one = bench.data(&format!("{asked} --conductivity {mean}"));
-    let value = |data: &str| column(data, "thermal_conductance_per_area_W_per_m2_per_K")[0];
-    assert!((value(&two.out) / value(&one) - 1.0).abs() < 1e-12);
-    for wrong in ["50,4,3", "50,-1", "0,5", "50:60:9"] {
-        let run = bench.run(&format!("{asked} --conductivity {wrong}"));
-        assert_eq!(run.code, Some(2), "{wrong}: {}", run.messages);
-    }
-    let run = bench.run("conductance scene.toml --pressure 1MPa");
-    let wanted = "thermal_conductivity is missing: set it in the scene, or use --conductivity";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    let gas = "curve scene.toml --model ke --load 10 --quantity gap-conductance-per-area";
+    let run = bench.run(gas);
+    assert!(run.code == Some(1) && run.messages.contains("gas_conductivity is missing"));
+    let run =
+        bench.run("curve scene.toml --model cmy --load 10 --quantity thermal-conductance-per-area");
+    assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity is missing"));
+    bench.write("scene.toml", &conducting());
+    let run = bench.run("curve scene.toml --model cmy --load 10 --quantity area");
+    assert!(run.code == Some(1) && run.messages.contains("cmy"), "{}", run.messages);
+    let asked = "curve scene.toml --model cmy --separation 1";
+    let run = bench.run(&format!("{asked} --quantity thermal-conductance-per-area"));
+    assert!(run.code == Some(1) && run.messages.contains("use a load"), "{}", run.messages);
+    bench.write("scene.toml", &conducting().replace("[options]\n", "[gap]\ngas_parameter = 0\n"));
+    assert!(bench.run(gas).messages.contains("gap.gas_conductivity is missing"));
 }

@@ -126,7 +126,7 @@ fn the_manual_has_a_page_for_every_command_and_completions_for_three_shells() {
         ("fish/vendor_completions.d/asperity.fish", "complete -c asperity"),
     ] {
         let text = bench.read(&format!("share/{path}"));
-        assert!(text.contains(part) && text.contains("conductance"), "{path}");
+        assert!(text.contains(part) && text.contains("recommend"), "{path}");
     }
     std::fs::write(bench.path("file"), "").unwrap();
     let refused = bench.run("manual file");

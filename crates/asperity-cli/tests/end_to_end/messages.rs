@@ -53,10 +53,7 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     assert!(run.messages.contains("left out: gao, at, "));
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
     let (head, rows) = csv(&data);
-    assert_eq!(
-        head[..5],
-        ["model", "asperities", "force_deviation", "area_deviation", "simplest"]
-    );
+    assert_eq!(head[..5], ["model", "asperities", "force_deviation", "area_deviation", "simplest"]);
     let gao = rows.iter().find(|row| row[0] == "gao").unwrap();
     assert_eq!(gao[2..5], ["0", "0", "yes"]);
     let gw: f64 = cells(&data, "force_deviation")[0].parse().unwrap();

@@ -1,6 +1,6 @@
 //! Two rough surfaces whose asperities meet.
 
-use crate::bench::{Bench, cells, column, column_of};
+use crate::bench::{Bench, cells, column};
 
 fn bench() -> Bench {
     let bench = Bench::new();
@@ -66,9 +66,10 @@ fn by_moments(bench: &Bench) {
         "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\npoissons_ratio = 0.3\n\
          hardness = 6e9\n[surface]\n{one}"
     );
-    bench.write("alone.toml", &text);
+    let gas = "[gap]\ngas_conductivity = 0.026\ngas_parameter = 0.37e-6\n";
+    bench.write("alone.toml", &format!("{text}{gas}"));
     let both = format!("{text}counterface = {{ {} }}\n", one.trim().replace('\n', ", "));
-    bench.write("both.toml", &both);
+    bench.write("both.toml", &format!("{both}{gas}"));
 }
 
 /// Mean planes 2.684 um apart: the sum of the asperities' offsets, and of their heights, by hand.
@@ -83,10 +84,9 @@ fn the_gap_of_a_pair_is_one_for_its_film_its_gas_and_its_joint() {
         let of = |name: &str| column(&curve, name)[0];
         let film = of("separation_m") + offset;
         assert!((film / 2.684e-6 - 1.0).abs() < 1e-4, "{curve}");
-        let gas = bench.data(&format!(
-            "conductance {scene}.toml --model ke-pairs --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um --format csv"
-        ));
-        let gas = column_of(&gas, "gas_thermal_conductance_per_area_W_per_m2_per_K")[0].unwrap();
+        let asked = "--model ke-pairs --pressure 1MPa --quantity gap-conductance-per-area";
+        let gas = bench.data(&format!("curve {scene}.toml {asked}"));
+        let gas = column(&gas, "gap_conductance_per_area_W_per_m2_per_K")[0];
         assert!((gas / 8513.0 - 1.0).abs() < 1e-4, "{gas}");
         assert!((gas / (0.026 / (film + 0.37e-6)) - 1.0).abs() < 1e-9, "{gas} {film}");
         let back =

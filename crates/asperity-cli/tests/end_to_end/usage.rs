@@ -66,7 +66,6 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         "recommend scene.toml --within 0",
         "recommend scene.toml --reference bem",
         "recommend scene.toml --load 5 --quantity force",
-        "conductance scene.toml --load 5 --sigma 1um --mean-slope 7 --conductivity 50",
         "fit scene.toml --free hardness --load 1 --target area_fraction=1% --model bem",
         "fit scene.toml --free hardness=5:1 --load 1 --target area_fraction=1%",
         "fit scene.toml --free hardness --load 1 --target area_fraction=2",

@@ -51,7 +51,9 @@ impl AtPoint<'_> {
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
             // Refused where laws are made.
-            Derivation::Film | Derivation::Only(_) => Err(ContactError::NotRequested { quantity }),
+            Derivation::Flow | Derivation::Gap | Derivation::Only(_) => {
+                Err(ContactError::NotRequested { quantity })
+            }
         }
     }
 

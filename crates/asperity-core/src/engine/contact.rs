@@ -32,8 +32,8 @@ impl Contact for Prepared {
         self.facts.laws.adhesive
     }
 
-    fn notes(&self) -> &[Finding] {
-        &self.facts.notes
+    fn notes(&self, _: &[At]) -> Vec<Finding> {
+        self.facts.notes.to_vec()
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

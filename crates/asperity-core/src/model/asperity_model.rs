@@ -100,7 +100,7 @@ impl dyn AsperityModel + '_ {
                 let what = format!("`{quantity}`, which no law of asperities has: use `{id}`");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
-            Derivation::Film => {
+            Derivation::Flow | Derivation::Gap => {
                 let what = format!("`{quantity}`, which follows from the film alone");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }

@@ -34,9 +34,10 @@ pub trait Contact: fmt::Debug + Send + Sync {
         false
     }
 
-    /// Notes on the model's options; the same for every answer.
-    fn notes(&self) -> &[Finding] {
-        &[]
+    /// Notes on the model's options, and on answers at these places.
+    fn notes(&self, at: &[At]) -> Vec<Finding> {
+        let _ = at;
+        vec![]
     }
 
     /// A quantity at one place.
@@ -157,7 +158,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
         let mut response = respond(self, request, answered, |_, _| None);
-        response.warnings.extend(self.notes().iter().cloned());
+        response.warnings.extend(self.notes(&request.at));
         response
     }
 

@@ -71,7 +71,8 @@ impl Quantity {
             Derivation::Integral(_)
             | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
-            | Derivation::Film
+            | Derivation::Flow
+            | Derivation::Gap
             | Derivation::Only(_) => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
@@ -96,7 +97,14 @@ impl Quantity {
     /// alone, not on a model of contact.
     #[must_use]
     pub fn is_flow_factor(self) -> bool {
-        matches!(self.derivation(), Derivation::Film)
+        matches!(self.derivation(), Derivation::Flow)
+    }
+
+    /// Whether this follows from the film between the surfaces: a factor of flow, or a conductance
+    /// of the gas in the gap.
+    #[must_use]
+    pub fn is_of_film(self) -> bool {
+        matches!(self.derivation(), Derivation::Flow | Derivation::Gap)
     }
 
     /// Whether this is a stiffness or a conductance of a joint, per area or not: a multiple of the
@@ -126,7 +134,7 @@ impl Quantity {
     /// Whether models of contact have this quantity, and not boundary elements or a film alone.
     #[must_use]
     pub fn is_of_models(self) -> bool {
-        !matches!(self.derivation(), Derivation::Film | Derivation::Only(_))
+        !self.is_of_film() && self.only_of().is_none()
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.

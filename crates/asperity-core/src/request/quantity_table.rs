@@ -28,8 +28,10 @@ pub(crate) enum Derivation {
     Logarithm(Quantity),
     /// The share of a regime in the force.
     RegimeShare(Regime),
-    /// Of the film between the surfaces, whatever the model.
-    Film,
+    /// A factor of flow, which follows from the film.
+    Flow,
+    /// A conductance of the gas in the gap, which follows from the gap.
+    Gap,
     /// Of the model with this id, and of no law of asperities.
     Only(&'static str),
 }
@@ -221,41 +223,54 @@ quantities! {
         definition: "Share of the force on plastic asperities.",
         derivation: Derivation::RegimeShare(Regime::Plastic),
     }
+    GapConductancePerArea {
+        name: "gap-conductance-per-area", symbol: "h_g", unit: "W/m2/K",
+        label: "conductance of the gas per area",
+        definition: "Thermal conductance of the gas between the mean planes over the nominal area, \
+            k_g/(gap + gas parameter).",
+        derivation: Derivation::Gap,
+    }
+    JointConductancePerArea {
+        name: "joint-conductance-per-area", symbol: "h_j", unit: "W/m2/K",
+        label: "conductance of the joint per area",
+        definition: "Thermal conductance of the contacts and of the gas over the nominal area.",
+        derivation: Derivation::Gap,
+    }
     PressureFlowFactorX {
         name: "pressure-flow-factor-x", symbol: "phi_x", unit: "", label: "pressure flow factor along x",
         definition: "Mean flow along x, the direction of sliding, under a pressure gradient, over \
             that between smooth surfaces at the same film.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     PressureFlowFactorY {
         name: "pressure-flow-factor-y", symbol: "phi_y", unit: "", label: "pressure flow factor along y",
         definition: "Mean flow across the direction of sliding under a pressure gradient, over that \
             between smooth surfaces at the same film.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     ShearFlowFactor {
         name: "shear-flow-factor", symbol: "phi_s", unit: "", label: "shear flow factor",
         definition: "Additional flow that sliding rough surfaces carry, over half the sliding speed \
             times sigma; positive if the first surface moves.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     FrictionFlowFactor {
         name: "friction-flow-factor", symbol: "phi_f", unit: "", label: "friction factor of the film",
         definition: "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean \
             shear stress over that of smooth surfaces.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     FrictionShearFactor {
         name: "friction-shear-factor", symbol: "phi_fs", unit: "", label: "friction shear factor",
         definition: "Correction of the mean shear stress on the surfaces by their roughness, in \
             (phi_f +- phi_fs) times viscosity times sliding speed over film.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     FrictionPressureFactor {
         name: "friction-pressure-factor", symbol: "phi_fp", unit: "", label: "friction pressure factor",
         definition: "Factor of the mean shear stress by a pressure gradient, half the film times the \
             gradient.",
-        derivation: Derivation::Film,
+        derivation: Derivation::Flow,
     }
     HydraulicGapX {
         name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",

@@ -71,8 +71,6 @@ from asperity._sweep import sweep as sweep
 from asperity._table import Finding as Finding
 from asperity._table import Table as Table
 from asperity._tables import ContactTable as ContactTable
-from asperity._tables import Correlated as Correlated
-from asperity._tables import correlated_conductance as correlated_conductance
 from asperity._tables import export as export
 from asperity._tables import gap_conductance as gap_conductance
 

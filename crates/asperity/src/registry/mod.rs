@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use options::{Configurable, Rearranged};
 
+use crate::joints::conductance::{Correlated, Correlation};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
     Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
@@ -140,7 +141,7 @@ impl Model {
             let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
             Self::all_on(asperities).into_iter().chain(hardening).collect()
         });
-        [equal.concat(), others.concat()].concat()
+        [equal.concat(), Self::correlations(), others.concat()].concat()
     }
 
     /// The models of tables and pictures where none is named: those [of
@@ -198,6 +199,14 @@ impl Model {
             jkr(JkrBranch::Approach),
             jkr(JkrBranch::Separation),
         ]
+    }
+
+    /// Correlations of the thermal conductance at loads, which have no other quantity. Commands use
+    /// them only by name.
+    #[must_use]
+    pub fn correlations() -> Vec<Self> {
+        let of = |correlation| Self::known(Correlated { correlation, roughness: None });
+        Correlation::ALL.map(of).to_vec()
     }
 
     /// Like bodies that harden: they need the scene's tangent modulus. Commands use them by name,

@@ -73,6 +73,7 @@ fn every_quantity_names_the_models_that_have_it() {
         (inclined, &["all", "asperities"]),
         (elastic, &["all", "persson"]),
         (yielding, &["all", "persson-plastic"]),
+        (Model::correlations(), &["correlations"]),
     ];
     for (models, words) in &groups {
         for model in models {

@@ -1,0 +1,47 @@
+//! What fills the gap between the surfaces: the section `[gap]`.
+
+use asperity::ContactError;
+use asperity::joints::conductance::gap_conductance;
+use serde::Serialize;
+
+use crate::document::Document;
+use crate::{SceneError, SceneFile};
+
+/// A gas or liquid in the gap between the surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gas {
+    /// Its thermal conductivity \[W/(m K)\], above 0.
+    #[serde(rename = "gas_conductivity")]
+    pub conductivity: f64,
+    /// Its temperature-jump distance \[m\], 0 for a liquid.
+    #[serde(rename = "gas_parameter")]
+    pub parameter: f64,
+}
+
+/// The gas of the section `[gap]`.
+pub(crate) fn gas(document: &Document<'_>) -> Result<Option<Gas>, SceneError> {
+    if !document.has("gap") {
+        return Ok(None);
+    }
+    let conductivity = document.needed_number("gap.gas_conductivity")?;
+    let parameter = document.needed_number("gap.gas_parameter")?;
+    gap_conductance(conductivity, 1.0, parameter).map_err(|error| match error {
+        ContactError::OutOfRange { field: "thermal_conductivity", value, required } => {
+            let field = "gas_conductivity";
+            document.refused("gap")(ContactError::OutOfRange { field, value, required })
+        }
+        error => document.refused("gap")(error),
+    })?;
+    Ok(Some(Gas { conductivity, parameter }))
+}
+
+impl SceneFile {
+    /// The gas in the gap.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] without one.
+    pub fn needed_gas(&self) -> Result<Gas, ContactError> {
+        let (field, reason) = ("gas_conductivity", "set it and `gas_parameter` in [gap]".into());
+        self.gas.ok_or(ContactError::Missing { field, reason })
+    }
+}
