@@ -2,8 +2,8 @@
 //!
 //! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
 //! with several hardnesses, and kept under target/truth. The results are in
-//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow from
-//! that text alone.
+//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
+//! from that text alone.
 
 mod family;
 mod feeding;
