@@ -9,7 +9,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 use asperity::{Code, Described, Model};
 
-use crate::command::run;
+use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
 use crate::folder::{copy, read, remove, root, target_folder, write as save};
 use crate::table::{markdown_head, markdown_row};
@@ -70,9 +70,9 @@ pub fn write() -> Result<PathBuf> {
         let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
         run(Command::new(&python).args(pip).arg("mkdocs-material>=9.5,<10"))?;
     }
-    let build = ["-m", "mkdocs", "build", "--strict", "--quiet", "--config-file", "mkdocs.yml"];
-    // It has no message for users of other tools.
-    run(Command::new(&python).args(build).env("NO_MKDOCS_2_WARNING", "1").current_dir(&work))?;
+    let build = ["-m", "mkdocs", "build", "--strict", "--config-file", "mkdocs.yml"];
+    // Its warnings are errors, and shown with them.
+    output(Command::new(&python).args(build).current_dir(&work))?;
     Ok(site.join("index.html"))
 }
 
@@ -143,7 +143,7 @@ fn linked(text: &str, of: &str, places: &HashMap<&str, &str>, docs: &Path) -> Re
 
 /// Where a link of a part leads within the guide.
 fn target(link: &str, of: &str, places: &HashMap<&str, &str>, docs: &Path) -> Result<String> {
-    if link.contains("://") || link.starts_with('#') || link == "../index.html" || of == MODELS {
+    if link.contains("://") || link.starts_with('#') || of == MODELS {
         return Ok(link.into());
     }
     let (file, anchor) = link.split_at(link.find('#').unwrap_or(link.len()));
@@ -174,6 +174,7 @@ fn models() -> String {
         let citation = model.citation();
         let chapter = match model.id().split('-').next() {
             Some("dmt" | "jkr") | None => "adhesion",
+            Some("patir") => "film",
             Some(stem) => stem,
         };
         rows += &markdown_row(&[
@@ -217,6 +218,10 @@ mod tests {
                 let name = readme.strip_prefix(root())?.display().to_string();
                 assert!(shown.contains(&&*name), "{name}");
             }
+        }
+        for link in models().split("](").skip(1).filter_map(|rest| rest.split_once(".md)")) {
+            let is_chapter = CHAPTERS.lines().filter_map(chapter).any(|c| c.0 == link.0);
+            assert!(is_chapter, "{}", link.0);
         }
         shown.into_iter().try_for_each(|part| markdown(part).map(drop).context(part.to_owned()))
     }

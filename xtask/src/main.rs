@@ -27,7 +27,8 @@ enum Task {
     /// Measure speed against error, in some minutes: `asperity-studies report`, with its options
     #[command(disable_help_flag = true)]
     Report(Study),
-    /// Compare models with boundary elements, in an hour: `asperity-studies truth`, with its options
+    /// Compare models with boundary elements, in an hour: `asperity-studies truth`, with its
+    /// options
     #[command(disable_help_flag = true)]
     Truth(Study),
     /// Write the documentation of all crates, with an index page: target/doc/index.html

@@ -94,16 +94,16 @@ impl Family {
         }
     }
 
-    /// An isotropic family of this bandwidth and Hurst exponent, without a plateau of long waves.
+    /// An isotropic family of this bandwidth, without a plateau of long waves.
     ///
     /// # Errors
     /// Waves that these pixels cannot carry.
-    pub fn of_bandwidth(alpha: f64, hurst: f64, pixels: usize) -> Result<Self> {
-        let of = |waves: f64| Self { name: "", waves: [waves; 2], hurst, pixels, ..ISOTROPIC };
-        let (mut broad, mut narrow) = (1024.0 / pixels as f64, 40.0f64);
+    pub fn of_bandwidth(name: &'static str, alpha: f64) -> Result<Self> {
+        let of = |waves: f64| Self { name, waves: [waves; 2], ..ISOTROPIC };
+        let (mut broad, mut narrow) = (2.0, 40.0f64);
         for _ in 0..STEPS {
             let middle = (broad * narrow).sqrt();
-            let found = of(middle).surface(pixels.max(1024))?.moments().bandwidth();
+            let found = of(middle).surface(1024)?.moments().bandwidth();
             if found > alpha { broad = middle } else { narrow = middle }
         }
         Ok(of((broad * narrow).sqrt()))

@@ -2,8 +2,8 @@
 //!
 //! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
 //! with several hardnesses, and kept under target/truth. The results are in
-//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow from
-//! that text alone.
+//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
+//! from that text alone.
 
 mod family;
 mod feeding;
@@ -23,7 +23,7 @@ use anyhow::Result;
 use asperity::Evidence;
 
 use kept::Kept;
-use plan::{FULL, SMALL};
+use plan::{FULL, SMALL, by_family};
 use rows::evidence;
 use solve::solve;
 use xtask::folder::{figures_folder, root, save, target_folder};
@@ -31,8 +31,8 @@ use xtask::folder::{figures_folder, root, save, target_folder};
 /// The folder of the committed evidence, in the crate that includes it.
 const DATA: &str = "crates/asperity/data";
 
-/// Solves the cases that are not kept, or none of them, and writes the evidence and its figures;
-/// returns the paths.
+/// Solves the cases that are not kept, or none of them, and writes the evidence and its tables;
+/// returns the paths. The table of ordinary scenes stays as it is where one is not kept.
 ///
 /// # Errors
 /// A case that cannot be solved, a file that cannot be written.
@@ -42,9 +42,21 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
         kept = kept.with_rows(Evidence::committed()?)?;
     }
     if solve_missing {
-        solve(FULL, &kept)?;
+        solve(&[by_family(FULL)?, ordinary::all()?].concat(), &kept)?;
     }
-    written(evidence(FULL, &kept)?, solve_missing)
+    let text = evidence(FULL, &kept)?;
+    let evidence = Evidence::parse(&text)?;
+    let tables = [
+        ("", Some(ranges::table(&evidence))),
+        ("-ordinary", ordinary::table(&evidence, &kept)?),
+        ("-shapes", Some(feeding::table(&evidence)?)),
+        ("-yielded", Some(yielded::table(&evidence)?)),
+        ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
+    ];
+    let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
+    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
+    paths.extend(save(&figures_folder(), tables.into_iter().filter_map(named))?);
+    Ok(paths)
 }
 
 /// Solves the small case for the tests; returns its path.
@@ -62,7 +74,7 @@ pub fn write_small() -> Result<Vec<PathBuf>> {
 fn small() -> Result<String> {
     let folder = tempfile::tempdir()?;
     let kept = Kept::in_folder(folder.path())?;
-    solve(SMALL, &kept)?;
+    solve(&by_family(SMALL)?, &kept)?;
     evidence(SMALL, &kept)
 }
 
@@ -73,24 +85,6 @@ fn small() -> Result<String> {
 #[cfg(test)]
 fn with_new_models(table: &Evidence) -> Result<String> {
     evidence(FULL, &Kept::default().with_rows(table)?)
-}
-
-/// Writes evidence and its tables. The table of ordinary scenes stays as it is if its solutions are
-/// not kept and none may be solved.
-fn written(text: String, solve_missing: bool) -> Result<Vec<PathBuf>> {
-    let evidence = Evidence::parse(&text)?;
-    let kept = target_folder().join("truth/ordinary");
-    let tables = [
-        ("", Some(ranges::table(&evidence))),
-        ("-ordinary", ordinary::table(&evidence, &kept, solve_missing)?),
-        ("-shapes", Some(feeding::table(&evidence)?)),
-        ("-yielded", Some(yielded::table(&evidence)?)),
-        ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
-    ];
-    let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
-    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
-    paths.extend(save(&figures_folder(), tables.into_iter().filter_map(named))?);
-    Ok(paths)
 }
 
 #[cfg(test)]

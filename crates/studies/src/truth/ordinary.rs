@@ -2,16 +2,13 @@
 //!
 //! They are not part of the evidence: they show how well it holds between solved families.
 
-use std::path::Path;
-
 use anyhow::{Context, Result};
 use asperity::{At, Body, Compared, Evidence, Interface, Quantity, Scene, Surface};
 
-use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
+use super::family::{Family, GRADIENT, MODULUS, scene};
 use super::kept::Kept;
 use super::plan::{Case, LEAST_SEEDS};
 use super::rows::Bem;
-use super::solve::are_kept;
 use xtask::figures::compared::NOTHING;
 use xtask::figures::models::solve;
 use xtask::table::{markdown_head, markdown_row};
@@ -52,12 +49,20 @@ fn percent(share: f64) -> String {
     three.to_string()
 }
 
+/// The cases of all scenes, by scene.
+///
+/// # Errors
+/// A scene without a surface of its bandwidth.
+pub fn all() -> Result<Vec<Vec<Case>>> {
+    scenes()?.iter().map(|(name, scene, pressures)| cases(name, scene, pressures)).collect()
+}
+
 /// The cases of a scene, in the order of its pressures.
-fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
+fn cases(name: &'static str, actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
     let moments = actual.surface.moments();
     let asperity = actual.asperity()?;
     let unit = asperity.equivalent_modulus * (2.0 * moments.m2).sqrt();
-    let family = Family::of_bandwidth(moments.bandwidth(), FAMILIES[1].hurst, 512)?;
+    let family = Family::of_bandwidth(name, moments.bandwidth())?;
     let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
     let case = |pressure: &f64| -> Result<Case> {
         let load = pressure / unit;
@@ -69,25 +74,19 @@ fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
     pressures.iter().map(case).collect()
 }
 
-/// The contacts of a scene that are kept in this folder.
-fn kept(folder: &Path, name: &str) -> Result<Kept> {
-    Kept::in_folder(&folder.join(name.replace(' ', "-")))
-}
-
-/// The table of the scenes beside the evidence. Cases that this folder does not hold are
-/// solved; if none may be solved and one is not kept, there is no table.
+/// The table of the scenes beside the evidence; `None` where a case is not kept.
 ///
 /// # Errors
 /// A case that cannot be solved, a model that fails.
-pub fn table(evidence: &Evidence, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
+pub fn table(evidence: &Evidence, kept: &Kept) -> Result<Option<String>> {
     let mut heads =
         ["scene", "α", "ψ", "MPa", "p/(E g)", "area, %", "yielded, %"].map(str::to_owned).to_vec();
     heads.extend(SHOWN.map(|id| format!("`{id}`")));
     heads.push("area by the table, %".into());
     let mut out = markdown_head(&heads, heads.len() - 1);
     for (name, actual, pressures) in scenes()? {
-        let (cases, kept) = (cases(&actual, &pressures)?, kept(folder, name)?);
-        if !are_kept(&cases, &kept, solve_missing)? {
+        let cases = cases(name, &actual, &pressures)?;
+        if !cases.iter().all(|case| kept.is_done(case)) {
             return Ok(None);
         }
         for (case, pressure) in cases.iter().zip(&pressures) {
@@ -128,9 +127,10 @@ mod tests {
     #[test]
     fn kept_cases_are_shown_beside_the_given_evidence() -> Result<()> {
         let (folder, evidence) = (tempfile::tempdir()?, Evidence::committed()?);
+        let kept = Kept::in_folder(folder.path())?;
+        assert!(table(evidence, &kept)?.is_none());
         for (name, actual, pressures) in scenes()? {
-            let kept = kept(folder.path(), name)?;
-            for (case, pressure) in cases(&actual, &pressures)?.iter().zip(&pressures) {
+            for (case, pressure) in cases(name, &actual, &pressures)?.iter().zip(&pressures) {
                 let surface = case.family.surface(case.family.pixels_for(case.load))?;
                 let solved =
                     scene(&surface, case.index)?.interface.hardness.context("a hardness")?;
@@ -143,11 +143,10 @@ mod tests {
                 }
             }
         }
-        let found = table(evidence, folder.path(), false)?.context("a table")?;
+        let found = table(evidence, &kept)?.context("a table")?;
         assert_eq!(found.matches("| 0.1 ± 0.0 % |").count(), 10, "{found}");
         // All are within the evidence.
         assert_eq!(found.matches(" to ").count(), 10, "{found}");
-        assert!(table(evidence, &folder.path().join("other"), false)?.is_none());
         Ok(())
     }
 }

@@ -32,8 +32,8 @@ pub struct Case {
     pub seeds: [u64; 2],
 }
 
-/// The cases of each family of each part, in the order in which they are solved: those whose load is
-/// well below the hardness.
+/// The cases of each family of each part, in the order in which they are solved: those whose load
+/// is well below the hardness.
 ///
 /// # Errors
 /// A surface that cannot be made.

@@ -11,7 +11,7 @@ use asperity::bem::{
 
 use super::family::{GRADIENT, LIGHT, MODULUS, scene};
 use super::kept::{Contact, Kept};
-use super::plan::{Case, Scope, by_family};
+use super::plan::Case;
 use xtask::figures::compared::equal;
 
 /// Patches of fewer pixels do not count.
@@ -25,24 +25,12 @@ const HEAVY_TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// A case that cannot be solved or kept.
-pub fn solve(scope: Scope, kept: &Kept) -> Result<()> {
-    let families = by_family(scope)?;
+pub fn solve(families: &[Vec<Case>], kept: &Kept) -> Result<()> {
     for (k, cases) in families.iter().enumerate() {
         eprintln!("family {} of {}", k + 1, families.len());
         solve_family(cases, kept)?;
     }
     Ok(())
-}
-
-/// Whether all cases of a family are kept, after solving those that are not if they may be.
-///
-/// # Errors
-/// A case that cannot be solved or kept.
-pub fn are_kept(cases: &[Case], kept: &Kept, solve_missing: bool) -> Result<bool> {
-    if solve_missing {
-        solve_family(cases, kept)?;
-    }
-    Ok(cases.iter().all(|case| kept.is_done(case)))
 }
 
 /// Solves what cases of one family still need, surface by surface.
