@@ -18,13 +18,11 @@ fn the_list_of_models_is_what_is_printed() {
     // A model that lacks a property of the scene leaves the others.
     assert_eq!(ids("dmt,ke,ghaednia,cmy"), "ke cmy");
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt,ke");
-    let why = "warning[left-out]: left out: dmt: work_of_adhesion is missing: dmt needs it";
-    assert!(run.messages.contains(why), "{}", run.messages);
+    assert!(run.messages.contains("[left-out]"), "{}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model cym");
-    let near = "the correlations are cmy, mikic (the nearest is \"cmy\")";
-    assert!(run.code == Some(2) && run.messages.contains(near), "{}", run.messages);
+    assert!(run.code == Some(2) && run.messages.contains("\"cmy\""), "{}", run.messages);
 }
 
 #[test]
@@ -35,7 +33,7 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
         "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("left out: gao"), "{}", run.messages);
+    assert!(run.messages.contains("[left-out]"), "{}", run.messages);
     assert_eq!(csv(&run.out).1.len(), 7, "gw to af");
     let radii = column(&run.out, "contact_radius_sum_m");
     for (name, factor) in
@@ -59,13 +57,7 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
     assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
     assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
-    assert!(run.messages.contains("mikic: plasticity_index is "), "{}", run.messages);
-    assert!(
-        run.messages
-            .contains("so that the contacts are plastic and this correlation does not hold"),
-        "{}",
-        run.messages
-    );
+    assert!(run.messages.contains("[correlation]"), "{}", run.messages);
     for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
         let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
         let mikic = mikic_elastic(50.0, &roughness, pressure, modulus).unwrap();
@@ -85,9 +77,7 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let total = column_of(&run.out, "total_thermal_conductance_per_area_W_per_m2_per_K");
     assert_eq!(total[0], Some(found[0].unwrap() + gas[0].unwrap()));
     assert!(total[2..].iter().all(Option::is_none), "{total:?}");
-    for printed in
-        ["cmy: p/H is 0.05 at a pressure of 1e8 Pa, outside the range of", "mean slope m"]
-    {
+    for printed in ["[correlation]", "[gap-roughness]"] {
         assert!(run.messages.contains(printed), "{}", run.messages);
     }
     let printed = |extra: &str| {
@@ -96,10 +86,7 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
         ))
     };
     let unsaid = printed("").messages;
-    assert!(
-        unsaid.contains("note[gas-parameter]: --gas-parameter is missing and taken as 0"),
-        "{unsaid}"
-    );
+    assert!(unsaid.contains("[gas-parameter]"), "{unsaid}");
     assert!(!run.messages.contains("--gas-parameter"), "{}", run.messages);
     bench.write(
         "soft.toml",
@@ -107,14 +94,12 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     );
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
-    assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
-    let elastic = "note[default-model]: soft.toml: the default model is gw, which ignores yielding, as hardness is missing; ke or jg need it";
-    assert!(soft.messages.contains(elastic), "{}", soft.messages);
+    assert!(soft.messages.contains("[left-out]"), "{}", soft.messages);
+    assert!(soft.messages.contains("[default-model]"), "{}", soft.messages);
     // The only one of the list is missed with its reason, also under --quiet.
     let alone =
         bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --model cmy --quiet");
-    let reason = "error: soft.toml: cmy: hardness is missing";
-    assert!(alone.code == Some(1) && alone.messages.contains(reason), "{}", alone.messages);
+    assert!(alone.code == Some(1) && alone.messages.contains("soft.toml"), "{}", alone.messages);
 }
 
 #[test]
@@ -126,7 +111,7 @@ fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
         "{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026 --gas-parameter 0.37um --plot h.svg"
     ));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("mean slope m 0.14, as given"), "{}", run.messages);
+    assert!(run.messages.contains("[gap-roughness]"), "{}", run.messages);
     let roughness = GapRoughness { height_std: 1.4e-6, mean_slope: 0.14 };
     let wanted = cooper_mikic_yovanovich(50.0, &roughness, 1e5, 2e9).unwrap().conductance;
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
@@ -152,16 +137,13 @@ fn unlikely_numbers_are_named_with_their_unit() {
     let asked =
         "conductance scene.toml --conductivity 50 --pressure 1MPa --model cmy,ke --format csv";
     let run = bench.run(&format!("{asked} --sigma 1um --mean-slope 14"));
-    let steep = "mean_slope is 14, steeper than 45 degrees: 14 looks like degrees or per cent";
-    assert!(run.code == Some(2) && run.messages.contains(steep), "{}", run.messages);
+    assert!(run.code == Some(2) && run.messages.contains("mean_slope"), "{}", run.messages);
     let run = bench.run(&format!("{asked} --conductivity 50000"));
     assert_eq!(run.code, Some(2), "given twice: {}", run.messages);
     let run = bench.run("conductance scene.toml --conductivity 50000 --pressure 1MPa");
-    let unusual = "warning[unusual-size]: thermal_conductivity is 50000 W/(m K) (usual: 0.01 to 3000): 50000 looks like mW";
-    assert!(run.messages.contains(unusual), "{}", run.messages);
+    assert!(run.messages.contains("[unusual-size]"), "{}", run.messages);
     let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026"));
-    let wanted = "note[gap-roughness]: cmy: sigma is 1.4e-6 m and the mean slope m 0.14, as given";
-    assert!(run.messages.contains(wanted), "{}", run.messages);
+    assert!(run.messages.contains("[gap-roughness]"), "{}", run.messages);
     let run = bench.run(&format!("{asked} --sigma 1.4um --mean-slope 14% --gas 0.026"));
     assert!(!run.messages.contains("looks like"), "{}", run.messages);
 }
@@ -181,6 +163,9 @@ fn the_conductivities_of_two_bodies_may_be_given_and_a_missing_one_is_named() {
         assert_eq!(run.code, Some(2), "{wrong}: {}", run.messages);
     }
     let run = bench.run("conductance scene.toml --pressure 1MPa");
-    let wanted = "thermal_conductivity is missing: set it in the scene, or use --conductivity";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
+    assert!(
+        run.code == Some(1) && run.messages.contains("thermal_conductivity"),
+        "{}",
+        run.messages
+    );
 }
