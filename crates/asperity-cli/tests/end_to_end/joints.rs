@@ -1,4 +1,4 @@
-//! `unload`: the opening of a closed joint.
+//! The opening of a closed joint, its histories, and the plots of both.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance};
