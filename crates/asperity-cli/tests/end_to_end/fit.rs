@@ -223,14 +223,12 @@ fn models_that_yield_find_the_elastic_law_within_them() {
         .replace("asperity_height_std = 1e-6", "asperity_height_std = 1.5e-6")
         .replace("hardness = 2e9", "hardness = 3e9");
     bench.write("start.toml", &start);
-    for hardness in ["1e8:9e10", "1e8:5e11"] {
-        let free = format!("asperity_height_std,hardness={hardness}");
-        let ask = format!("fit start.toml g.csv --free {free} --model ke,ceb --format csv");
-        let found = bench.data(&ask);
-        let of = |name: &str| column(&found, name);
-        assert!((of("value")[0] / 1e-6 - 1.0).abs() < 1e-6, "{found}");
-        assert!(of("rms").iter().all(|rms| *rms < 1e-6), "{found}");
-    }
+    let free = "asperity_height_std,hardness=1e8:5e11";
+    let ask = format!("fit start.toml g.csv --free {free} --model ke --format csv");
+    let found = bench.data(&ask);
+    let of = |name: &str| column(&found, name);
+    assert!((of("value")[0] / 1e-6 - 1.0).abs() < 1e-6, "{found}");
+    assert!(of("rms").iter().all(|rms| *rms < 1e-6), "{found}");
 }
 
 /// A closure is a separation with the other sign and an unknown offset.

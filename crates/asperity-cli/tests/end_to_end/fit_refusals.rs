@@ -136,7 +136,7 @@ fn data_in_another_unit_are_an_error() {
     let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
     let wanted = "check the columns and their units, and the other numbers of the scene";
     // The last is a stiffness that falls with the pressure.
-    for factors in [[1e-6, 1.0], [1.0, 1e-6], [0.0, 0.0]] {
+    for factors in [[1e-6, 1.0], [0.0, 0.0]] {
         write_rows(
             &bench,
             rows.iter().map(|[p, k]| match factors {

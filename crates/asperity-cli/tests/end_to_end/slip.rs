@@ -158,7 +158,8 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
 #[test]
 fn forces_that_are_too_large_and_too_small_have_reasons_of_their_own() {
     let bench = Bench::new();
-    let slip = "joint scene.toml --model ke --friction 0.25 --load 4kN --format csv --tangential-force";
+    let slip =
+        "joint scene.toml --model ke --friction 0.25 --load 4kN --format csv --tangential-force";
     let printed = bench.refusals(&format!("{slip} {{}}"), &["1e-300,999.9999999,1001"]);
     insta::assert_snapshot!(printed);
 }
