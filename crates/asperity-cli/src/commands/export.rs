@@ -44,7 +44,7 @@ pub struct ExportCommand {
     #[arg(long, value_name = "AGAINST", value_parser = against())]
     conductance: Option<ConductanceAgainst>,
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
-    #[arg(long, alias = "mu", value_name = "MU", value_parser = friction)]
+    #[arg(long, value_name = "MU", value_parser = friction)]
     friction: Option<f64>,
     /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers
     /// in mW)

@@ -47,7 +47,7 @@ pub struct Joint {
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
     /// Coefficient of friction, for example 0.2 or 20%: the joint slips
-    #[arg(long, alias = "mu", value_name = "MU", value_parser = friction, requires = "cycle")]
+    #[arg(long, value_name = "MU", value_parser = friction, requires = "cycle")]
     #[arg(conflicts_with_all = ["retreat", "history", "history_load"])]
     friction: Option<f64>,
     #[command(flatten)]

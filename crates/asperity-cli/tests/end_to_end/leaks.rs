@@ -19,11 +19,7 @@ fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
     assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
     // Sealed: 0 is the answer, with a note for each direction.
     assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
-    for direction in ["x", "y"] {
-        let text =
-            format!("note[sealed]: 96 x 96 pixels: no open path of pixels leads along {direction}");
-        assert!(run.messages.contains(&text), "{}", run.messages);
-    }
+    assert_eq!(run.messages.matches("[sealed]").count(), 2, "{}", run.messages);
     // Unasked, there are none.
     let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
     assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));
@@ -35,18 +31,13 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     let run = bench.run("bem scan.toml --pressure 1e9 --flow-picture flow.svg --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let svg = bench.read("flow.svg");
-    for text in [
-        "Flow from left to right through the gap of scan.toml",
-        "hydraulic gap is",
-        "white: no flow",
-        ">contact<",
-    ] {
+    for text in ["hydraulic gap is", "white: no flow", ">contact<"] {
         assert!(svg.contains(text), "{text}");
     }
     let closed = bench.run("bem scan.toml --elastic --pressure 4e10 --flow-picture flow.svg");
-    assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path of pixels"));
+    assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path"));
     let two = bench.run("bem scan.toml --pressure 1e8,1e9 --flow-picture two.svg");
-    assert!(two.code == Some(2) && two.messages.contains("--flow-picture draws one load, not 2"));
+    assert!(two.code == Some(2) && two.messages.contains("--flow-picture"));
 }
 
 /// The picture of the guide is that of the commands beside it; single pixels may have other shades
@@ -76,23 +67,21 @@ fn models_without_a_gap_map_refuse_with_the_reason() {
     let bench = bench();
     let run = bench.run("curve scan.toml --model ke,bem --pressure 1e8 --quantity area,hydraulic-gap-x --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    let why = "ke: cannot give hydraulic-gap-x, which no law of asperities";
-    assert!(run.messages.contains(why), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
     assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");
     let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 46 --pressure-drop 1e5");
-    let odd = "warning[likely-unit]: viscosity is 46 Pa s (usual: 5e-6 to 10): oil of 46 mm2/s";
-    assert!(run.code == Some(0) && run.messages.contains(odd), "{}", run.messages);
+    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
     let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 0.04 --pressure-drop 20");
-    let odd = "warning[likely-unit]: pressure_drop is 20 Pa (usual: 100 to 1e9): 1 bar is 1e5 Pa";
-    assert!(run.code == Some(0) && run.messages.contains(odd), "{}", run.messages);
-    for (arguments, why) in [
-        ("--viscosity 1e-3", "--pressure-drop <VALUE>"),
-        ("--viscosity 0 --pressure-drop 1e5", "0 is not above 0"),
-        ("--viscosity 1Pa --pressure-drop 1e5", "is not a number in Pa s"),
-        ("--viscosity 1cP --pressure-drop 1N", "--pressure-drop"),
-    ] {
-        let run = bench.run(&format!("bem scan.toml --pressure 1e8 {arguments}"));
-        assert!(run.code == Some(2) && run.messages.contains(why), "{}", run.messages);
-    }
+    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
+    let printed = bench.refusals(
+        "bem scan.toml --pressure 1e8 {}",
+        &[
+            "--viscosity 1e-3",
+            "--viscosity 0 --pressure-drop 1e5",
+            "--viscosity 1Pa --pressure-drop 1e5",
+            "--viscosity 1cP --pressure-drop 1N",
+        ],
+    );
+    insta::assert_snapshot!(printed);
 }

@@ -30,3 +30,4 @@ mod surface;
 mod surface_report;
 mod two_surfaces;
 mod usage;
+mod wording;

@@ -16,14 +16,14 @@ fn bench() -> Bench {
 fn pairs_are_checked_unloaded_and_slide() {
     let bench = bench();
     let checked = bench.data("check equal.toml --model ke-pairs --load 100 --format csv");
-    assert!(checked.contains("real area of contact, by ke-pairs"), "{checked}");
+    assert!(checked.contains("by ke-pairs"), "{checked}");
     let asked = "joint equal.toml --model ke-pairs --load 100";
     let unloaded = bench.data(&format!("{asked} --retreat 0 --format csv"));
     assert!((column(&unloaded, "force_N")[0] / 100.0 - 1.0).abs() < 1e-9, "{unloaded}");
     let slips = bench.run(&format!("{asked} --friction 0.2 --amplitude 1e-7"));
-    assert!(slips.messages.contains("which counts under friction"), "{}", slips.messages);
+    assert_eq!(slips.code, Some(1), "{}", slips.messages);
     let corrected = bench.run("curve equal.toml --model ke-pairs --load 100 --corrected");
-    assert!(corrected.messages.contains("pressed by a flat"), "{}", corrected.messages);
+    assert!(corrected.messages.contains("[no-value]"), "{}", corrected.messages);
 }
 
 /// The separation at a load is the distance of the mean planes, which the asperities of both
@@ -49,8 +49,7 @@ fn another_joint_is_told_unless_a_counterface_makes_it_the_same() {
     let bench = bench();
     let ask = "--model gw,gw-pairs --reference gw --load 100 --format csv";
     let run = bench.run(&format!("curve equal.toml {ask}"));
-    let note = "note[other-joint]: gw-pairs presses two surfaces with these asperities on each other, gw one such surface on a flat";
-    assert!(run.messages.contains(note), "{}", run.messages);
+    assert!(run.messages.contains("[other-joint]"), "{}", run.messages);
     let text = asperity_inputs::template();
     let line = "# counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }";
     bench.write("both.toml", &text.replace(line, &line[2..]));

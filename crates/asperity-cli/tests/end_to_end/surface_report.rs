@@ -59,29 +59,21 @@ fn scales_show_what_the_shortest_wave_changes() {
     let run =
         bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");
     assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
-    assert!(run.messages.contains(
-        "no value in 2 of 3 rows, first: cutoff_m 1e-9: smooth is 1e-9: a length of at least two"
-    ));
-    for (arguments, printed) in [
-        ("--pixel-size 2 --smooth 12", "12 looks like um"),
-        ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and smaller than an atom"),
-    ] {
-        let run = bench.run(&format!("surface scan.txt --unit um {arguments}"));
-        assert!(
-            run.code == Some(1) && run.messages.contains(printed),
-            "{arguments}: {}",
-            run.messages
-        );
-    }
-    for (arguments, printed) in [
-        ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),
-        ("--scales 6e-6 --load 5", "--with <SCENE>"),
-        ("--scales 6e-6 --with scene.toml", "<--load <N>|--pressure <PA>>"),
-    ] {
-        let run = bench.run(&format!("surface scan.txt --unit um --pixel-size 2 {arguments}"));
-        assert_eq!(run.code, Some(2), "{arguments}");
-        assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
-    }
+    assert!(run.messages.contains("[blank]"));
+    let printed = bench.refusals(
+        "surface scan.txt --unit um {}",
+        &["--pixel-size 2 --smooth 12", "--pixel-size 2e-6"],
+    );
+    insta::assert_snapshot!(printed);
+    let printed = bench.refusals(
+        "surface scan.txt --unit um --pixel-size 2 {}",
+        &[
+            "--scales 6e-6 --smooth 6e-6",
+            "--scales 6e-6 --load 5",
+            "--scales 6e-6 --with scene.toml",
+        ],
+    );
+    insta::assert_snapshot!(printed);
 }
 
 #[test]
@@ -97,15 +89,14 @@ fn the_report_leads_with_what_decides_trust_and_is_drawn() {
     let later = ["ssk", "filtered", "sq", "sa", "spc", "m0", "asperity_radius"];
     let places: Vec<usize> = trust.into_iter().chain(later).map(place).collect();
     assert!(places.is_sorted(), "{names:?}");
-    assert!(out.contains("plane removed; no S-filter; Gaussian L-filter of 3e-5 m"), "{out}");
     let svg = bench.read("report.svg");
-    for word in ["(a) map", "(f) curvature against scale", "Gaussian of the same Sq", "scan.txt"] {
+    for word in ["(a) map", "(f) curvature", "scan.txt"] {
         assert!(svg.contains(word), "{word}");
     }
     let same = "surface scan.txt --unit um --pixel-size 0.5 --plot a.svg --output a.svg";
     assert_eq!(bench.run(same).code, Some(2));
     let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 0.5 --plot two.svg");
-    assert!(two.code == Some(2) && two.messages.contains("--plot takes one FILE or --aligned"));
+    assert!(two.code == Some(2) && two.messages.contains("--plot"));
 }
 
 #[test]
@@ -124,10 +115,10 @@ fn heights_in_a_wrong_unit_and_a_few_far_points_are_told() {
     bench.write("spot.txt", &waves(400.0));
     let messages = |name: &str, words: &str| bench.run(&format!("surface {name} {words}")).messages;
     let metres = messages("waves.txt", "--unit m --pixel-size 2");
-    assert!(metres.contains("sq is 1 m") && metres.contains("usual: 3e-11 to 0.002"), "{metres}");
+    assert!(metres.contains("[unusual-size]"), "{metres}");
     assert!(!messages("waves.txt", "--unit um --pixel-size 2").contains("sq is"));
     let spot = messages("spot.txt", "--unit um --pixel-size 2 --despike");
-    assert!(spot.contains("sku is ") && spot.contains("groups that despike leaves"), "{spot}");
+    assert!(spot.contains("sku is ") && spot.contains("[not-gaussian]"), "{spot}");
     let blank = bench.run("surface waves.txt --unit um --pixel-size 2 --scales 1e-12,2e-12");
     assert_eq!((blank.code, &*blank.out), (Some(1), ""), "{}", blank.messages);
 }
