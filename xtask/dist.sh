@@ -75,7 +75,7 @@ program() {
 }
 (cd "$dist/$name" && program manual share)
 (cd "$trial" && program init scene.toml)
-answer=$(cd "$trial" && program --quiet solve scene.toml --model ke --load 100)
+answer=$(cd "$trial" && program --quiet curve scene.toml --model ke --load 100)
 [ "$(wc -l <<<"$answer")" -gt 1 ] || { echo "error: the program gave no answer: $answer" >&2; exit 1; }
 # The same folder gives the same bytes, and its files belong to nobody.
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime='1980-01-01 00:00Z' \

@@ -174,7 +174,7 @@ fn models() -> String {
         let citation = model.citation();
         let chapter = match model.id().split('-').next() {
             Some("dmt" | "jkr") | None => "adhesion",
-            Some("patir") => "film",
+            Some("cmy" | "mikic") => "conductance",
             Some(stem) => stem,
         };
         rows += &markdown_row(&[

@@ -256,11 +256,11 @@ impl dyn Contact + '_ {
         }
     }
 
-    /// The [separation](Self::separation) of a place in this unit, from this plane, on the scene of
+    /// The `separation` of a place in this unit, from this plane, on the scene of
     /// this contact: for models of pairs, σ and the mean planes are those of both surfaces.
     ///
     /// # Errors
-    /// Those of [`separation`](Self::separation) and [`Separation::measured_in`].
+    /// Those of `separation` and [`Separation::measured_in`].
     pub fn separation_in(
         &self,
         unit: SeparationUnit,
