@@ -29,7 +29,7 @@ if ! [ -x "$tools/maturin" ] || ! [ -x "$tools/python-zig" ]; then
     python3 -m venv target/dist-tools
     "$tools/python" "${pip[@]}" 'maturin>=1.9.4,<2' ziglang
 fi
-package=crates/asperity-python
+package=crates/apps/python
 mkdir -p $package/licenses
 cp LICENSE-APACHE LICENSE-MIT $package/licenses
 .ci/licences asperity-python x86_64-unknown-linux-gnu >$package/licenses/THIRD-PARTY.txt
@@ -68,7 +68,7 @@ name=asperity-$version-x86_64-linux
 texts=$dist/$name/share/doc/asperity
 mkdir -p "$dist/$name/bin" "$texts"
 cp $built/asperity "$dist/$name/bin"
-cp crates/asperity-cli/README.md crates/asperity/CHANGELOG.md LICENSE-APACHE LICENSE-MIT "$texts"
+cp crates/apps/cli/README.md crates/asperity/CHANGELOG.md LICENSE-APACHE LICENSE-MIT "$texts"
 .ci/licences asperity-cli x86_64-unknown-linux-musl >"$texts/THIRD-PARTY.txt"
 program() {
     env -i "$dist/$name/bin/asperity" "$@"

@@ -6,7 +6,7 @@ use asperity::{
 };
 use xtask::figures::models::scene;
 
-const README: &str = include_str!("../../crates/asperity-at/README.md");
+const README: &str = include_str!("../../crates/models/at/README.md");
 const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Stiffness];
 
 /// Force, area and stiffness at d = 0 to 4 σ_z on the surface of figures 5, 7 and 9.
@@ -73,7 +73,7 @@ fn the_guide_lists_the_solved_surfaces() {
     let mut alpha: Vec<f64> = plain.map(|case| case.alpha).collect();
     alpha.sort_by(f64::total_cmp);
     alpha.dedup();
-    let guide = include_str!("../../crates/asperity-web/guide/which-model.md");
+    let guide = include_str!("../../crates/apps/web/guide/which-model.md");
     let alpha: Vec<String> = alpha.iter().map(|alpha| format!("{alpha:.1}")).collect();
     let listed = format!("| α | bandwidth m₀m₄/m₂² of the heights | {} |", alpha.join(", "));
     assert!(guide.contains(&listed), "{listed}");

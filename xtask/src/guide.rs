@@ -1,6 +1,6 @@
 //! The guide: READMEs, definitions and chapters of the repository, which MkDocs writes as html.
 //!
-//! The chapters stand in `crates/asperity-web/guide/chapters.txt`, the settings of MkDocs beside.
+//! The chapters stand in `crates/apps/web/guide/chapters.txt`, the settings of MkDocs beside.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::figures::{FIGURES, captions};
 use crate::folder::{copy, read, remove, root, target_folder, write as save};
 use crate::table::{markdown_head, markdown_row};
 
-const CHAPTERS: &str = include_str!("../../crates/asperity-web/guide/chapters.txt");
+const CHAPTERS: &str = include_str!("../../crates/apps/web/guide/chapters.txt");
 const MODELS: &str = "list of models";
 /// Documentation of the interfaces beside the guide, listed where `dist` has written it.
 const API: [(&str, &str); 2] =
@@ -57,7 +57,7 @@ pub fn write() -> Result<PathBuf> {
     for (k, (name, to)) in API.into_iter().filter(written).enumerate() {
         nav += &format!("{}  - {name}: {to}\n", if k == 0 { "- Interfaces:\n" } else { "" });
     }
-    let own = root().join("crates/asperity-web/guide");
+    let own = root().join("crates/apps/web/guide");
     for file in ["guide.css", "near.js"] {
         copy(&own.join(file), &docs.join(file))?;
     }
@@ -85,7 +85,7 @@ fn chapter(line: &str) -> Option<(&str, &str, Vec<&str>)> {
 /// What a part of a chapter shows: a markdown file, the comment at the head of a Rust file, a file
 /// `as code`, or a `list of` the code.
 fn markdown(part: &str) -> Result<String> {
-    if part == "crates/asperity-inputs/src/template.toml as code" {
+    if part == "crates/answer/inputs/src/template.toml as code" {
         // Its comments are those of the table of inputs.
         return Ok(format!("```toml\n{}\n```\n", asperity_inputs::template()));
     }
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn every_crate_with_a_law_has_a_chapter_and_each_chapter_can_be_read() -> Result<()> {
         let shown: Vec<&str> = CHAPTERS.lines().filter_map(chapter).flat_map(|c| c.2).collect();
-        for entry in std::fs::read_dir(root().join("crates"))? {
+        for entry in std::fs::read_dir(root().join("crates/models"))? {
             let readme = entry?.path().join("README.md");
             if read(&readme).is_ok_and(|text| text.contains("\n## Law\n")) {
                 let name = readme.strip_prefix(root())?.display().to_string();

@@ -21,8 +21,8 @@ const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature
 /// A failed build, files that cannot be read or written.
 pub fn write(keep_module: bool) -> Result<PathBuf> {
     let folder = target_folder().join("page");
-    copy(&root().join("crates/asperity-web/www"), &folder)?;
-    copy(&root().join("crates/asperity-inputs/examples"), &folder.join("examples"))?;
+    copy(&root().join("crates/apps/web/www"), &folder)?;
+    copy(&root().join("crates/answer/inputs/examples"), &folder.join("examples"))?;
     gallery::write(&folder)?;
     if !keep_module {
         build(&folder)?;
@@ -43,7 +43,7 @@ fn build(folder: &Path) -> Result<()> {
     let pack = ["build", "--quiet", "--release", "--manifest-path"];
     let module = ["--config", SIMD, "build", "--quiet", "--package", "asperity-web", "--lib"];
     let (packed, built) = rayon::join(
-        || run(cargo().args(pack).arg("crates/asperity-web/pack/Cargo.toml")),
+        || run(cargo().args(pack).arg("crates/apps/web/pack/Cargo.toml")),
         || run(cargo().args(module).args(["--profile", "page", "--target", TARGET])),
     );
     packed.and(built)?;
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn a_page_may_load_what_its_script_needs_and_nothing_inline() {
         for name in ["index.html", "gallery.html", "models.html"] {
-            let page = read(&root().join("crates/asperity-web/www").join(name)).unwrap();
+            let page = read(&root().join("crates/apps/web/www").join(name)).unwrap();
             let allowed = page.contains("script-src 'self' 'wasm-unsafe-eval';");
             assert!(page.contains("content=\"default-src 'none';"), "{name}");
             assert!(allowed == page.contains("<script") && !page.contains("unsafe-inline"));

@@ -16,7 +16,7 @@ Root mean square deviations in per cent of what a column names: force and area o
 finite elements, by interference over w_c; areas of an elastic surface (p/(E g) from 4e-4 to 1.8)
 and its mean gaps (up to 0.1) from Green's function molecular dynamics; areas of yielding isotropic
 Gaussian surfaces from the boundary elements of this project, which `bem` is here. Sources and
-figures are named in the [chapter](../crates/asperity-web/guide/world.md).
+figures are named in the [chapter](../crates/apps/web/guide/world.md).
 
 ";
 const CLOSURES: &str = "

@@ -1,0 +1,121 @@
+//! Ranges of surface numbers by finish and by cut-offs, with their sources: finishes.csv.
+
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+
+/// A range of a number of surfaces of one finish, or of one ratio of cut-offs.
+#[derive(Debug, Clone, Deserialize)]
+pub(crate) struct Range {
+    /// The number: `rq_over_ra`, `rz_over_rq`, `slope` (over the usual one), `along_over_across`
+    /// (slopes, by the lay), `bandwidth`, `slope_over_rz_rsm` (over 2 Rz/RSm) or `wavelengths`
+    /// (λ_s and λ_c \[m\]).
+    what: String,
+    /// The finish, the ratio of the cut-offs λ_c/λ_s, or the largest Ra \[m\].
+    of: String,
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+    /// What the range rests on: `formula`, `scan`, `assumed` or `ISO`.
+    pub(crate) status: String,
+    pub(crate) source: String,
+}
+
+/// The key of the range where the finish is not known.
+pub(crate) const UNKNOWN: &str = "unknown";
+
+static TABLE: LazyLock<Vec<Range>> = LazyLock::new(|| {
+    let rows = csv::Reader::from_reader(include_str!("finishes.csv").as_bytes());
+    rows.into_deserialize().filter_map(Result::ok).collect()
+});
+
+fn ranges(what: &str) -> impl Iterator<Item = &'static Range> {
+    TABLE.iter().filter(move |range| range.what == what)
+}
+
+/// The finishes of the table.
+pub(crate) fn finishes() -> impl Iterator<Item = &'static str> {
+    ranges("slope").map(|range| &*range.of)
+}
+
+impl Range {
+    /// The range of this number for a finish.
+    pub(crate) fn of_finish(what: &str, finish: &str) -> Option<&'static Self> {
+        ranges(what).find(|range| range.of == finish)
+    }
+
+    /// The range of this number for the ratio of cut-offs of the table that is nearest, at most a
+    /// factor of 2 away.
+    pub(crate) fn at_ratio(what: &str, ratio: f64) -> Option<&'static Self> {
+        let off = |range: &Self| (range.number() / ratio).ln().abs();
+        let nearest = ranges(what).min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.filter(|range| off(range) <= std::f64::consts::LN_2)
+    }
+
+    /// The usual cut-offs \[m\] of profiles with this Ra \[m\]: λ_s and λ_c.
+    pub(crate) fn wavelengths(ra: f64) -> Option<[f64; 2]> {
+        let range = ranges("wavelengths").find(|range| ra <= range.number())?;
+        Some([range.lower, range.upper])
+    }
+
+    fn number(&self) -> f64 {
+        self.of.parse().unwrap_or(f64::NAN)
+    }
+
+    pub(crate) fn contains(&self, value: f64) -> bool {
+        (self.lower..=self.upper).contains(&value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_a_range_and_every_finish_has_four() {
+        assert_eq!(TABLE.len(), include_str!("finishes.csv").lines().count() - 1);
+        for Range { what, of, lower, upper, status, source } in TABLE.iter() {
+            assert!(0.0 < *lower && lower <= upper && !source.is_empty(), "{what} of {of}");
+            assert!(["formula", "scan", "assumed", "ISO"].contains(&&**status), "{status}");
+        }
+        let key = crate::KEYS.iter().find(|key| key.name == "finish").unwrap();
+        assert_eq!(finishes().collect::<Vec<_>>().join("|"), key.form[1]);
+        for what in ["rq_over_ra", "rz_over_rq", "slope", "along_over_across"] {
+            assert!(finishes().all(|finish| Range::of_finish(what, finish).is_some()), "{what}");
+        }
+        // An Ra beyond the last row has a cut-off, too.
+        assert_eq!(Range::wavelengths(1e-3), Some([2.5e-5, 8e-3]));
+        assert!(Range::at_ratio("bandwidth", 1000.0).is_none());
+    }
+
+    #[test]
+    fn measured_slopes_and_bandwidths_lie_in_the_ranges() {
+        let rows = include_str!("../../../../tests/reference/finishes_scans.csv").lines().skip(1);
+        let rows: Vec<(&str, &str, Vec<f64>)> = rows
+            .map(|line| {
+                let cells: Vec<&str> = line.split(',').collect();
+                let numbers = cells[2..].iter().map(|n| n.parse().unwrap()).collect();
+                (cells[0], cells[1], numbers)
+            })
+            .collect();
+        let mut compared = 0;
+        for (surface, finish, numbers) in &rows {
+            let [cut, short, rq, slope, bandwidth] = numbers[..] else { panic!("{surface}") };
+            let range = Range::at_ratio("bandwidth", cut / short).unwrap();
+            assert!(range.contains(bandwidth), "{surface} {cut} {short}: bandwidth {bandwidth}");
+            // Slopes at the longest cut-off of each surface, without its waviness, and short waves.
+            let of_surface = rows.iter().filter(|row| row.0 == *surface);
+            let longest = of_surface.map(|row| row.2[0]).fold(0.0, f64::max);
+            if finish.is_empty() || cut < longest || short > 8.0 {
+                continue;
+            }
+            let ratio = slope / (0.125 * rq.powf(0.402));
+            let range = Range::of_finish("slope", finish).unwrap();
+            assert!(
+                (range.lower..=range.upper).contains(&ratio),
+                "{surface} {cut} {short}, {finish}: {ratio}"
+            );
+            compared += 1;
+        }
+        assert!(compared > 15, "{compared}");
+    }
+}

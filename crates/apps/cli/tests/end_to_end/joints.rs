@@ -1,0 +1,281 @@
+//! The opening of a closed joint, its histories, and the plots of both.
+
+use asperity::joints::{Joint, Unloading, UnloadingLaw};
+use asperity::{At, Model, Tolerance};
+
+use crate::bench::{Bench, NEGATIVE, cells, column, csv};
+
+/// A closed joint, by the library.
+pub fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
+    let scene = bench.scene("scene.toml").scene;
+    let model: Model = model.parse().unwrap();
+    Unloading::new(&model, &scene, at, law, Tolerance::default()).unwrap()
+}
+
+#[test]
+fn unloading_is_printed_as_it_is_computed() {
+    let bench = Bench::new();
+    for (law, arguments) in [
+        (UnloadingLaw::Hertz, ""),
+        (UnloadingLaw::Brake, "--law brake"),
+        (UnloadingLaw::Etsion, "--law etsion"),
+    ] {
+        let data = bench
+            .data(&format!("joint scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"));
+        let joint = joint(&bench, "ke", At::Load(100.0), law);
+        let retreats = column(&data, "retreat_m");
+        // The template's heights spread by 1 um.
+        assert!((retreats[1] / 0.2e-6 - 1.0).abs() < 1e-15);
+        for (k, retreat) in retreats.into_iter().enumerate() {
+            let same = |name: &str, value: f64| {
+                assert!(column(&data, name)[k].to_bits() == value.to_bits(), "{law} {name}");
+            };
+            same("force_N", joint.force(retreat).unwrap().value());
+            same("stiffness_N_per_m", joint.stiffness(retreat).unwrap().value());
+            match law {
+                UnloadingLaw::Etsion => assert!(!data.contains("area_m2")),
+                _ => same("area_m2", joint.area(retreat).unwrap().value()),
+            }
+        }
+        assert!((column(&data, "force_N")[0] / 100.0 - 1.0).abs() < 1e-8);
+        assert_eq!(cells(&data, "law"), [law.to_string().as_str(); 3]);
+    }
+}
+
+#[test]
+fn plots_show_the_printed_data() {
+    let bench = Bench::new();
+    for (arguments, points) in [
+        ("joint scene.toml --model ke --load 100 --retreat 0:2:41", 3),
+        ("joint scene.toml --model ke --law etsion --load 100 --retreat 0:2:41", 2),
+        ("joint scene.toml --model ke --friction 0.2 --load 100 --amplitude 1e-7", 1),
+    ] {
+        let data = bench.data(arguments);
+        assert_eq!(bench.data(&format!("{arguments} --plot joint.svg")), data);
+        let svg = bench.read("joint.svg");
+        assert_eq!(svg.matches("rotate(-90").count(), points, "a panel has one upright label");
+        let run = bench.run(&format!("{arguments} --plot -"));
+        assert!(run.code == Some(2), "{}", run.messages);
+    }
+}
+
+#[test]
+fn plots_have_markers_at_the_requested_points() {
+    let bench = Bench::new();
+    for (arguments, panels, points) in [
+        ("joint scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
+        ("joint scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
+    ] {
+        bench.data(&format!("{arguments} --plot joint.svg"));
+        let svg = bench.read("joint.svg");
+        let markers = svg.lines().filter(|line| line.starts_with("<path")).count();
+        // Each is drawn with its rim; one stands in the legend.
+        assert_eq!(markers, 2 * (panels * points + 1), "{arguments}");
+    }
+    // The stiffness from 100 N to 1e4 N is on a logarithmic axis, as the load is.
+    bench.data("joint scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
+    assert!(bench.read("s.svg").contains("10⁹"));
+}
+
+#[test]
+fn zeros_and_few_contacts_are_reported_once() {
+    let bench = Bench::new();
+    let run = bench.run("joint scene.toml --model ke --load 100 --retreat 0,100um,200um");
+    assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
+    assert!(run.messages.contains("[end-of-contact]"), "{}", run.messages);
+    let open = "[few-contacts]";
+    let run = bench.run("joint scene.toml --model ke --history 2,40,0.5");
+    assert_eq!(run.messages.matches(open).count(), 1, "{}", run.messages);
+    let closed = bench.run("joint scene.toml --model ke --history 2,1").messages;
+    assert!(!closed.contains(open), "{closed}");
+    let run = bench.run("curve scene.toml --model ke --separation 40");
+    assert_eq!(run.messages.matches("[underflow]").count(), 1, "{}", run.messages);
+    for printed in ["force, area", "[underflow]", " of area", "[underflow]"] {
+        assert!(run.messages.contains(printed), "{printed}: {}", run.messages);
+    }
+}
+
+#[test]
+fn the_worst_of_several_loads_is_reported() {
+    let bench = Bench::new();
+    let arguments = |loads: &str| {
+        let arguments = "joint scene.toml --model ke --friction 20% --amplitude 50nm --load";
+        bench.run(&format!("{arguments} {loads}")).messages
+    };
+    for loads in ["1e-4,1e-2", "1e-2,1e-4"] {
+        let printed = arguments(loads);
+        assert!(printed.contains("[few-contacts]"), "{printed}");
+        assert_eq!(printed.matches("asperities touch").count(), 1, "{printed}");
+    }
+}
+
+#[test]
+fn missing_properties_of_a_joint_are_reported() {
+    let bench = Bench::new();
+    let printed = bench.refusals(
+        "{}",
+        &[
+            "joint scene.toml --model gao --closest 1 --retreat 0.1",
+            "joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-300",
+            "joint scene.toml --model ke --closest 60",
+            "curve scene.toml --model ke --quantity thermal-conductance",
+            "curve scene.toml --model at --quantity unloading-stiffness",
+        ],
+    );
+    insta::assert_snapshot!(printed);
+    for arguments in [
+        "joint scene.toml --model ke --retreat 1",
+        "joint scene.toml --model ke --closest 1 --retreat -0.1",
+        "joint scene.toml --model ke",
+    ] {
+        assert_eq!(bench.run(arguments).code, Some(2), "{arguments}");
+    }
+}
+
+#[test]
+fn all_laws_have_their_loss_and_end_of_contact() {
+    let bench = Bench::new();
+    let run = bench.run("joint scene.toml --model ke --law hertz,brake,etsion --load 2kN");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let (_, rows) = csv(&run.out);
+    assert_eq!(rows.len(), 3 * 101);
+    let (law, area) = (cells(&run.out, "law"), cells(&run.out, "area_m2"));
+    assert!(law.iter().zip(&area).all(|(law, area)| (*law == "etsion") == area.is_empty()));
+    let (force, pressure) = (column(&run.out, "force_N"), column(&run.out, "pressure_Pa"));
+    assert!(force.iter().zip(&pressure).all(|(f, p)| (p * 1e-4 - f).abs() <= 1e-9 * f));
+    // The last of brake's, which lasts longest.
+    let touching = column(&run.out, "contacts");
+    assert!((touching[201] - 1.0).abs() < 1e-6 && touching[100] < 1.0, "{touching:?}");
+    let joint = joint(&bench, "ke", At::Load(2e3), UnloadingLaw::Brake);
+    let end = format!("{:.5e} m", joint.last_contact().unwrap());
+    assert!(run.messages.contains(&end), "{}", run.messages);
+    assert_eq!(run.messages.matches("[work]").count(), 3, "{}", run.messages);
+    // Lengths have units, and likely unit errors have a warning.
+    let short = "joint scene.toml --model ke --closest 1um --retreat 0nm,100nm,200nm";
+    let retreats = column(&bench.data(short), "retreat_m");
+    assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
+    let odd = bench.run("joint scene.toml --model ke --closest 1 --retreat 1e-7");
+    assert!(odd.messages.contains("[likely-unit]"));
+}
+
+#[test]
+fn histories_turn_at_separations_and_at_loads() {
+    let bench = Bench::new();
+    let arguments = "joint scene.toml --model ke --history-load 10N,2kN,500N,3kN";
+    let run = bench.run(&format!("{arguments} --plot h.svg"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let (way, force) = (cells(&run.out, "way"), column(&run.out, "force_N"));
+    for (number, wanted) in [("0", 10.0), ("1", 2e3), ("2", 500.0), ("3", 3e3)] {
+        let last = way.iter().rposition(|way| *way == number).unwrap();
+        assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
+    }
+    assert!(run.messages.contains("[work]") && bench.read("h.svg").starts_with("<svg"));
+    // Back to the start of an elastic joint, what is in it is the work of the first closing.
+    let round = bench.run("joint scene.toml --model gw --history-load 10,200,10").messages;
+    let (_, first) = round.split_once("first closing takes ").unwrap();
+    let (first, rest) = first.split_once(" J, ").unwrap();
+    let (_, all) = rest.split_once("returned), ").unwrap();
+    assert_eq!(all.split(' ').next(), Some(first), "{round}");
+    let gw: Model = "gw".parse().unwrap();
+    let spent = Joint::new(
+        &gw,
+        &bench.scene("scene.toml").scene,
+        UnloadingLaw::Hertz,
+        Tolerance::default(),
+    )
+    .unwrap()
+    .work(At::Load(10.0))
+    .unwrap()
+    .spent
+    .value();
+    assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
+    // All laws open an elastic joint alike.
+    let laws = "--law hertz,brake,etsion --history-load 100,200,150";
+    let alike = bench.run(&format!("joint scene.toml --model gw {laws}")).messages;
+    let works = alike.lines().filter(|line| line.contains("[work]"));
+    let works: Vec<&str> = works.collect();
+    assert!(matches!(works[..], [one] if one.contains("[work]")), "{alike}");
+    let open = bench.run("joint scene.toml --model ke --history-load 100,0");
+    assert_eq!(open.code, Some(2), "{}", open.messages);
+    let light = bench.run("joint scene.toml --model ke --closest 6");
+    assert!(light.messages.contains("[few-contacts]"), "{}", light.messages);
+    assert_eq!(csv(&light.out).1.len(), 1, "{}", light.out);
+    let places =
+        column(&bench.data("joint scene.toml --model ke --history 3um,1um,2um"), "separation_m");
+    assert!((places[50] / 1e-6 - 1.0).abs() < 1e-12 && places.len() == 101, "{places:?}");
+}
+
+#[test]
+fn a_model_that_lacks_a_quantity_leaves_it_blank() {
+    let bench = Bench::new();
+    let ask = "curve scene.toml --model ke,gao --separation 1 --quantity force,unloading-stiffness";
+    let run = bench.run(ask);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let stiffness = cells(&run.out, "unloading_stiffness_N_per_m");
+    assert!(!stiffness[0].is_empty() && stiffness[1].is_empty(), "{}", run.out);
+    assert!(column(&run.out, "force_N")[1] > 0.0);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
+}
+
+#[test]
+fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
+    let bench = Bench::new();
+    let rail = include_str!("../../../../answer/inputs/examples/wheel-rail.toml");
+    let heights = "heights = \"exponential\"";
+    bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
+    let run = bench.run("joint scene.toml --model jg-cosine --load 20kN --retreat 0nm,100nm");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let forces = column(&run.out, "force_N");
+    assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");
+    // Where contact ends is printed to 1e-6 where 1e-10 is not reached.
+    let (_, end) = run.messages.split_once("contact ends at a retreat of ").unwrap();
+    let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
+    let [before, after] = [0.9999, 1.0001].map(|share| {
+        let arguments = "joint scene.toml --model jg-cosine --load 20kN --retreat";
+        column(&bench.data(&format!("{arguments} {}m", share * end)), "contacts")[0]
+    });
+    assert!(after < 1.0 && before > 1.0, "{before} {after}");
+}
+
+#[test]
+fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
+    let bench = Bench::new();
+    bench.write("low.toml", &NEGATIVE.replace("plasticity_index = 2.0", "plasticity_index = 0.5"));
+    let of = |arguments: &str| {
+        let run = bench.run(&format!("joint low.toml --retreat 0 --closest -1 {arguments}"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        run
+    };
+    let created = of("--model ceb --law brake").messages;
+    assert!(created.contains("[energy-gain]"), "{created}");
+    // 0.1 % more is less than the error of a coarse tolerance.
+    assert!(of("--model ke").messages.contains("[energy-gain]"));
+    assert!(!of("--model ke --tolerance 1e-2").messages.contains("more energy"));
+    let slip = "joint scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
+    assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));
+    assert_eq!(bench.run("joint scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
+}
+
+#[test]
+fn options_that_do_not_fit_each_other_are_bad_usage() {
+    let bench = crate::bem::bench();
+    for refused in [
+        "joint scene.toml --load 100 --friction 0.3",
+        "joint scene.toml --load 100 --friction 0.3 --amplitude 1nm --law hertz,brake",
+        "joint scene.toml --history 2,1 --friction 0.3 --amplitude 1nm",
+        "bem scan.toml --pressure 1e8 --model gw",
+        "bem scan.toml --gap 1e-6 --compare",
+    ] {
+        assert_eq!(bench.run(refused).code, Some(2), "{refused}");
+    }
+}
+
+#[test]
+fn the_work_of_many_paths_is_summed_up() {
+    let bench = Bench::new();
+    let turns: Vec<String> = (0..10).map(|k| (100 + 50 * (k % 2)).to_string()).collect();
+    let run = bench.run(&format!("joint scene.toml --model ke --history-load {}", turns.join(",")));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("[work]"), "{}", run.messages);
+    assert!(run.messages.lines().all(|line| line.len() < 300), "{}", run.messages);
+}

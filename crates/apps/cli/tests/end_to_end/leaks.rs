@@ -1,0 +1,87 @@
+//! `bem`: hydraulic gaps, flows and their map.
+
+use crate::bem::bench;
+use crate::bench::{Bench, column, csv};
+
+#[test]
+fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
+    let bench = bench();
+    let fluid = ["--viscosity", "1 mPa s", "--pressure-drop", "2bar"];
+    let arguments = "bem scan.toml --elastic --pressure 1e8,4e10 --format csv";
+    let mut command = bench.command();
+    command.args(arguments.split(' ')).args(fluid);
+    let run = crate::bench::Run::of(command.output().unwrap());
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let of = |name: &str| column(&run.out, name);
+    let (gaps, flows) = (of("hydraulic_gap_x_m"), of("flow_x_m3_per_s"));
+    // A square: h³ Δp/(12 μ).
+    assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
+    assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
+    // Sealed: 0 is the answer, with a note for each direction.
+    assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
+    assert_eq!(run.messages.matches("[sealed]").count(), 2, "{}", run.messages);
+    // Unasked, there are none.
+    let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
+    assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));
+}
+
+#[test]
+fn the_map_of_the_flow_shows_contact_and_path() {
+    let bench = bench();
+    let run = bench.run("bem scan.toml --pressure 1e9 --flow-picture flow.svg --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let svg = bench.read("flow.svg");
+    for text in ["hydraulic gap is", "white: no flow", ">contact<"] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let closed = bench.run("bem scan.toml --elastic --pressure 4e10 --flow-picture flow.svg");
+    assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path"));
+    let two = bench.run("bem scan.toml --pressure 1e8,1e9 --flow-picture two.svg");
+    assert!(two.code == Some(2) && two.messages.contains("--flow-picture"));
+}
+
+/// The picture of the guide is that of the commands beside it; single pixels may have other shades
+/// on another machine.
+#[test]
+fn the_picture_of_the_guide_is_drawn_by_its_commands() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../");
+    let read = |name: &str| std::fs::read_to_string(format!("{root}{name}")).unwrap();
+    let bench = Bench::new();
+    let scene = "nominal_area = 1e-8\ninterface = { equivalent_modulus = 115e9, poissons_ratio = 0.3 }\nsurface = { file = \"seal.x3p\", periodic = true }\n";
+    bench.write("seal.toml", scene);
+    let chapter = read("crates/apps/web/guide/boundary-elements.md");
+    for start in ["asperity generate ", "asperity bem seal.toml "] {
+        let line = chapter.lines().find(|line| line.starts_with(start)).unwrap();
+        let run = bench.run(line.trim_start_matches("asperity "));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+    }
+    let without_shades = |svg: &str| -> Vec<String> {
+        svg.lines().filter(|line| !line.contains("<image ")).map(str::to_owned).collect()
+    };
+    let [drawn, committed] = [bench.read("leak-map.svg"), read("figures/leak-map.svg")];
+    assert_eq!(without_shades(&drawn), without_shades(&committed));
+}
+
+#[test]
+fn models_without_a_gap_map_refuse_with_the_reason() {
+    let bench = bench();
+    let run = bench.run("curve scan.toml --model ke,bem --pressure 1e8 --quantity area,hydraulic-gap-x --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
+    let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
+    assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");
+    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 46 --pressure-drop 1e5");
+    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
+    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 0.04 --pressure-drop 20");
+    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
+    let printed = bench.refusals(
+        "bem scan.toml --pressure 1e8 {}",
+        &[
+            "--viscosity 1e-3",
+            "--viscosity 0 --pressure-drop 1e5",
+            "--viscosity 1Pa --pressure-drop 1e5",
+            "--viscosity 1cP --pressure-drop 1N",
+        ],
+    );
+    insta::assert_snapshot!(printed);
+}

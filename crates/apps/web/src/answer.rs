@@ -1,0 +1,392 @@
+//! Values of models at loads, as `asperity curve` prints them.
+
+use asperity::{
+    At, Check, ContactError, Described, Finding, Findings, Quantity, Request, Severity,
+    shortest_digits,
+};
+use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
+use asperity_inputs::SceneFile;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::dialect::{PAGE, said};
+use crate::refusal::Refusal;
+use crate::shown::{ranged, shown};
+use crate::span::Span;
+
+/// The quantities that every scene has; models are held against the answer in the first two.
+const USUAL: [Quantity; 6] = [
+    Quantity::AreaFraction,
+    Quantity::Tangent,
+    Quantity::UnloadingStiffness,
+    Quantity::TangentialStiffness,
+    Quantity::MeanPressure,
+    Quantity::Contacts,
+];
+
+/// The quantities of a scene: conductances where the bodies have the property.
+pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
+    let interface = &file.scene.interface;
+    let thermal = interface.thermal_conductivity.map(|_| Quantity::ThermalConductance);
+    let electrical = interface.electrical_resistivity.map(|_| Quantity::ElectricalConductance);
+    USUAL.into_iter().chain(thermal).chain(electrical).collect()
+}
+
+/// A column of values, which can be drawn.
+#[derive(Debug, Serialize)]
+pub(crate) struct Column {
+    pub(crate) id: String,
+    pub(crate) label: &'static str,
+    pub(crate) definition: String,
+    /// Its name in a csv, which ends with the unit.
+    #[serde(skip)]
+    pub(crate) head: String,
+    #[serde(skip)]
+    pub(crate) unit: &'static str,
+}
+
+impl From<Quantity> for Column {
+    fn from(of: Quantity) -> Self {
+        let (label, definition) = (of.label(), of.definition().into());
+        Self { id: of.to_string(), label, definition, head: of.column(), unit: of.unit() }
+    }
+}
+
+impl Column {
+    /// A column under its head, which the id follows from.
+    pub(crate) fn new([head, unit, label]: [&'static str; 3], definition: String) -> Self {
+        let name = head.trim_end_matches(&unit.replace('/', "_per_")).trim_end_matches('_');
+        let id = name.replace('_', "-");
+        Self { id, label, definition, head: head.into(), unit }
+    }
+
+    /// The separation of a scene.
+    pub(crate) fn separation(file: Option<&SceneFile>) -> Self {
+        let from = file.map_or_else(Default::default, |file| file.separation_from);
+        let definition = format!("Distance of the surfaces, from {from} to the other surface.");
+        Self::new(["separation_m", "m", "separation"], definition)
+    }
+
+    /// Its names in a csv: its own and, on a surface that is known within ranges, those of its
+    /// ends.
+    pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
+        let ends = ENDS.map(|end| column_of_end(&self.head, end));
+        let ends = ends.into_iter().filter(|_| !file.spreads().is_empty());
+        [self.head.clone()].into_iter().chain(ends).collect()
+    }
+
+    /// A value as shown with all its digits in SI units.
+    pub(crate) fn known(&self, known: &Known) -> Value {
+        let text = match known.ends.filter(|_| known.has_range()) {
+            ends @ Some(_) if self.head == "area_fraction" => ranged(known.value, ends, "%"),
+            ends => ranged(known.value, ends, self.unit),
+        };
+        let digits = shortest_digits(known.value);
+        let mut cell = json!({ "quantity": self.id, "digits": digits, "shown": text });
+        if let Some(bound) = known.bound {
+            cell["bound"] = bound.into();
+        }
+        for (end, value) in ["lower", "upper"].into_iter().zip(known.ends.iter().flatten()) {
+            cell[end] = shortest_digits(*value).into();
+        }
+        cell
+    }
+
+    /// A value, or the reason why there is none.
+    pub(crate) fn cell(&self, found: &Result<Known, String>) -> Value {
+        let none = |reason: &String| json!({ "quantity": self.id, "shown": said(reason) });
+        found.as_ref().map_or_else(none, |known| self.known(known))
+    }
+}
+
+/// The separation and the quantities; without a scene those that all have.
+pub(crate) fn columns(file: Option<&SceneFile>) -> Vec<Column> {
+    let quantities = file.map_or(USUAL.to_vec(), quantities).into_iter().map(Column::from);
+    [Column::separation(file)].into_iter().chain(quantities).collect()
+}
+
+/// Where a value comes from.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Source {
+    /// The recommended model, without evidence.
+    #[default]
+    Model,
+    /// Boundary elements on solved surfaces like this one.
+    Evidence,
+    /// Boundary elements on this scan at this load.
+    Solved,
+}
+
+/// A value with its ends: those at the ends of the ranges of the surface, or of an interval that
+/// holds nine of ten surfaces.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    pub(crate) value: f64,
+    pub(crate) ends: Option<[f64; 2]>,
+    /// A bound on its error.
+    bound: Option<f64>,
+    pub(crate) source: Source,
+}
+
+impl Known {
+    pub(crate) fn new(value: f64, ends: Option<[f64; 2]>, source: Source) -> Self {
+        Self { value, ends, source, bound: None }
+    }
+
+    /// Over the ranges of the surface, with the values at their ends, if there are any; none if one
+    /// is missing there.
+    pub(crate) fn within(self, ends: impl Iterator<Item = Option<f64>>) -> Option<Self> {
+        let ends = ends.collect::<Option<Vec<f64>>>()?;
+        let fold = |of: fn(f64, f64) -> f64| ends.iter().copied().fold(self.value, of);
+        let both = (!ends.is_empty()).then(|| [fold(f64::min), fold(f64::max)]);
+        Some(Self { ends: both, ..self })
+    }
+
+    /// Whether it varies over the ranges of the surface.
+    pub(crate) fn has_range(&self) -> bool {
+        self.source == Source::Model && self.ends.is_some()
+    }
+}
+
+/// The model of an id on each scene with all quantities that it has, ready for many loads.
+pub(crate) fn compile(scenes: &[SceneFile], id: &str) -> Result<Vec<Asked>, Refusal> {
+    let of = |file: &SceneFile| -> Result<Asked, Refusal> {
+        let many = Span::of(&file.scene).pressures().into_iter().map(At::Pressure);
+        let request = Request::new(quantities(file)).at(many);
+        Ok(Asked::new(file, &file.model(id)?, &request, (false, true))?)
+    };
+    scenes.iter().map(of).collect()
+}
+
+/// The values of a model at places, each under the columns, on the first scene with its ends on the
+/// others; and what is found about them.
+fn values(
+    scenes: &[SceneFile],
+    asked: &[Asked],
+    places: &[At],
+) -> (Vec<Vec<Result<Known, String>>>, Vec<Finding>) {
+    let mut all = scenes.iter().zip(asked).map(|(file, asked)| asked.lines(file, places));
+    let Some((middle, warnings)) = all.next() else { return Default::default() };
+    let ends: Vec<Vec<Line>> = all.map(|(lines, _)| lines).collect();
+    let quantities = quantities(&scenes[0]);
+    let of_line = |line: &Line| -> Vec<Result<Known, String>> {
+        let known = |value, bound| Known { value, bound, ..Known::default() };
+        let separation = line.separation[1].as_ref().map(|value| known(*value, None));
+        let values = line.values.iter().zip(&quantities).map(|(found, quantity)| {
+            found.as_ref().map(|found| known(found.value(), Some(found.bound(*quantity))))
+        });
+        let all = [separation].into_iter().chain(values);
+        all.map(|found| found.map_err(ContactError::marked)).collect()
+    };
+    let rows = middle.iter().enumerate().map(|(row, line)| {
+        let ends: Vec<_> = ends.iter().map(|lines| of_line(&lines[row])).collect();
+        let within = |(column, found): (usize, Result<Known, String>)| {
+            let ends = ends.iter().map(|end| Some(end[column].as_ref().ok()?.value));
+            found?.within(ends).ok_or_else(|| NO_RANGE.into())
+        };
+        of_line(line).into_iter().enumerate().map(within).collect()
+    });
+    (rows.collect(), warnings)
+}
+
+/// The values of a model at one load.
+#[derive(Debug, Default)]
+pub(crate) struct Row {
+    pub(crate) model: String,
+    pub(crate) cells: Vec<Result<Known, String>>,
+    /// Why there are none.
+    pub(crate) reason: Option<String>,
+    /// Why no contact has them.
+    pub(crate) mark: Option<String>,
+    /// How the model ignores yielding, if it does.
+    pub(crate) yields: Option<Severity>,
+    /// Why the load is out of its range.
+    pub(crate) outside: Option<String>,
+    pub(crate) findings: Findings,
+}
+
+impl Row {
+    /// A compiled model at a load.
+    pub(crate) fn of(scenes: &[SceneFile], id: &str, asked: &[Asked], at: At) -> Self {
+        let mut row = Self { model: id.into(), ..Self::default() };
+        let (Some(file), Some(own)) = (scenes.first(), asked.first()) else { return row };
+        let (mut cells, warnings) = values(scenes, asked, &[at]);
+        row.cells = cells.pop().unwrap_or_default();
+        let [mut found, _] = own.findings(file, &[at]);
+        row.yields = found.iter().find(|one| one.code == "yields").map(|one| one.severity);
+        let is_outside = |one: &&Finding| {
+            one.is_of_model() && one.code != "yields" && one.severity != Severity::Note
+        };
+        row.outside = found.iter().find(is_outside).map(|one| one.say(&PAGE));
+        // Those of the load name an area above the nominal one already.
+        let is_new =
+            |one: &Finding| one.severity < Severity::Note && one.code != "area-above-nominal";
+        found.extend(warnings.into_iter().filter(is_new));
+        row.findings = found;
+        let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());
+        if row.cells.iter().all(Result::is_err) {
+            let why = row.cells.first().and_then(|cell| cell.as_ref().err());
+            row.reason = Some(match why.map(|why| said(why)).unwrap_or_default() {
+                _ if load < 0.0 && !model.validity().adhesive => {
+                    let add = match file.scene.interface.work_of_adhesion {
+                        Some(_) => "",
+                        None => "add work_of_adhesion in the scene file and ",
+                    };
+                    let load = shown(load, "N");
+                    format!(
+                        "load is {load}: models without adhesion carry no tension; {add}choose {ADHESIVE}"
+                    )
+                }
+                why if load < 0.0 && id == "jkr" => why + OPENING,
+                why => why,
+            });
+        }
+        // Values may be impossible because of an implausible input.
+        let valid = || !file.findings().are_implausible();
+        let mark = at.pressure(&file.scene).zip(row.value(1)).and_then(|(pressure, area)| {
+            Check::impossible(model, &file.scene, pressure, area.value).filter(|_| valid())
+        });
+        row.mark = mark.map(|found| found.say(&PAGE));
+        row
+    }
+
+    /// The values of a column.
+    pub(crate) fn value(&self, column: usize) -> Option<&Known> {
+        self.cells.get(column)?.as_ref().ok()
+    }
+}
+
+/// The rows of a model at pressures, as a csv without its head; blank where there is no value. Of
+/// a surface that is known within ranges, each value has its ends behind it.
+pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &[f64]) -> String {
+    let places: Vec<At> = pressures.iter().map(|pressure| At::Pressure(*pressure)).collect();
+    let (rows, _) = values(scenes, asked, &places);
+    let digits = |number: Option<f64>| {
+        number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
+    };
+    let mut csv = String::new();
+    for (at, row) in places.iter().zip(&rows) {
+        let place = [at.load(&scenes[0].scene), at.pressure(&scenes[0].scene)];
+        let values = row.iter().flat_map(|cell| {
+            let known = cell.as_ref().ok();
+            let ends = [0, 1].map(|k| Some(known?.ends?[k]));
+            let ends = ends.into_iter().filter(|_| scenes.len() > 1);
+            [known.map(|known| known.value)].into_iter().chain(ends)
+        });
+        let cells: Vec<String> = place.into_iter().chain(values).map(digits).collect();
+        csv += &format!("{id},{}\n", cells.join(","));
+    }
+    csv
+}
+
+/// The head of [`rows`]: of each column its own name and, within ranges, those of its ends.
+pub(crate) fn head(file: &SceneFile, columns: &[Column]) -> String {
+    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
+    format!("model,load_N,pressure_Pa,{}", heads.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scenes() -> [SceneFile; 1] {
+        [asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()]
+    }
+
+    fn of(scenes: &[SceneFile], id: &str, at: At) -> Row {
+        Row::of(scenes, id, &compile(scenes, id).unwrap(), at)
+    }
+
+    #[test]
+    fn a_load_that_a_model_refuses_has_its_reason() {
+        let scenes = scenes();
+        let reason = |load: f64| of(&scenes, "ke", At::Load(load)).reason.unwrap();
+        let tension = reason(-5.0);
+        let wanted = "load is -5 N: models without adhesion carry no tension; add work_of_adhesion in the scene file and choose dmt, jkr or jkr-separation";
+        assert_eq!(tension, wanted);
+        let heavy = reason(1e30);
+        assert!(heavy.contains("largest force of the model"), "{heavy}");
+        let significant_digits = |number: &str| {
+            let mantissa = number.split('e').next().unwrap_or_default();
+            mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
+        };
+        assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
+        assert_eq!(of(&scenes, "ke", At::Load(100.0)).reason, None);
+    }
+
+    #[test]
+    fn models_with_adhesion_refuse_a_tension_where_the_surfaces_pull_off() {
+        let text = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+        let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
+        let file = [asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap()];
+        let reason = |id| of(&file, id, At::Load(-1.0)).reason.unwrap();
+        assert!(reason("gw").ends_with("carry no tension; choose dmt, jkr or jkr-separation"));
+        for id in ["dmt", "jkr"] {
+            let reason = reason(id);
+            assert!(reason.starts_with("load is -1.0 N: the surfaces pull off at -0."), "{reason}");
+            assert_eq!(reason.contains("; jkr-separation, which describes opening"), id == "jkr");
+        }
+    }
+
+    #[test]
+    fn rows_and_curves_are_the_answers_of_the_library() {
+        let scenes = scenes();
+        let ke = compile(&scenes, "ke").unwrap();
+        let row = Row::of(&scenes, "ke", &ke, At::Pressure(1e6));
+        let request = Request::new(quantities(&scenes[0])).at([At::Pressure(1e6)]);
+        let response = scenes[0].model("ke").unwrap().solve(&scenes[0].scene, &request).unwrap();
+        for (k, quantity) in (1..).zip(quantities(&scenes[0])) {
+            let (found, wanted) = (row.value(k).unwrap(), response.values(quantity).unwrap()[0]);
+            assert!((found.value / wanted - 1.0).abs() < 1e-13, "{quantity}: {found:?} {wanted}");
+            assert!(found.bound.unwrap() < 1e-9);
+        }
+        let csv = rows(&scenes, "ke", &ke, &[1e6, 2e6]);
+        let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+        let head = head(&scenes[0], &columns(Some(&scenes[0])));
+        assert_eq!(first.len(), head.split(',').count());
+        let area = head.split(',').position(|name| name == "area_fraction").unwrap();
+        // Several loads are evaluated together.
+        let (one, many) = (first[area].parse::<f64>().unwrap(), row.value(1).unwrap().value);
+        assert!((one / many - 1.0).abs() < 1e-13, "{one} {many}");
+    }
+
+    #[test]
+    fn a_model_without_a_quantity_has_the_others_and_the_reason() {
+        let scenes = scenes();
+        let row = of(&scenes, "gao", At::Load(100.0));
+        assert!(row.value(1).is_some());
+        assert!(!row.cells[3].as_ref().unwrap_err().is_empty());
+        assert!(compile(&scenes, "dmt").is_err());
+    }
+
+    fn marks(text: &str, id: &str, at: At) -> Option<String> {
+        of(&[asperity_inputs::parse(text, std::path::Path::new(".")).unwrap()], id, at).mark
+    }
+
+    #[test]
+    fn a_load_beyond_full_contact_has_a_mark_and_a_usual_one_none() {
+        let text = asperity_inputs::template();
+        let found = marks(text, "persson-fudge", At::Load(1e30)).unwrap();
+        assert!(found.contains("nominal area is 1e34 Pa, above the hardness (2e9 Pa)"), "{found}");
+        for id in ["gw", "ke", "persson-fudge"] {
+            assert_eq!(marks(text, id, At::Load(100.0)), None);
+        }
+    }
+
+    #[test]
+    fn more_area_than_there_is_has_a_mark() {
+        let text = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+        let found = marks(text, "gw", At::Pressure(1.5e6)).unwrap();
+        assert!(found.contains("gw: the real area is 2.804 times the nominal area"), "{found}");
+        let heavy = marks(text, "persson", At::Pressure(1e7)).unwrap();
+        assert!(heavy.contains("above the equivalent modulus (2.667e6 Pa)"), "{heavy}");
+        assert_eq!(marks(text, "gw", At::Pressure(1e4)), None);
+    }
+
+    #[test]
+    fn a_load_is_not_blamed_for_a_wrong_unit_of_a_field() {
+        let text = asperity_inputs::template().replacen("210e9", "210", 1);
+        assert_eq!(marks(&text, "gw", At::Load(100.0)), None);
+    }
+}
