@@ -56,11 +56,11 @@ def test_what_has_no_factor_is_refused() -> None:
     flow = asperity.model("patir-cheng")
     with pytest.raises(ValueError, match=r"film over surface_height_std is 0\.4"):
         flow.solve(scene, lambda_ratio=0.4, quantities="shear-flow-factor")
-    with pytest.raises(ValueError, match="patir-cheng cannot give force"):
+    with pytest.raises(ValueError, match="patir-cheng .*force"):
         flow.solve(scene, lambda_ratio=2)
-    with pytest.raises(ValueError, match="ke cannot give shear-flow-factor"):
+    with pytest.raises(ValueError, match="shear-flow-factor"):
         asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(ValueError, match="2 scenes were given: patir-cheng needs a single scene"):
+    with pytest.raises(ValueError, match="2 scenes were given"):
         flow.solve([scene, scene], lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(TypeError, match="exactly one of separation, load, film, lambda_ratio and pressure"):
+    with pytest.raises(TypeError, match="lambda_ratio and pressure"):
         flow.solve(scene, 2, film=1e-6)

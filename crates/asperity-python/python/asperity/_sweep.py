@@ -165,12 +165,13 @@ def sweep(
     values["status"] = (tuple(sizes), blank(0, np.int8), flags)
     result = xr.Dataset(values, {**names, **coordinates}, {ASKED: asked})
     path = None if store is None else Path(store).absolute()
-    known = None if path is None else _open(path, result)
+    group = None if path is None else _opened(path, result)
     told: dict[str, None] = {}
     for region in parts:
-        if known is not None and bool((known["status"].isel(region) != 0).all()):
+        places = tuple(region.values())
+        if group is not None and group["status"][places].all():
             continue
-        of_inputs = {name: places for name, places in region.items() if name != "model"}
+        of_inputs = {name: place for name, place in region.items() if name != "model"}
         columns = {
             name: array.isel(of_inputs).values.ravel()
             for name, array in zip(arrays, whole, strict=True)
@@ -179,18 +180,12 @@ def sweep(
         try:
             found = _answer(scene, engine, axis, columns, heads, rtol, errors, told)
         except Exception as error:
-            where = ", ".join(f"{name} from {places.start}" for name, places in of_inputs.items())
+            where = ", ".join(f"{name} from {place.start}" for name, place in of_inputs.items())
             raise placed(f"{where}: ", error) from None
-        of_part = [places.stop - places.start for places in region.values()]
-        filled = {name: (tuple(sizes), column.reshape(of_part)) for name, column in found.items()}
-        if path is None:
-            for name, (_, column) in filled.items():
-                result[name][region] = column
-        else:
-            # A part counts once its states are written.
-            states = {"status": filled.pop("status")}
-            for written in (filled, states):
-                xr.Dataset(written).to_zarr(path, region=region, consolidated=False)
+        # The states are the last: a part counts once they are written.
+        for name, column in found.items():
+            of_part = column.reshape([place.stop - place.start for place in places])
+            (result[name].values if group is None else group[name])[places] = of_part
     for message in told:
         warn(message, 1)
     return result if path is None else xr.open_zarr(path, consolidated=False)
@@ -283,15 +278,16 @@ def _parts(sizes: dict[str, int], part_size: int) -> Iterator[dict[str, slice]]:
             yield region
 
 
-def _open(path: Path, plan: xr.Dataset) -> xr.Dataset:
+def _opened(path: Path, plan: xr.Dataset) -> Any:
     """The store of a sweep, which is made from its plan if it is new; ValueError for another's."""
     import xarray as xr
+    import zarr
 
     if not path.exists():
         temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         plan.to_zarr(temporary, mode="w", compute=False, consolidated=False)
         temporary.replace(path)
-    known: xr.Dataset = xr.open_zarr(path, consolidated=False, mask_and_scale=False)
+    known = xr.open_zarr(path, consolidated=False)
     if ASKED not in known.attrs:
         raise ValueError(f"{path} is no store of a sweep: another path was required")
     there, here = json.loads(known.attrs[ASKED]), json.loads(plan.attrs[ASKED])
@@ -303,7 +299,7 @@ def _open(path: Path, plan: xr.Dataset) -> xr.Dataset:
             )
     if not known.coords.to_dataset().equals(plan.coords.to_dataset()):
         raise ValueError(f"{path} holds another sweep, with other inputs; use another store")
-    return known
+    return zarr.open_group(path, mode="r+")
 
 
 def _answer(
