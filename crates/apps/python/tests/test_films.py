@@ -59,7 +59,7 @@ def test_what_has_no_factor_is_refused() -> None:
         scene.flow_factors([0.4], quantities="shear-flow-factor")
     with pytest.raises(ValueError, match="force"):
         scene.flow_factors([2.0], quantities="force")
-    with pytest.raises(ValueError, match="ke cannot give shear-flow-factor"):
+    with pytest.raises(ValueError, match="shear-flow-factor"):
         asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(TypeError, match="exactly one of separation, load, film, lambda_ratio and pressure"):
+    with pytest.raises(TypeError, match="lambda_ratio and pressure"):
         asperity.model("ke").solve(scene, 2, film=1e-6)

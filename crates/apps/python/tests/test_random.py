@@ -1,4 +1,4 @@
-"""Asperities of a random surface."""
+"""Asperities of a random surface, in tables."""
 
 from __future__ import annotations
 
@@ -51,5 +51,5 @@ def test_corrected_values_have_an_interval_or_a_reason() -> None:
         some = asperity.model("ke-random").corrected(scene, "area", pressure=[1e8, 1e10])
     assert "no-value" in {one.code for one in some.findings}
     assert np.isnan(some.of("ke-random-corrected")["area_m2"]).tolist() == [False, True]
-    with pytest.raises(TypeError, match="exactly one of load and pressure"):
+    with pytest.raises(TypeError, match="load and pressure"):
         asperity.model("ke-random").corrected(scene, "area")

@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 import xarray as xr
+import zarr
 from scipy import stats
 from scipy.stats import qmc
 
@@ -161,7 +162,7 @@ def test_a_model_written_in_python(scene: asperity.Scene) -> None:
         ({"load": 1.0}, {}, "no input varies"),
         ({"load": [1.0], "asperity_radiu": 1.0}, {}, "asperity_radiu is not an input"),
         ({"load": [[1.0]]}, {}, "load has 2 dimensions"),
-        ({"load": [1.0], "pressure": 1.0}, {}, "exactly one of separation, load and pressure"),
+        ({"load": [1.0], "pressure": 1.0}, {}, "separation, load and pressure"),
         ({"load": ["1.0"]}, {}, "give a number, or a text with its unit"),
         ({"load": [1.0]}, {"part_size": 0}, "part_size is 0"),
         ({"load": [1.0]}, {"errors": "ignore"}, "errors is 'ignore'"),
@@ -184,7 +185,7 @@ def test_distributions_that_are_refused(given: Any) -> None:
         asperity.sample([[0.5]], hardness=HARDNESS, load=(1.0, 2.0))
 
 
-N, PART = 8192, 512
+N, PART = 8192, 256
 
 
 def swept(store: Path | None, hardness: float = 2e9) -> xr.Dataset:
@@ -193,7 +194,7 @@ def swept(store: Path | None, hardness: float = 2e9) -> xr.Dataset:
 
 
 def states(store: Path) -> Floats:
-    return np.asarray(xr.open_zarr(store, consolidated=False, mask_and_scale=False).status)
+    return np.asarray(zarr.open_group(store, mode="r")["status"])
 
 
 def test_a_store_has_the_digits_of_memory_and_refuses_another_sweep(tmp_path: Path) -> None:
@@ -215,10 +216,10 @@ def test_a_store_has_the_digits_of_memory_and_refuses_another_sweep(tmp_path: Pa
 
 
 def wait_for(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 60.0
+    end = time.monotonic() + 180.0
     while not condition():
         assert time.monotonic() < end, "timeout"
-        time.sleep(0.01)
+        time.sleep(0.05)
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
@@ -233,13 +234,17 @@ def test_an_interrupted_sweep_goes_on(how: signal.Signals, tmp_path: Path) -> No
     run = subprocess.Popen(
         [sys.executable, "-c", textwrap.dedent(script)], stderr=subprocess.PIPE, text=True
     )
-    wait_for(lambda: store.exists() and (states(store) != 0).sum() >= 3 * PART)
-    run.send_signal(how)
-    _, errors = run.communicate(timeout=30)
+    try:
+        wait_for(lambda: store.exists() and (states(store) != 0).sum() >= 3 * PART)
+        run.send_signal(how)
+    except BaseException:
+        run.kill()
+        raise
+    _, errors = run.communicate(timeout=120)
     assert run.returncode != 0
     assert ("KeyboardInterrupt" in errors) == (how == signal.SIGINT)
     done = states(store) != 0
     assert 3 * PART <= done.sum() < 2 * N
-    first = np.asarray(xr.open_zarr(store, consolidated=False).force)
+    first = np.asarray(zarr.open_group(store, mode="r")["force"])
     result = swept(store).compute()
     assert result.equals(swept(None)) and (result.force.values[done] == first[done]).all()

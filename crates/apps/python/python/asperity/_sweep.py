@@ -15,7 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Floats, Rows, checked_errors, floats, place, placed, unit_in
+from asperity._arguments import Floats, Rows, checked_errors, floats, one_scene, place, placed
+from asperity._arguments import unit_in
 from asperity._asperity import Scene
 from asperity._model import Model, as_models
 from asperity._warn import warn
@@ -25,9 +26,8 @@ if TYPE_CHECKING:
 
 #: The meanings of places, with the unit of a load or pressure.
 PLACES = {"separation": None, "load": "N", "pressure": "Pa"}
-#: The attribute of a store that tells what was asked.
+#: What was asked, as an attribute of the result, and the states of a row.
 ASKED = "asperity_sweep"
-#: The states of a row; a state of 0 is that of a row without values yet.
 STATES = {"missing": 0, "value": 1, "refused": 2}
 
 
@@ -35,15 +35,10 @@ def sample(points: npt.ArrayLike, **inputs: Any) -> dict[str, xr.DataArray]:
     """Inputs drawn from distributions, one row for each point of the unit cube; needs the extra
     ``asperity[sweep]``.
 
-    Parameters
-    ----------
-    points : array_like
-        Points with a column for each input, as those of an engine of ``scipy.stats.qmc`` (Sobol
-        points, Latin hypercubes).
-    **inputs : distribution or (low, high)
-        In SI units, by the names of ``Scene.replace``, or separation, load or pressure. A
-        distribution is a frozen one of ``scipy.stats``, or anything with a ``ppf``; (low, high) is
-        uniform. Inputs are independent of each other.
+    ``points`` have a column for each input, as those of an engine of ``scipy.stats.qmc`` (Sobol
+    points, Latin hypercubes). ``inputs`` are in SI units, by the names of ``Scene.replace``, or
+    separation, load or pressure: frozen distributions of ``scipy.stats``, or anything with a ``ppf``,
+    or (low, high) for a uniform one. Inputs are independent of each other.
 
     >>> import asperity
     >>> from scipy.stats import norm, qmc
@@ -112,23 +107,16 @@ def sweep(
     part_size : int
         Most rows that are computed at once, on all cores; no digit depends on it.
 
-    Returns
-    -------
-    xarray.Dataset
-        The quantities with their units, by names with underscores, and ``status``: 1 for values, 2
-        for refused rows. The inputs are coordinates. With a store, arrays of Dask that are read from
-        it on request.
+    The result has the quantities with their units, by names with underscores, and ``status``: 1 for
+    values, 2 for refused rows. The inputs are coordinates. With a store, its arrays are those of
+    Dask, which are read on request.
 
-    Examples
-    --------
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
     >>> inputs = {"load": [10.0, 100.0], "hardness": ["1 GPa", "2 GPa", "3 GPa"]}
     >>> result = asperity.sweep(scene, inputs, ["ke", "jg"], ["area", "tangent"])
     >>> dict(result.sizes), result.area.units
     ({'model': 2, 'load': 2, 'hardness': 3}, 'm2')
-    >>> result.area.sel(model="ke", load=100.0, hardness=2e9).item() == result.area[0, 1, 1].item()
-    True
     """
     import xarray as xr
 
@@ -137,9 +125,8 @@ def sweep(
     whole = xr.broadcast(*arrays.values())
     sizes = {str(name): int(size) for name, size in whole[0].sizes.items()}
     coordinates = {name: array.assign_attrs(units=_unit(name, axis)) for name, array in arrays.items()}
-    if isinstance(model, str | Model):
-        names: dict[str, Any] = {}
-    else:
+    names: dict[str, Any] = {}
+    if not isinstance(model, str | Model):
         names = {"model": np.array([engine.id for engine in engines], dtype=object)}
         sizes = {"model": len(engines), **sizes}
     if not sizes:
@@ -158,19 +145,20 @@ def sweep(
         return dask.array.full(shape, value, dtype=dtype, chunks=chunks)
 
     values: dict[str, Any] = {
-        head_of(q): (tuple(sizes), blank(np.nan, np.float64), {"units": unit_in(head, q)})
+        q.replace("-", "_"): (tuple(sizes), blank(np.nan, np.float64), {"units": unit_in(head, q)})
         for q, head in heads.items()
     }
     flags = {"flag_values": list(STATES.values()), "flag_meanings": " ".join(STATES)}
     values["status"] = (tuple(sizes), blank(0, np.int8), flags)
     result = xr.Dataset(values, {**names, **coordinates}, {ASKED: asked})
     path = None if store is None else Path(store).absolute()
-    known = None if path is None else _open(path, result)
+    group = None if path is None else _opened(path, result)
     told: dict[str, None] = {}
     for region in parts:
-        if known is not None and bool((known["status"].isel(region) != 0).all()):
+        places = tuple(region.values())
+        if group is not None and group["status"][places].all():
             continue
-        of_inputs = {name: places for name, places in region.items() if name != "model"}
+        of_inputs = {name: place for name, place in region.items() if name != "model"}
         columns = {
             name: array.isel(of_inputs).values.ravel()
             for name, array in zip(arrays, whole, strict=True)
@@ -179,26 +167,15 @@ def sweep(
         try:
             found = _answer(scene, engine, axis, columns, heads, rtol, errors, told)
         except Exception as error:
-            where = ", ".join(f"{name} from {places.start}" for name, places in of_inputs.items())
+            where = ", ".join(f"{name} from {place.start}" for name, place in of_inputs.items())
             raise placed(f"{where}: ", error) from None
-        of_part = [places.stop - places.start for places in region.values()]
-        filled = {name: (tuple(sizes), column.reshape(of_part)) for name, column in found.items()}
-        if path is None:
-            for name, (_, column) in filled.items():
-                result[name][region] = column
-        else:
-            # A part counts once its states are written.
-            states = {"status": filled.pop("status")}
-            for written in (filled, states):
-                xr.Dataset(written).to_zarr(path, region=region, consolidated=False)
+        # The states are the last: a part counts once they are written.
+        for name, column in found.items():
+            of_part = column.reshape([place.stop - place.start for place in places])
+            (result[name].values if group is None else group[name])[places] = of_part
     for message in told:
         warn(message, 1)
     return result if path is None else xr.open_zarr(path, consolidated=False)
-
-
-def head_of(quantity: str) -> str:
-    """The name of a quantity's variable."""
-    return quantity.replace("-", "_")
 
 
 def _unit(name: str, axis: str) -> str:
@@ -214,17 +191,13 @@ def _arrays(
     """The meaning of the places, and the inputs with their dimensions."""
     import xarray as xr
 
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene is {scene!r}: a Scene was required")
-    places = {name: inputs.get(name) for name in PLACES}
-    axis, numbers = place(separation_unit, **places)
-    where = next(name for name, given in places.items() if given is not None)
-    given = scene._inputs_in_si({name: inputs[name] for name in inputs if name not in PLACES})
+    one_scene(scene, "sweep")
+    known = {name: one for name, one in inputs.items() if one is not None}
+    axis, numbers = place(separation_unit, **{name: known.get(name) for name in PLACES})
+    others = scene._inputs_in_si({name: known[name] for name in known if name not in PLACES})
     found = {}
-    for name in inputs:
-        if name in places and places[name] is None:
-            continue
-        array = numbers if name == where else given[name]
+    for name in known:
+        array = numbers if name in PLACES else others[name]
         if not isinstance(array, xr.DataArray):
             column = floats(array, name)
             if column.ndim > 1:
@@ -249,20 +222,16 @@ def _identity(
                 definition = inspect.getsource(definition)
             except (OSError, TypeError):
                 definition = repr(definition)
-        models.append([engine.id, repr(engine.options), _digest(definition)])
+        models.append([engine.id, repr(engine.options), definition])
     return {
         "asperity": version("asperity"),
-        "scene": _digest(repr((arguments, origins))),
+        "scene": hashlib.sha256(repr((arguments, origins)).encode()).hexdigest(),
         "models": models,
         "quantities": list(heads),
         "rtol": rtol,
         "axis": axis,
         "errors": errors,
     }
-
-
-def _digest(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def _parts(sizes: dict[str, int], part_size: int) -> Iterator[dict[str, slice]]:
@@ -283,15 +252,16 @@ def _parts(sizes: dict[str, int], part_size: int) -> Iterator[dict[str, slice]]:
             yield region
 
 
-def _open(path: Path, plan: xr.Dataset) -> xr.Dataset:
+def _opened(path: Path, plan: xr.Dataset) -> Any:
     """The store of a sweep, which is made from its plan if it is new; ValueError for another's."""
     import xarray as xr
+    import zarr
 
     if not path.exists():
         temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         plan.to_zarr(temporary, mode="w", compute=False, consolidated=False)
         temporary.replace(path)
-    known: xr.Dataset = xr.open_zarr(path, consolidated=False, mask_and_scale=False)
+    known = xr.open_zarr(path, consolidated=False)
     if ASKED not in known.attrs:
         raise ValueError(f"{path} is no store of a sweep: another path was required")
     there, here = json.loads(known.attrs[ASKED]), json.loads(plan.attrs[ASKED])
@@ -303,7 +273,7 @@ def _open(path: Path, plan: xr.Dataset) -> xr.Dataset:
             )
     if not known.coords.to_dataset().equals(plan.coords.to_dataset()):
         raise ValueError(f"{path} holds another sweep, with other inputs; use another store")
-    return known
+    return zarr.open_group(path, mode="r+")
 
 
 def _answer(
@@ -326,4 +296,5 @@ def _answer(
     told |= dict.fromkeys(messages)
     states = np.full(where.shape, STATES["value"], np.int8)
     states[list(failures)] = STATES["refused"]
-    return {head_of(q): np.ma.filled(column, np.nan) for q, column in found.items()} | {"status": states}
+    values = {q.replace("-", "_"): np.ma.filled(column, np.nan) for q, column in found.items()}
+    return values | {"status": states}
