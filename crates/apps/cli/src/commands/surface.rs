@@ -81,8 +81,8 @@ pub struct Surface {
     aligned: Option<Alignment>,
     #[command(flatten)]
     output: DrawnArgs,
-    /// Write a scene that reads the files in the same way; its materials are examples, replace them;
-    /// an existing file is kept
+    /// Write a scene that reads the files in the same way; its materials are examples, replace
+    /// them; an existing file is kept
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
     /// Write the measured density of the summit heights, which the scene then uses

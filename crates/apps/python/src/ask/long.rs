@@ -55,8 +55,8 @@ impl Watch for Interrupt {
     }
 }
 
-/// Runs `work` on the threads of this process, while this thread, which gets the signals, checks for
-/// them; a signal stops `work`.
+/// Runs `work` on the threads of this process, while this thread, which gets the signals, checks
+/// for them; a signal stops `work`.
 pub(crate) fn run_interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&Interrupt) -> T + Send,
