@@ -1,6 +1,6 @@
 //! Findings of `check`: mistakes are reported, unusual scenes are not.
 
-use asperity::{At, Body, Check, Finding, Interface, Scene, Severity, Surface};
+use asperity::{At, Body, Check, Finding, HeightDistribution, Interface, Scene, Severity, Surface};
 
 use crate::scenes::{model, named};
 
@@ -298,5 +298,19 @@ fn one_range_of_beta_z_is_usual_everywhere() {
     for value in [0.9 * least, 1.1 * most] {
         let field = "roughness_parameter".to_string();
         assert_eq!(beta(value), [(field, Severity::Note, [least, most])], "{value}");
+    }
+}
+
+#[test]
+fn separations_on_exponential_heights_are_from_the_lowest_asperity() {
+    let mut scene = named("at-paper");
+    for (heights, plane) in [
+        (HeightDistribution::Exponential, "the lowest asperity"),
+        (HeightDistribution::Gaussian, "the mean of the asperity heights"),
+    ] {
+        scene.heights = heights;
+        let check = Check::at(&model("ke"), &scene, At::Load(1.0)).unwrap();
+        let of = check.numbers.iter().find(|number| number.name == "separation").unwrap();
+        assert!(of.meaning.ends_with(plane), "{}", of.meaning);
     }
 }

@@ -288,6 +288,12 @@ impl SceneFile {
         Separation { value, unit, from: self.separation_from }
     }
 
+    /// The name of the plane from which separations are measured.
+    #[must_use]
+    pub fn plane(&self) -> &'static str {
+        self.separation_from.name(&self.scene.heights)
+    }
+
     /// A missing hardness as an error at its place in the file.
     ///
     /// # Errors

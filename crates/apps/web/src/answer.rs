@@ -62,7 +62,7 @@ impl Column {
 
     /// The separation of a scene.
     pub(crate) fn separation(file: Option<&SceneFile>) -> Self {
-        let from = file.map_or_else(Default::default, |file| file.separation_from);
+        let from = file.map_or("the mean of the asperity heights", SceneFile::plane);
         let definition = format!("Distance of the surfaces, from {from} to the other surface.");
         Self::new(["separation_m", "m", "separation"], definition)
     }

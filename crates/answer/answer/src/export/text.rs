@@ -33,7 +33,7 @@ impl ContactTable {
             &[
                 ("title", title),
                 ("converted", &units.conversion(0, sign)),
-                ("from", &export.subject.file.separation_from.to_string()),
+                ("from", export.subject.file.plane()),
                 ("nodes", &self.nodes.len().to_string()),
                 ("pressure", &format!("{:.3e}", self.pressure_error)),
                 ("slope", &format!("{:.3e}", self.stiffness_error)),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
-use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit, linspace};
+use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, with_ranges};
 use asperity_inputs::{SceneFile, read_measurements};
 use clap::Args;
@@ -86,11 +86,11 @@ impl Curve {
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
-        self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.separation_from))
+        self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.plane()))
     }
 
     /// The quantities against the places, with the measured points of a file.
-    fn picture(&self, sheet: &Sheet, request: &Request, from: Datum) -> Result<String> {
+    fn picture(&self, sheet: &Sheet, request: &Request, from: &'static str) -> Result<String> {
         let drawn: Vec<String> = request.quantities.iter().map(|one| one.column()).collect();
         let mut x = match request.at.first() {
             Some(At::Load(_)) => "load_N",

@@ -161,7 +161,7 @@ impl Joint {
         }
         if self.place.turns() {
             let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
-            let from = scene.file.separation_from;
+            let from = scene.file.plane();
             let columns = ["force_N", "stiffness_N_per_m"];
             let plot = Plot::new(&["model", "law"], "separation_m", &columns).from(from);
             return self.output.write(&sheet, || plot.svg(&sheet));

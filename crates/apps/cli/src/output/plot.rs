@@ -1,7 +1,7 @@
 //! A sheet as a picture, drawn from its csv alone.
 
 use anyhow::{Context, Result};
-use asperity::{Datum, Quantity};
+use asperity::Quantity;
 use asperity_answer::{Cell, Sheet, rounded};
 use asperity_plot::{Axis, Curve, Figure, MEASURED, Panel, Scale, draw, look_of};
 
@@ -27,7 +27,7 @@ pub struct Plot {
     /// The columns of the horizontal and of the vertical axis, for each panel.
     pub panels: Vec<[String; 2]>,
     /// The plane that separations are measured from, where they are.
-    pub from: Option<Datum>,
+    pub from: Option<&'static str>,
 }
 
 impl Plot {
@@ -38,7 +38,7 @@ impl Plot {
     }
 
     /// The same with separations from this plane.
-    pub fn from(self, plane: Datum) -> Self {
+    pub fn from(self, plane: &'static str) -> Self {
         Self { from: Some(plane), ..self }
     }
 
@@ -157,7 +157,7 @@ fn is_even(values: &[f64]) -> bool {
 }
 
 /// The axis of a column, named with its unit; lengths are in µm.
-fn axis(column: &str, from: Option<Datum>) -> Axis {
+fn axis(column: &str, from: Option<&str>) -> Axis {
     if let Some(quantity) = Quantity::ALL.into_iter().find(|known| known.column() == column) {
         return Axis::new(column, &label(quantity));
     }

@@ -182,10 +182,10 @@ impl Check {
         check.add_number("load", force, "N", "normal force");
         check.add_number("pressure", force / scene.nominal_area, "Pa", "load over A_n");
         if let Some(Separation { value, .. }) = place {
-            let meaning = "d/sigma_z, from the mean of the asperity heights";
-            check.add_number("separation_over_sigma", value, "", meaning);
-            let meaning = "d, from the mean of the asperity heights";
-            check.add_number("separation", value * sigma, "m", meaning);
+            let plane = Datum::AsperityMean.name(&scene.heights);
+            let of = format!("d/sigma_z, from {plane}");
+            check.add_number("separation_over_sigma", value, "", of);
+            check.add_number("separation", value * sigma, "m", format!("d, from {plane}"));
         }
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");

@@ -45,12 +45,15 @@ pub enum Datum {
     SurfaceMean,
 }
 
-impl fmt::Display for Datum {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::AsperityMean => "the mean of the asperity heights",
-            Self::SurfaceMean => "the mean plane of the surface",
-        })
+impl Datum {
+    /// Its name beside these heights.
+    #[must_use]
+    pub fn name(self, heights: &HeightDistribution) -> &'static str {
+        match (self, heights) {
+            (Self::AsperityMean, HeightDistribution::Exponential) => "the lowest asperity",
+            (Self::AsperityMean, _) => "the mean of the asperity heights",
+            (Self::SurfaceMean, _) => "the mean plane of the surface",
+        }
     }
 }
 
@@ -196,7 +199,7 @@ impl fmt::Display for Separation {
         }
         match self.from {
             Datum::AsperityMean => Ok(()),
-            from => write!(f, " from {from}"),
+            Datum::SurfaceMean => f.write_str(" from the mean plane of the surface"),
         }
     }
 }
