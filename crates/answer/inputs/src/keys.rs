@@ -112,6 +112,7 @@ keys! {
         body("" "two of them, here of steel; one with rigid_counterface = true")
         interface("" "of the two bodies together")
         surface("" "the rough surface, in exactly one of the ways below")
+        gap("" "")
         options("" "")
     }
     "body" Body numbers BODY in Body {

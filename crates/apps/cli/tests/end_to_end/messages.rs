@@ -152,7 +152,7 @@ fn the_list_of_models_has_every_source() {
         ids.join(" "),
         format!(
             "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia \
-             {} bem",
+             cmy mikic {} bem",
             ["random", "pairs"].map(|end| ON_OTHERS.replace('*', end)).join(" ")
         )
     );

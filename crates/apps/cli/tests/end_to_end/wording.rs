@@ -53,15 +53,6 @@ fn joint() {
 }
 
 #[test]
-fn conductance() {
-    let printed = said(&[
-        "conductance soft.toml --conductivity 0.3 --pressure 100",
-        "conductance scene.toml --conductivity 50 --model ke,gao,mikic --pressure 1e6 --gas 0.026",
-    ]);
-    insta::assert_snapshot!(printed);
-}
-
-#[test]
 fn bem() {
     let printed = said(&[
         "bem scan.toml --pressure 1e7,1e9",
