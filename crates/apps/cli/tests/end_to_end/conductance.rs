@@ -74,7 +74,10 @@ fn what_a_conductance_needs_is_named() {
     let asked = "curve scene.toml --model cmy --separation 1";
     let run = bench.run(&format!("{asked} --quantity thermal-conductance-per-area"));
     assert!(run.code == Some(1) && run.messages.contains("use a load"), "{}", run.messages);
-    bench.write("scene.toml", &conducting().replace("[options]\n", "[gap]\ngas_parameter = 0\n"));
+    bench.write(
+        "scene.toml",
+        &conducting().replace("[options]\n", "[gap]\ngas_parameter = 0\n[options]\n"),
+    );
     let run = bench.run(gas);
     assert!(run.messages.contains("gap.gas_conductivity"), "{}", run.messages);
 }
