@@ -17,4 +17,5 @@ mod tabulated_heights;
 mod two_surfaces;
 mod units;
 mod varied;
+mod wording;
 mod written;
