@@ -13,7 +13,6 @@ mod random_asperities;
 mod random_fits;
 mod scene_errors;
 mod scene_files;
-mod tabulated_heights;
 mod two_surfaces;
 mod units;
 mod varied;
