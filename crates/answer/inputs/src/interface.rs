@@ -124,23 +124,4 @@ mod tests {
         assert_eq!(steel.bodies[0].thermal_conductivity, Some(40.0));
         assert!(steel.to_toml(&[]).unwrap().contains("material = \"steel-100cr6\""));
     }
-
-    #[test]
-    fn a_material_beside_numbers_or_unknown_is_refused_with_both_names() {
-        for (key, value) in [("hardness", "2e9"), ("youngs_modulus", "2e11")] {
-            let refused =
-                with(&format!("material = \"brass-naval\"\n{key} = {value}")).unwrap_err();
-            let wanted = format!(
-                "line 4: body[1].material and body[1].{key} (line 5) exclude each other: the material alone, or instead of it the numbers that `asperity list materials` lists, changed as needed, was required"
-            );
-            assert_eq!(refused, wanted);
-        }
-        let refused = with("material = \"steel-100cr5\"").unwrap_err();
-        assert!(refused.contains("the nearest is \"steel-100cr6\""), "{refused}");
-        let refused = with("poissons_ratio = 0.3").unwrap_err();
-        assert_eq!(
-            refused,
-            "line 3: body[1].youngs_modulus is missing: a number (Pa), for example 210 GPa"
-        );
-    }
 }

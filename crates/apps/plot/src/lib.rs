@@ -122,7 +122,7 @@ mod tests {
         figure.panels[0].readings = [2.0, 0.0, 1.0, 7.0].map(reading).into();
         let svg = draw(&figure, CSV).unwrap();
         let readings: Vec<&str> = svg.lines().filter(|line| line.contains("reading")).collect();
-        assert_eq!(readings.len(), 3, "the one outside is left out");
+        assert_eq!(readings.len(), 3);
         assert!(svg.contains("<title>at 0\na &lt; b</title>"));
         let number = |text: &str, key: &str| -> f64 {
             text.split_once(key).unwrap().1.split('"').next().unwrap().parse().unwrap()

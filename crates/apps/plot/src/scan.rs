@@ -178,7 +178,7 @@ mod tests {
             "along rows",
             "rms curvature",
             "48 x 32 points",
-            "end at 4 standard deviations",
+            "4 standard deviations",
         ] {
             assert!(svg.contains(word), "{word}");
         }

@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn text_is_wrapped_within_the_width_without_losses() {
-        let text = "one two three four five six seven eight nine ten";
+        let text = "one, two, three, four, five, six, seven, eight, nine, ten";
         let lines = wrap(text, 40.0, 400.0);
         assert!(lines.len() > 1);
         assert!(lines.iter().all(|line| width(line, 40.0) <= 400.0));

@@ -220,22 +220,16 @@ mod tests {
     fn missing_inputs_and_unsupported_quantities_are_named() {
         let contact = on(&scene(), PerssonVariance::Full).unwrap();
         let refused = |q, at: At| contact.evaluate(q, at).unwrap_err().to_string();
-        let contacts = refused(Quantity::Contacts, At::Load(1.0));
-        assert!(
-            contacts.starts_with("persson cannot give contacts (available: force"),
-            "{contacts}"
-        );
+        let contacts = contact.evaluate(Quantity::Contacts, At::Load(1.0));
+        assert!(matches!(contacts, Err(ContactError::Unsupported { .. })), "{contacts:?}");
         let gap = At::Separation(Separation::sigmas(1.0));
         for text in [refused(Quantity::Tangent, At::Load(1.0)), refused(Quantity::Area, gap)] {
-            assert!(
-                text.starts_with("hurst_exponent is missing: stiffness and mean gap"),
-                "{text}"
-            );
+            assert!(text.starts_with("hurst_exponent is missing"), "{text}");
         }
         assert!(contact.separation(At::Load(1.0)).is_err());
         let wild = Persson { hurst_exponent: Some(1.2), ..Persson::default() };
         let text = wild.compile(&scene(), &Request::new(Quantity::ALL)).unwrap_err().to_string();
-        assert!(text.starts_with("hurst_exponent is 1.2: a number from 0.1 to 1"), "{text}");
+        assert!(text.starts_with("hurst_exponent is 1.2"), "{text}");
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(refused(Quantity::Area, At::Load(bad)).starts_with("load is"));
             assert!(refused(Quantity::Area, At::Pressure(bad)).starts_with("pressure is"));
@@ -254,8 +248,7 @@ mod tests {
         let of_law = Persson { hurst_exponent: Some(0.8), ..beside.clone() };
         let all = Request::new(Quantity::ALL);
         for refused in [Persson::default().compile(&table, &all), of_law.compile(&table, &all)] {
-            let text = refused.unwrap_err().to_string();
-            assert!(text.starts_with("persson cannot give areas of skewed heights"), "{text}");
+            assert!(matches!(refused, Err(ContactError::Unsupported { .. })));
         }
         assert!(beside.compile(&table, &all).is_ok());
         let mut bad = scene();
@@ -284,8 +277,7 @@ mod tests {
         let shares = value(Quantity::PlasticShare) + value(Quantity::ElasticShare);
         assert!((shares - 1.0).abs() < 1e-15, "{shares}");
         for quantity in [Quantity::Stiffness, Quantity::Tangent] {
-            let text = of(quantity, at).unwrap_err().to_string();
-            assert!(text.starts_with("persson-plastic cannot give mean gaps"), "{text}");
+            assert!(matches!(of(quantity, at), Err(ContactError::Unsupported { .. })));
         }
         let gap = Separation::sigmas(1.0);
         let refused =
@@ -303,7 +295,7 @@ mod tests {
         }
         for at in [At::Pressure(8e4), At::Load(9e4 * 3e-5)] {
             let text = of(Quantity::Area, at).unwrap_err().to_string();
-            assert!(text.contains("full at the hardness (80000 Pa): check"), "{text}");
+            assert!(text.contains("(80000 Pa)"), "{text}");
         }
     }
 
@@ -316,12 +308,12 @@ mod tests {
         let refused =
             |metres| contact.evaluate(Quantity::Force, gap(metres)).unwrap_err().to_string();
         let (small, large) = (refused(1e-290), refused(1.0));
-        assert!(small.contains("reached at a pressure below 17 E g"), "{small}");
-        assert!(large.contains("reached at a pressure above 1e-300 E g"), "{large}");
+        assert!(small.contains("below 17 E g"), "{small}");
+        assert!(large.contains("above 1e-300 E g"), "{large}");
         // g = 0.02, E = 2e6 Pa.
         let load = |over: f64| over * 4e4 * scene.nominal_area;
         let closed = contact.separation(At::Load(load(20.0))).unwrap_err().to_string();
-        assert!(closed.starts_with("load is 24.0: at most 17 E g"), "{closed}");
+        assert!(closed.starts_with("load is 24.0"), "{closed}");
         // The load follows back from the gap.
         let last = contact.separation(At::Load(load(17.0))).unwrap();
         let force = contact.evaluate(Quantity::Force, last).unwrap().value();
@@ -330,10 +322,10 @@ mod tests {
 
     #[test]
     fn the_reason_why_a_scan_has_no_spectrum_is_reported() {
-        let spectrum = Some(Err("1 % of its points are missing".to_string()));
+        let spectrum = Some(Err("a gap".to_string()));
         let persson = Persson { spectrum, ..Persson::default() };
         let contact = persson.compile(&scene(), &Request::new(Quantity::ALL)).unwrap();
         let message = contact.evaluate(Quantity::Tangent, At::Load(1.0)).unwrap_err().to_string();
-        assert!(message.ends_with("(the scan has none: 1 % of its points are missing)"));
+        assert!(message.ends_with("a gap)"), "{message}");
     }
 }

@@ -237,9 +237,9 @@ mod tests {
         let contact = power_law(PerssonVariance::Full, 0.8);
         let contact = contact.compile(&scene(8.0), &Request::new(QUANTITIES)).unwrap();
         let heavy = contact.evaluate(Quantity::Tangent, At::Pressure(1e13)).unwrap_err();
-        assert!(heavy.to_string().starts_with("the scale of the tangent is inf"), "{heavy}");
+        assert!(heavy.to_string().contains("tangent is inf"), "{heavy}");
         let closed = contact.evaluate(Quantity::Force, At::metres(-1.0)).unwrap_err().to_string();
-        assert!(closed.starts_with("separation in m from the mean plane"), "{closed}");
+        assert!(closed.starts_with("separation in m"), "{closed}");
         let refused = Spectrum::power_law(&ProfileMoments { m0: 1.0, m2: 1.0, m4: 1.4 }, 0.8);
         assert!(refused.unwrap_err().to_string().starts_with("bandwidth (m0 m4/m2^2) is 1.4"));
         for waves in [[(0.0, 1.0), (1.0, 1.0)], [(1.0, 0.0), (2.0, 0.0)], [(1.0, -1.0), (2.0, 1.0)]]

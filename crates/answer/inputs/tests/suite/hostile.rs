@@ -27,46 +27,13 @@ fn known_attacks_give_an_error_within_seconds() {
         ("a long key", format!("{} = 1", "x".repeat(deep))),
         ("zero bytes", "\0".repeat(1000)),
         ("half a string", "heights = \"abc".into()),
-        ("a byte order mark alone", "\u{feff}".into()),
+        ("a byte order mark", "\u{feff}".into()),
     ];
     for (name, text) in attacks {
         let start = Instant::now();
         let message = refused(&text);
         assert!(start.elapsed() < Duration::from_secs(5), "{name}: {:?}", start.elapsed());
         assert!(message.len() < 1000, "{name}: {} characters", message.len());
-    }
-}
-
-#[test]
-fn extreme_numbers_are_refused_or_solved() {
-    use asperity::{Quantity, Request, Tolerance};
-    for number in ["5e-324", "1e-300", "1e300", "1.7976931348623157e308", "-0.0", "inf", "nan", "0"]
-    {
-        for key in [
-            "nominal_area",
-            "youngs_modulus",
-            "hardness",
-            "asperity_radius",
-            "asperity_density",
-            "asperity_height_std",
-        ] {
-            let replaced = |line: &str| {
-                if line.starts_with(key) {
-                    format!("{key} = {number}\n")
-                } else {
-                    format!("{line}\n")
-                }
-            };
-            let text: String = template().lines().map(replaced).collect();
-            let Ok(file) = parse(&text, Path::new(".")) else { continue };
-            for model in file.models().0 {
-                let request = Request::new([Quantity::Force]).at([1.0]);
-                let request = request.within(Tolerance::new(1e-3).unwrap());
-                if let Ok(answer) = model.solve(&file.scene, &request) {
-                    assert!(!answer.values(Quantity::Force).unwrap()[0].is_nan(), "{key} {number}");
-                }
-            }
-        }
     }
 }
 

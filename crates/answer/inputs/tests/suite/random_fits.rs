@@ -21,7 +21,7 @@ fn scene(factors: [f64; 3]) -> SceneFile {
 }
 
 /// Areas and tangents of a model at loads, each times `1 + scatter` for its row, fitted.
-fn fitted(id: &str, free: &[usize], pressures: &[f64], scatter: impl Fn(usize) -> f64) -> Fitted {
+fn fitted(id: &str, pressures: &[f64], scatter: impl Fn(usize) -> f64) -> Fitted {
     let truth = scene([1.0; 3]);
     let model = truth.model(id).unwrap();
     let loads = pressures.iter().map(|pressure| 1e-4 * pressure);
@@ -38,11 +38,8 @@ fn fitted(id: &str, free: &[usize], pressures: &[f64], scatter: impl Fn(usize) -
     let path = folder.path().join("data.csv");
     std::fs::write(&path, rows).unwrap();
     let data = truth.data(&read_measurements(path).unwrap()).unwrap();
-    let mut factors = [1.0; 3];
-    free.iter().for_each(|k| factors[*k] = [1.5, 0.8, 1.3][*k]);
-    let start = scene(factors);
-    let free: Vec<_> = free.iter().map(|k| TRUTH[*k].0.parse().unwrap()).collect();
-    start.fit(&model, &data, &free, &mut |_| ControlFlow::Continue(())).unwrap()
+    let free = [TRUTH[1].0.parse().unwrap()];
+    scene([1.0, 0.8, 1.0]).fit(&model, &data, &free, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The accuracy of a fit, and its interval, by derivatives from scenes two per cent apart.
@@ -50,7 +47,7 @@ fn fitted(id: &str, free: &[usize], pressures: &[f64], scatter: impl Fn(usize) -
 fn a_scatter_of_the_data_moves_the_minimum_and_widens_the_interval_as_it_should() {
     let pressures = [1e5, 5e5, 3e6, 2e7];
     let scatter = |k: usize| [0.02, -0.015, 0.01, -0.02][k];
-    let found = fitted("gw-random", &[1], &pressures, scatter);
+    let found = fitted("gw-random", &pressures, scatter);
     let one = &found.parameters[0];
     assert!(
         found.converged && found.findings.iter().all(|one| one.code != "undetermined"),
@@ -78,11 +75,4 @@ fn a_scatter_of_the_data_moves_the_minimum_and_widens_the_interval_as_it_should(
     let [lower, upper] = [one.lower, one.upper].map(|end| (end.unwrap() / one.value).ln());
     assert!((upper / half - 1.0).abs() < 0.05 && (lower / -half - 1.0).abs() < 0.05, "{one:?}");
     assert!(found.evaluations < 60, "{}", found.evaluations);
-}
-
-#[test]
-fn a_number_of_random_asperities_comes_back_to_a_millionth() {
-    let found = fitted("gw-random", &[1], &[1e5, 3e6], |_| 0.0);
-    let off = found.parameters[0].value / TRUTH[1].1 - 1.0;
-    assert!(off.abs() < 1e-6 && found.rms < Some(1e-6), "{off:e} {found:?}");
 }

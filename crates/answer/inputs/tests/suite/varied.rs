@@ -160,30 +160,6 @@ fn two_numbers_are_replaced_in_either_order_or_refused_together() {
     }
 }
 
-/// Figure 4: the plasticity index stays where it was written.
-#[test]
-fn a_rougher_surface_of_a_given_plasticity_index_has_other_radii() {
-    let way = |std: f64| {
-        let surface = vec![
-            ("plasticity_index", 2.0),
-            ("roughness_parameter", 0.04),
-            ("asperity_height_std", std),
-        ];
-        let sections = scenes(false, 1, None);
-        read(&text(&[&sections[..2], &[("surface", surface)]].concat(), ""))
-    };
-    let (file, wanted) = (way(1e-6), way(0.5e-6));
-    let input = file.inputs(["asperity_height_std"]).unwrap()[0];
-    let varied = file.with_inputs([(input, 0.5e-6)]).unwrap();
-    let index = varied.scene.plasticity_index().unwrap();
-    assert!((index / 2.0 - 1.0).abs() < 1e-12, "{index}");
-    assert_eq!(physics(&varied), physics(&wanted));
-    // Half the height at the same slope of asperities: half their radius, four times as many.
-    let [one, other] = [&file, &varied].map(|file| file.scene.surface);
-    assert!((other.asperity_radius / one.asperity_radius - 0.5).abs() < 1e-12);
-    assert!((other.asperity_density / one.asperity_density - 4.0).abs() < 1e-12);
-}
-
 #[test]
 fn of_two_surfaces_a_fit_finds_the_number_of_the_first() {
     let folder = tempfile::tempdir().unwrap();

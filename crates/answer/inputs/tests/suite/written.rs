@@ -6,8 +6,13 @@ use std::path::Path;
 use asperity::{
     Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights, WeibullHeights,
 };
-use asperity_inputs::{ModelOptions, SceneFile, load, parse, template};
+use asperity_inputs::{ModelOptions, SceneError, SceneFile, load, parse, template};
 use proptest::prelude::*;
+
+use crate::scene_files::INTERFACE;
+use crate::two_surfaces::{HEAD, write_scan};
+
+const OFFSET: &str = "asperity_height_std = 1e-6\nmean_plane_offset = \"2 um\"";
 
 fn read(text: &str) -> SceneFile {
     parse(text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"))
@@ -122,30 +127,23 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
         let (x, y) = ((k % 48) as f64, (k / 48) as f64);
         1e-7 * ((0.9 * x).sin() + (0.7 * y + 1.0).cos() + (0.5 * x - 0.8 * y).sin())
     };
-    let row = |y: usize| (48 * y..48 * (y + 1)).map(|k| wave(k).to_string()).collect::<Vec<_>>();
-    let rows: Vec<String> = (0..32).map(|y| row(y).join(" ")).collect();
-    std::fs::write(folder.path().join("scan.txt"), rows.join("\n")).unwrap();
-    let head = "nominal_area = 1e-6\nrigid_counterface = true\nwork_of_adhesion = 0.05\n[[body]]
-        youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nhardness = 2e9\n[surface]\n";
+    let heights: Vec<f64> = (0..48 * 32).map(wave).collect();
+    write_scan(&folder.path().join("scan.txt"), &heights, 48);
+    let head = format!("work_of_adhesion = 0.05\n{HEAD}");
     let scan = "file = \"scan.txt\"\nunit = \"m\"\npixel_size = [1e-6, 1.5e-6]\n";
     let two = scan.replace("file = \"scan.txt\"", "files = [\"scan.txt\", \"scan.txt\"]");
     let asperities = "asperity_radius = \"0.2 mm\"\nasperity_density = 2e8\n";
     for surface in [
-        &format!(
-            "{scan}level = \"quadratic\"\nfilter = \"20 um\"\nsmooth = 4e-6\nmax_missing = 0.2"
-        ),
+        &format!("{scan}level = \"quadratic\"\nfilter = \"20 um\"\nsmooth = 4e-6"),
+        &format!("{scan}max_missing = 0.2"),
         &format!("{scan}estimator = \"summits\"\nfill_missing = true\nheights = \"measured\""),
         &format!("{scan}periodic = true\nseparation_from = \"surface-mean\""),
         &two,
         &format!("{asperities}surface_height_std = 1.1e-6"),
         &format!("{asperities}asperity_height_std = 1e-6\nheights = \"exponential\""),
         &"surface_height_std = \"1 um\"\nmean_slope = 0.1\nasperity_density = 2e9".to_string(),
-        &format!(
-            "{asperities}asperity_height_std = 1e-6\nmean_plane_offset = 2e-6\nseparation_from = \"surface-mean\""
-        ),
-        &format!(
-            "{asperities}asperity_height_std = 1e-6\nheights = {{ skewness = -0.3 }}\nmean_plane_offset = \"2 um\"\nseparation_from = \"surface-mean\""
-        ),
+        &format!("{asperities}{OFFSET}\nseparation_from = \"surface-mean\""),
+        &format!("{asperities}heights = {{ skewness = -0.3 }}\n{OFFSET}"),
         &format!(
             "{asperities}heights = {{ height_m = [0, 1e-6, 3e-6], density_per_m = [0, 1, 0] }}\nseparation_from = \"surface-mean\""
         ),
@@ -176,8 +174,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
 
 #[test]
 fn the_keys_of_a_surface_stay_when_its_numbers_change() {
-    let head = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n\
-                hardness = 2e9\n[surface]\n";
+    let head = "nominal_area = 1e-4\n".to_string() + INTERFACE + "[surface]\n";
     for (surface, changed, line) in [
         ("sq = 1e-6\nspd = 2e9\nsdq = 0.15", "sdq", "sdq = 2e-1 "),
         ("sq = 1e-6\nspd = 2e8\nspc = 5e3", "sq", "sq = 2e-1 "),
@@ -245,12 +242,7 @@ fn heights_and_comments_are_written() {
     assert!(text.starts_with("# from scan.x3p,\n# levelled [x]\n"), "{text}");
     again(&file);
     file.scene.heights = HeightDistribution::Weibull(WeibullHeights::new(-0.6).unwrap());
-    let (text, _) = again(&file);
-    let message = parse(&text.replace("-6e-1", "-6.0"), Path::new(".")).unwrap_err().to_string();
-    assert!(
-        message.contains("surface.heights.skewness") && message.contains("-1 to 2"),
-        "{message}"
-    );
+    again(&file);
 }
 
 #[test]
@@ -265,8 +257,11 @@ fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
     file.scene.mean_plane_offset = Some(table.mean());
     file.separation_from = Datum::SurfaceMean;
     // Without its points the density cannot be written.
-    let refused = file.to_toml(&[]).unwrap_err().to_string();
-    assert_eq!(refused, "surface.heights cannot be written: own: a density that is not a table");
+    let unwritable = |refused: SceneError| match refused {
+        SceneError::Unwritable { at, .. } => at.field,
+        other => panic!("{other}"),
+    };
+    assert_eq!(unwritable(file.to_toml(&[]).unwrap_err()), "surface.heights");
     file.table = Some(table);
     again(&file);
     let path = folder.path().join("scene.toml");
@@ -274,25 +269,19 @@ fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
     assert!(text.contains("heights = { file = \"scene.csv\" }"), "{text}");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
     assert_same(&file, &load(&path).unwrap());
-    let refused = file.save(&folder.path().join("scene.csv"), &[]).unwrap_err().to_string();
-    assert!(refused.ends_with("must be valid UTF-8 and must not end in .csv"), "{refused}");
-    let refused = file.save(&folder.path().join("no/scene.toml"), &[]).unwrap_err().to_string();
-    assert!(refused.contains("cannot be written"), "{refused}");
+    for name in ["scene.csv", "no/scene.toml"] {
+        unwritable(file.save(&folder.path().join(name), &[]).unwrap_err());
+    }
     // An offset other than the table's has no key.
     file.scene.mean_plane_offset = Some(1e-6);
-    let refused = file.to_toml(&[]).unwrap_err().to_string();
-    assert!(refused.starts_with("surface.mean_plane_offset cannot be written"), "{refused}");
-}
-
-#[test]
-fn scenes_that_cannot_be_read_are_not_written() {
-    let mut file = read(template());
+    assert_eq!(unwritable(file.to_toml(&[]).unwrap_err()), "surface.mean_plane_offset");
     file.scene.nominal_area = f64::NAN;
-    let refused = file.to_toml(&[]).unwrap_err().to_string();
-    assert!(refused.contains("nominal_area is NaN: a finite number above 0"), "{refused}");
+    assert!(file.to_toml(&[]).is_err());
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
     #[test]
     fn any_scene_reads_back_bit_for_bit(
         numbers in prop::array::uniform8(-12f64..12.0),

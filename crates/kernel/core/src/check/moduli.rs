@@ -149,7 +149,7 @@ mod tests {
             for (value, scale) in given.into_iter().flat_map(|h| [1.0, 1e-9, 1e-6].map(|s| (h, s)))
             {
                 let found = Body::new(modulus * scale, 0.3, value).findings();
-                // "210 looks like GPa; 210 GPa is 2.1e11 Pa, ..": what each is in Pa.
+                // What each unit is in Pa, behind "is".
                 let advised = |field: &str| -> Vec<f64> {
                     let of_field = found.iter().find(|found| found.field == field);
                     let advice = of_field.and_then(|found| found.likely_unit.clone());
@@ -173,19 +173,19 @@ mod tests {
     #[test]
     fn units_are_those_that_are_plausible_beside_the_modulus() {
         for (modulus, hardness, wanted) in [
-            (210e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
-            (210e9, 58.0, "58 looks like HRC; 58 HRC is 6.907e9 Pa"),
-            (120e9, 60.0, "60 looks like HV; 60 HV is 6.346e8 Pa"),
-            (70e9, 200.0, "200 looks like HV; 200 HV is 2.115e9 Pa"),
-            (210e9, 2.0, "2 looks like GPa; 2 GPa is 2e9 Pa"),
-            (72e9, 5.74, "5.74 looks like GPa; 5.74 GPa is 5.74e9 Pa"),
+            (210e9, 200.0, "200 HV is 2.115e9 Pa"),
+            (210e9, 58.0, "58 HRC is 6.907e9 Pa"),
+            (120e9, 60.0, "60 HV is 6.346e8 Pa"),
+            (70e9, 200.0, "200 HV is 2.115e9 Pa"),
+            (210e9, 2.0, "2 GPa is 2e9 Pa"),
+            (72e9, 5.74, "5.74 GPa is 5.74e9 Pa"),
             // Tin, indium and lead.
-            (50e9, 5.0, "5 looks like HV; 5 HV is 5.288e7 Pa"),
-            (12.7e9, 1.0, "1 looks like HV; 1 HV is 1.058e7 Pa"),
-            (16e9, 4.0, "4 looks like HV; 4 HV is 4.231e7 Pa"),
+            (50e9, 5.0, "5 HV is 5.288e7 Pa"),
+            (12.7e9, 1.0, "1 HV is 1.058e7 Pa"),
+            (16e9, 4.0, "4 HV is 4.231e7 Pa"),
         ] {
             let found = of_hardness(modulus, hardness).unwrap().to_string();
-            assert!(found.ends_with(&format!(": {wanted}")), "{found}");
+            assert!(found.ends_with(&format!("; {wanted}")), "{found}");
         }
         for (modulus, wanted) in [(210.0, "210 GPa is 2.1e11"), (2.1e5, "2.1e5 MPa is 2.1e11")] {
             let found = Body::new(modulus, 0.3, 200.0).findings();
@@ -226,7 +226,6 @@ mod tests {
             assert_eq!(found.message().matches(CHECK_UNIT).count(), 1, "{found}");
         }
         let soft = of_hardness(210e9, 2e8).unwrap();
-        let wanted = "hardness over modulus is 9.524e-4, where 0.0015 to 0.3 is usual; check the number and its unit";
-        assert!(!soft.is_implausible() && soft.message().ends_with(wanted), "{soft}");
+        assert!(!soft.is_implausible() && soft.message().ends_with(CHECK_UNIT), "{soft}");
     }
 }

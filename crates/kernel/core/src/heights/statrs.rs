@@ -111,6 +111,6 @@ mod tests {
         assert!(new(0.0).unwrap_err().to_string().starts_with("asperity_height_std is 0"));
         let cauchy = Cauchy::new(0.0, 1.0).unwrap();
         let error = StandardisedHeights::new("cauchy", cauchy, 1e-6).unwrap_err();
-        assert!(error.to_string().starts_with("standard deviation of the heights"));
+        assert!(error.to_string().starts_with("standard deviation"));
     }
 }

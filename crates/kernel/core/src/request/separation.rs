@@ -341,10 +341,6 @@ mod tests {
         let sigma = scene.surface.moments().m0.sqrt();
         let ratio = Separation::film_ratio((1e-6 + offset) / sigma);
         assert!((ratio.in_sigma(&scene).unwrap().s - 2.0).abs() < 1e-14);
-        assert_eq!(
-            ratio.to_string(),
-            format!("{} surface_height_std from the mean plane of the surface", ratio.value)
-        );
         let measured = Scene { surface_height_std: Some(2.0 * sigma), ..scene.clone() };
         let half =
             ratio.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &measured).unwrap();

@@ -276,10 +276,10 @@ mod tests {
             assert_eq!(value.is_ok(), held, "{value:?}");
         }
         let tiny = Evaluation::of_value(&moments(1e-30), 1e-300, HERE);
-        let message = tiny.held(1e-30, Quantity::Force).unwrap_err().to_string();
-        assert!(message.starts_with("the scale of the force is 0e0"), "{message}");
+        let refused = tiny.held(1e-30, Quantity::Force);
+        assert!(matches!(refused, Err(ContactError::Scale { .. })), "{refused:?}");
         let none = Evaluation::of_value(&moments(0.0), 1e-300, HERE);
-        assert!(none.held(0.0, Quantity::Force).is_ok(), "no contact is no error");
+        assert!(none.held(0.0, Quantity::Force).is_ok());
     }
 
     #[test]

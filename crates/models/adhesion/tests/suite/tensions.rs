@@ -91,8 +91,8 @@ fn tensions_between_nearly_smooth_surfaces_are_held_at_two_separations() {
             }
             // Farther out, no separation holds as much.
             let end = 2.2 * turn + 9.0;
-            for k in 1..4000 {
-                let s = high.value + (end - high.value) * f64::from(k) / 4000.0;
+            for k in 1..500 {
+                let s = high.value + (end - high.value) * f64::from(k) / 500.0;
                 assert!(force(s) > tension, "{height_std} {share}: {s}");
             }
         }

@@ -85,9 +85,7 @@ fn loads_and_pressures_of_a_row_must_agree() {
     let data = data(&columns);
     assert_eq!(data.check_loads(1e-4), Ok(()));
     assert_eq!(data.check_loads(1.004e-4), Ok(()), "rounded");
-    let refused = data.check_loads(5e-5).unwrap_err().to_string();
-    let wanted = "row 1: load_N = 100 and pressure_Pa = 1e6 contradict each other: on the nominal area of 5e-5 m2 this pressure is a load of 50 N; leave one of the two columns out, or correct the area";
-    assert_eq!(refused, wanted);
+    insta::assert_snapshot!(data.check_loads(5e-5).unwrap_err());
 }
 
 #[test]
@@ -108,9 +106,8 @@ fn parameters_and_data_that_make_no_fit_are_refused() {
     let data = data(&columns(&GreenwoodWilliamson, &LOADS[..2], &[Quantity::Tangent]));
     let scene = varied(&[0, 1, 2]);
     let refused = |free: Vec<Parameter>| Fit::new(&data, free, &scene).err().unwrap().to_string();
-    assert_eq!(refused(vec![]), "free parameters: at least one was required");
-    assert!(refused(parameters(&[1, 1], 1.0)).ends_with("asperity_density: it is given twice"));
-    assert!(refused(parameters(&[0, 1, 2], 1.0)).starts_with("2 measured values for 3 free param"));
+    let refused = [vec![], parameters(&[1, 1], 1.0), parameters(&[0, 1, 2], 1.0)].map(refused);
+    insta::assert_snapshot!(refused.join("\n"));
     for (bounds, scale) in [([2.0, 1.0], 1.0), ([1.0, f64::NAN], 1.0), ([-1.0, 1.0], 0.0)] {
         assert!(Parameter::new(NAMES[0], "m", 1.0, bounds, scale).is_err(), "{bounds:?}");
     }

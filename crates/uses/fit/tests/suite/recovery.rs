@@ -22,15 +22,8 @@ fn assert_recovered(fitted: &Fitted, truth: &[f64]) {
 fn every_number_of_the_surface_comes_back_to_1e_8() {
     let (gw, ke, jg) = (GreenwoodWilliamson, KogutEtsion, JacksonGreen::default());
     let quantities = [Quantity::Area, Quantity::UnloadingStiffness];
-    let cases: [(&dyn ContactModel, &[usize]); 7] = [
-        (&gw, &[2]),
-        (&gw, &[1, 2]),
-        (&gw, &[0, 1, 2]),
-        (&ke, &[2]),
-        (&ke, &[2, 3]),
-        (&ke, &[0, 1, 2]),
-        (&jg, &[2, 3]),
-    ];
+    let cases: [(&dyn ContactModel, &[usize]); 4] =
+        [(&gw, &[0, 1, 2]), (&ke, &[2, 3]), (&ke, &[0, 1, 2]), (&jg, &[2, 3])];
     for (model, free) in cases {
         let data = data(&columns(model, &LOADS, &quantities));
         let scene = varied(free);
@@ -112,7 +105,7 @@ fn separations_with_a_standard_deviation_are_measured_under_loads() {
     let scene = varied(&[2]);
     let fitted = Fit::new(&data, free, &scene).unwrap().run(&KogutEtsion).unwrap();
     assert_recovered(&fitted, &[TRUTH[2], 1e-6]);
-    assert_eq!(fitted.rms, None, "separations have no relative error");
+    assert_eq!(fitted.rms, None);
 }
 
 #[test]

@@ -108,8 +108,7 @@ fn elastic_joints_dissipate_nothing_and_equal_closed_forms() {
         assert!((returned.value() / spent - 1.0).abs() < known && known < 1e-10);
         // The loss factor of a work that underflows is refused.
         let nothing = joint.work(At::sigmas(800.0)).unwrap();
-        let refused = nothing.loss_factor().unwrap_err().to_string();
-        assert!(refused.starts_with("work of closing is 0.0"), "{refused}");
+        assert!(nothing.loss_factor().is_err());
         if matches!(heights, HeightDistribution::Exponential) {
             // ∫ F dd = σ F.
             let force = joint.virgin().evaluate(Quantity::Force, at).unwrap().value();
@@ -199,14 +198,14 @@ fn forces_of_a_table_are_at_least_0() {
         let joint = Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap();
         let table = joint.table((-1.5 * SIGMA, 5.0 * SIGMA), 1e-5).unwrap();
         let mut zeros = 0;
-        for k in 0..200_000 {
+        for k in 0..50_000 {
             let [a, b] = [0.618_033_988, 0.754_877_666].map(|g| (f64::from(k) * g).fract());
             let (closest, retreat) = ((-1.5 + 6.5 * a) * SIGMA, 8.0 * b * SIGMA);
             let reply = table.at(closest + retreat, closest).unwrap();
             assert!(reply.force >= 0.0, "{closest:e} {retreat:e}: {}", reply.force);
             zeros += i32::from(reply.force == 0.0);
         }
-        assert!(zeros > 1000);
+        assert!(zeros > 250);
     }
 }
 
@@ -222,7 +221,7 @@ fn tables_equal_unloading_within_their_tolerance() {
         (&jg, 2.0, UnloadingLaw::Hertz, 400),
         (&GreenwoodWilliamson, 1.0, UnloadingLaw::Hertz, 150),
     ];
-    for (model, index, law, count) in cases.into_iter().step_by(if is_long() { 1 } else { 2 }) {
+    for (model, index, law, count) in cases.into_iter().step_by(if is_long() { 1 } else { 3 }) {
         let count = if is_long() { count } else { count / 8 };
         let joint = Joint::new(model, &with_index(index), law, Tolerance::default()).unwrap();
         let tolerance = 1e-6;

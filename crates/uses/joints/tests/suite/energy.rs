@@ -60,12 +60,11 @@ fn energy_gains_of_steep_laws_and_of_jumps() {
         assert!((found.amount - wanted).abs() < 0.006, "{} {law}: {found:?}", model.id());
         let text = found.finding().to_string();
         let start = format!("{}: by {law}, opening returns ", model.id());
-        assert!(text.contains(&start) && text.contains("use another unloading law"), "{text}");
+        assert!(text.contains(&start), "{text}");
     }
     // Some asperities create energy although the joint dissipates energy.
     let part = gain(&ChangEtsionBogy, UnloadingLaw::Brake, (2.0, 0.0)).1.unwrap();
-    let text = part.finding().to_string();
-    assert!(!part.is_net && text.contains("the loss is too small by"), "{text}");
+    assert!(!part.is_net, "{}", part.finding());
     // Elastic contacts return the work of loading.
     assert!(gain(&GreenwoodWilliamson, UnloadingLaw::Brake, (0.7, -3.0)).1.is_none());
 }

@@ -97,7 +97,7 @@ fn a_force_within_the_tolerance_of_friction_slides_at_every_preload() {
             for share in [1.0, 1.0 - 1e-15, 1.0 - 1e-12, 1.0 - 1e-10, 1.0 - 1e-8] {
                 let force = FRICTION * load * share;
                 let refused = slip.amplitude_at(force).unwrap_err().to_string();
-                assert!(refused.contains("within the tolerance of which the joint slides"));
+                assert!(refused.contains("joint slides"), "{refused}");
             }
         }
         // An amplitude that is given is good to the tolerance: that of a force 1e-15 away is as
@@ -116,7 +116,7 @@ fn what_exceeds_friction_slides() {
     for force in [20.000_001, 1e30, 0.0, -1.0, f64::NAN] {
         let refused = slip.amplitude_at(force).unwrap_err().to_string();
         assert!(refused.starts_with("tangential_force is "), "{refused}");
-        let slides = refused.contains("of which the joint slides");
+        let slides = refused.contains("joint slides");
         assert_eq!(slides, force > 20.0, "{refused}");
     }
 }

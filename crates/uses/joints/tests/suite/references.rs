@@ -268,15 +268,9 @@ fn shift_at_a_share_of_sliding_equals_the_closed_form() {
 #[test]
 fn unsupported_models_and_inputs_are_refused_by_name() {
     let (scene, at, law) = (named("mild"), At::from(1.0), UnloadingLaw::Etsion);
-    let refused = Unloading::new(&Gao::default(), &scene, at, law, tight()).unwrap_err();
-    assert!(
-        refused
-            .to_string()
-            .starts_with("gao cannot give unloading and partial slip: its contacts are inclined")
-    );
+    let inclined = Unloading::new(&Gao::default(), &scene, at, law, tight()).unwrap_err();
     let joint = Unloading::new(&KogutEtsion, &scene, at, law, tight()).unwrap();
-    let refused = joint.area(0.0).unwrap_err().to_string();
-    assert!(refused.starts_with("ke cannot give an area in unloading by etsion"), "{refused}");
+    let area = joint.area(0.0).unwrap_err();
     for bad in [-1e-9, f64::NAN, f64::INFINITY] {
         assert!(joint.force(bad).unwrap_err().to_string().starts_with("retreat is"));
         let slip = PartialSlip::new(&joint, 0.2).unwrap();
@@ -286,6 +280,6 @@ fn unsupported_models_and_inputs_are_refused_by_name() {
     let mut bare = scene;
     bare.interface.equivalent_shear_modulus = None;
     let joint = Unloading::new(&KogutEtsion, &bare, at, law, tight()).unwrap();
-    let refused = PartialSlip::new(&joint, 0.2).unwrap_err().to_string();
-    assert!(refused.starts_with("equivalent_shear_modulus is missing: partial slip by ke"));
+    let bare = PartialSlip::new(&joint, 0.2).unwrap_err();
+    insta::assert_snapshot!([inclined, area, bare].map(|one| one.to_string()).join("\n"));
 }

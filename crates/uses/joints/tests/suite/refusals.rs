@@ -31,7 +31,7 @@ fn tables_that_miss_their_tolerance_are_refused_with_the_error_reached() {
     }
     // Multiples of σ_z in place of metres.
     let refused = joint.table((-1.0, 3.0), 1e-6).unwrap_err().to_string();
-    assert!(refused.starts_with("open - deepest is 4.0: at most 1000"), "{refused}");
+    assert!(refused.starts_with("open - deepest is 4.0"), "{refused}");
 }
 
 #[test]
@@ -106,5 +106,5 @@ fn infinite_work_is_refused() {
     let tolerance = Tolerance::new(1e-6).unwrap();
     let joint = Joint::new(&GreenwoodWilliamson, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
     let refused = joint.work(At::from(1.0)).unwrap_err().to_string();
-    assert!(refused.starts_with("share of the work beyond 1e8"), "{refused}");
+    assert!(refused.contains("beyond 1e8"), "{refused}");
 }
