@@ -128,7 +128,7 @@ impl<'a> Press<'a> {
             let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
             let cells = numbers.chain(values).chain(flows.into_iter().flatten());
             let cells = cells.collect();
-            let notes = solution.notes.iter().cloned().chain(summary.findings()).collect();
+            let notes = solution.notes.iter().cloned().chain(summary.finding()).collect();
             Pressed { cells, notes, solution }
         };
         elements.solve_each(self.given, progress, |index, solution| {

@@ -47,7 +47,7 @@ pub fn pull_off(
     Ok(())
 }
 
-/// Notes the tension relative to that of asperities of equal height.
+/// States the tension relative to that of asperities of equal height.
 fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
     // Pull-off force of one asperity in units of pi R w_a.
     let single = match id {
@@ -63,10 +63,7 @@ fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
         return sheet.note("no-pull-off", text);
     }
     let (percent, of) = (rounded(percent), "of that of asperities of equal height");
-    sheet.note(
-        "reduced-tension",
-        format!("{id}: roughness reduces the tension to {percent} % {of}"),
-    );
+    sheet.result(format!("{id}: roughness reduces the tension to {percent} % {of}"));
 }
 
 /// Why there is no pull-off force.

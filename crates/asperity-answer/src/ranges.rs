@@ -137,12 +137,11 @@ impl Ends<'_> {
         let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
         let new = worst_at_ends(&sheet.findings, at_ends);
         sheet.findings.extend(new);
-        let verdict =
-            |of: &Sheet| of.findings.iter().find(|found| found.code == "verdict").cloned();
-        let own = verdict(sheet);
-        let others = self.sheets.iter().filter_map(verdict);
-        if let Some(other) = others.into_iter().find(|other| Some(other) != own.as_ref()) {
-            sheet.findings.push(other.from_origin(AT_AN_END));
+        // The first result is the verdict of a recommendation.
+        let own = sheet.results.first().cloned();
+        let mut others = self.sheets.iter().filter_map(|end| end.results.first());
+        if let Some(other) = others.find(|other| Some(*other) != own.as_ref()) {
+            sheet.result(format!("{AT_AN_END}: {other}"));
         }
         let spreads = self.file.spreads();
         let columns =

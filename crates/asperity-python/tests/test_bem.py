@@ -463,8 +463,7 @@ def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:
     assert found["flow_y"] == pytest.approx(found["hydraulic_gap_y"] ** 3 * 1e6 / 12e-3)
     assert found["hydraulic_gap_x"] == pytest.approx(found["effective_medium_gap"], rel=0.2)
     assert (found["flow_x"][1] < found["flow_x"][0]) and (found["flow_x"] > 0).all()
-    with pytest.warns(asperity.ContactWarning, match=r"sealed: no open path of pixels leads along [xy]"):
-        sealed = asperity.bem(scan(), interface=STEEL, pressure=5e9, **given, **fluid)
+    sealed = asperity.bem(scan(), interface=STEEL, pressure=5e9, **given, **fluid)
     assert sealed.quantities["hydraulic_gap_x"] == sealed.quantities["flow_x"] == 0
     with pytest.warns(asperity.ContactWarning, match="viscosity is 46 Pa s"):
         asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=46, pressure_drop=1e5)

@@ -95,10 +95,8 @@ pub fn truth_of(
     let (unsupported, missing): (Vec<_>, Vec<_>) = solved.missing().into_iter().partition(never);
     by_reason(missing).into_iter().for_each(|text| sheet.warn("no-value", text));
     by_reason(unsupported).into_iter().for_each(|text| sheet.note("no-value", text));
-    sheet.note("nearest", summary(found));
-    for line in beside_table(file, found) {
-        sheet.note("evidence", line);
-    }
+    sheet.result(summary(found));
+    beside_table(file, found).into_iter().for_each(|line| sheet.result(line));
     for mut row in solved.rows(file.scene.nominal_area, quantities) {
         row.push(bem.continuation().name().into());
         sheet.rows.push(row);

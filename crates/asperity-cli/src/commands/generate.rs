@@ -110,10 +110,7 @@ impl Generate {
         }
         contact_map::write(&self.output, &[map.heights()], shape)?;
         let text = format!("read it with --unit m --pixel-size {dx:e}x{dy:e} --periodic");
-        output::note(
-            "heights-in-metres",
-            format!("{}: heights in m; {text}", self.output.display()),
-        );
+        output::print_results(&[format!("{}: heights in m; {text}", self.output.display())]);
         Ok(())
     }
 

@@ -164,7 +164,7 @@ fn pressures_are_written_and_drawn() {
     }
     let svg = bench.read("one.svg");
     let pixels = bench.run("bem scan.toml --pressure 1e9 --picture one.PNG");
-    assert!(pixels.messages.contains("[picture]"), "{}", pixels.messages);
+    assert!(!pixels.results().is_empty(), "{}", pixels.messages);
     let png = std::fs::read(bench.path("one.PNG")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n"));
     for arguments in

@@ -316,7 +316,7 @@ fn commas_brackets_and_other_units_are_explained() {
 }
 
 #[test]
-fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
+fn units_that_are_not_decimal_are_taken_and_converted_at_their_key() {
     let scene = format!(
         "nominal_area = \"1 in2\"\nrigid_counterface = true\n[[body]]\n{STEEL}\npoissons_ratio = 0.3\n\
          hardness = \"200 HV\"\n[surface]\n{GROUND}\n"
@@ -325,13 +325,9 @@ fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
     assert!((file.scene.nominal_area - 645.16e-6).abs() < 1e-12);
     let hardness = file.scene.interface.hardness.unwrap();
     assert!((hardness / 2.1153e9 - 1.0).abs() < 1e-4, "{hardness}");
-    let notes = file.warnings.iter().filter(|found| found.code == "other-unit");
-    let notes: Vec<_> = notes.map(|note| (note.field.to_string(), note.to_string())).collect();
-    let wanted = [
-        ("body[1].hardness", "body[1].hardness: 200 HV is 2.115 GPa"),
-        ("nominal_area", "nominal_area: 1 in2 is 645.2 mm2"),
-    ];
-    assert_eq!(notes, wanted.map(|(field, text)| (field.to_string(), text.to_string())));
+    let wanted =
+        [("body[1].hardness", "200 HV is 2.115 GPa"), ("nominal_area", "1 in2 is 645.2 mm2")];
+    assert_eq!(file.converted, wanted.map(|(key, text)| (key.to_string(), text.to_string())));
 }
 
 #[test]
@@ -348,11 +344,8 @@ fn a_hardness_by_another_test_is_taken_with_its_table_and_a_bare_one_is_none_in_
         let file = scene(&format!("\"{text}\"")).unwrap();
         let found = file.scene.interface.hardness.unwrap();
         assert!((found / pascals - 1.0).abs() < 1e-4, "{text}: {found}");
-        let note = file.warnings.iter().find(|found| found.code == "other-unit").unwrap();
-        assert!(
-            note.field == "body[1].hardness" && note.to_string().contains(" for steel"),
-            "{note}"
-        );
+        let [(key, conversion)] = &file.converted[..] else { panic!("{:?}", file.converted) };
+        assert!(key == "body[1].hardness" && conversion.contains(" for steel"), "{conversion}");
     }
     for (text, units) in [
         ("58", "write \"58 HRC\" or \"58 HV\", for example"),
