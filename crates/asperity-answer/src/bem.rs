@@ -228,7 +228,7 @@ impl<'a> Press<'a> {
             Err(error) => errors.push(error.to_string()),
         });
         errors.append(&mut lacks);
-        once(&errors).iter().for_each(|text| sheet.warn("unsolved", text));
+        once(&errors).iter().for_each(|text| sheet.warn("no-value", text));
         let grid = format!("{rows} x {columns} pixels");
         let kept = kept.into_iter().flatten().collect();
         Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))

@@ -67,7 +67,7 @@ fn work(joint: &Joint, path: &Path) -> Option<Result<String, Finding>> {
     let closing = match joint.work(At::metres(path.points.first()?.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return Some(Err(warning("no-work", format!("the work is unavailable: {error}"))));
+            return Some(Err(warning("no-value", format!("the work is unavailable: {error}"))));
         }
     };
     let later = &path.work[..];

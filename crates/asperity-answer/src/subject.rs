@@ -63,7 +63,7 @@ impl Subject<'_> {
 
     /// Warns of blank cells of the model.
     pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        sheet.findings.push(warning("blank", text).from_origin(self.name));
+        sheet.findings.push(warning("no-value", text).from_origin(self.name));
     }
 
     /// The scene over whose heights the model averages.

@@ -96,7 +96,7 @@ fn work(
         Ok([spent, lost, factor]) => Ok(format!(
             "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
         )),
-        Err(error) => Err(warning("no-work", format!("the work is unavailable: {error}"))),
+        Err(error) => Err(warning("no-value", format!("the work is unavailable: {error}"))),
     }
 }
 
@@ -108,9 +108,7 @@ fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Finding> {
         Ok(end) => {
             Ok(format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)))
         }
-        Err(error) => {
-            Err(note("no-end-of-contact", format!("the end of contact was not found: {error}")))
-        }
+        Err(error) => Err(note("no-value", format!("the end of contact was not found: {error}"))),
     }
 }
 
@@ -146,6 +144,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    let blank = |text: String| (Err(warning("blank", text)), law);
+    let blank = |text: String| (Err(warning("no-value", text)), law);
     Ok(blanks.texts(retreats.len()).map(blank).collect())
 }

@@ -73,7 +73,7 @@ pub(crate) fn of_map(
             ))
     });
     let step = map.seam_step();
-    let seam = Finding::warning("seam", "seam_step", step)
+    let seam = Finding::warning("open-seam", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the map do not match (step {step:.1} times that between neighbours)"

@@ -55,7 +55,7 @@ pub struct Solution {
     pub residual: f64,
     /// Number of iterations, including all trials for a mean gap.
     pub iterations: usize,
-    /// Findings of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
+    /// Findings of the resolution: `short-waves`, `open-seam`, `few-pixels`, `few-patches`.
     pub notes: Vec<Finding>,
 }
 

@@ -290,7 +290,7 @@ def test_solved_contacts_are_kept_beside_masked_ones(scene: asperity.Scene) -> N
     np.testing.assert_allclose(kept.area_fraction[1:], alone.area_fraction, rtol=1e-6)
     assert kept.patches[2] == alone.patches[1] and alone.failures == {}
     assert kept.pressures is not None and np.ma.getmaskarray(kept.pressures)[0].all()
-    with pytest.warns(asperity.ContactWarning, match="^unsolved: "):
+    with pytest.warns(asperity.ContactWarning, match="^no-value: "):
         rows = asperity.truth(scene, pressure=pressures, models=["ke"], refine=True)
     assert rows["model"] == ["bem", "bem-half-grid", "ke"] * 2 and rows["pressure_Pa"][0] == 1e7
     with pytest.raises(ValueError, match="no load was solved"):

@@ -81,7 +81,7 @@ pub fn truth_of(
     let solved = Truths::solve(file, bem, models, pressures, quantities, refine, watch)?;
     let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
-    errors.for_each(|error| sheet.warn("unsolved", error.to_string()));
+    errors.for_each(|error| sheet.warn("no-value", error.to_string()));
     let found = &solved.found;
     if found.is_empty() {
         return match watch.is_stopped() {
@@ -104,7 +104,7 @@ pub fn truth_of(
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| state);
     if !models.is_empty() && states.all(ContactState::is_empty) {
         let text = format!("{name}: no model has a result");
-        sheet.findings.push(Finding::refusal("no-result", "", f64::NAN).fact(text));
+        sheet.findings.push(Finding::refusal("no-value", "", f64::NAN).fact(text));
     }
     Ok(())
 }

@@ -82,7 +82,7 @@ impl Generate {
                 ),
             ),
             (
-                "slope",
+                "unusual-size",
                 gradient > 1.0,
                 format!(
                     "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",

@@ -74,7 +74,7 @@ fn the_reason_for_a_blank_row_is_reported() {
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction")[1], "", "{}", run.out);
     assert!(run.messages.contains(printed), "{}", run.messages);
-    assert!(run.messages.contains("[no-result]"), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     let two = bench.run(&format!("{ask} --model ke-random,ke"));
     assert!(two.code == Some(0) && two.messages.contains(printed), "{}", two.messages);
     let all = bench.run(ask);
@@ -93,7 +93,7 @@ fn invalid_results_are_reported_and_blank() {
     let run = bench.run("bem --compare soft.toml --pressure 1e8 --model gw --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction"), ["1", ""], "{}", run.out);
-    for printed in ["[unusual-size]", "[crowded]", "[no-result]"] {
+    for printed in ["[unusual-size]", "[crowded]", "[no-value]"] {
         assert!(run.messages.contains(printed), "{}", run.messages);
     }
     // The reverse: that is printed, and what knows no yielding is as far off as it is.

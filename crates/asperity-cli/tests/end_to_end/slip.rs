@@ -64,7 +64,7 @@ fn a_preload_without_a_cycle_leaves_the_others() {
     let arguments = "joint scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
     let run = bench.run(&format!("{arguments} --load 1e2,1e30"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[blank]"), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     let alone = bench.data(&format!("{arguments} --load 100,100"));
     assert_eq!(run.out.lines().nth(1), alone.lines().nth(1));
     let loads: Vec<f64> = column_of(&run.out, "load_N").into_iter().flatten().collect();
@@ -113,7 +113,7 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     let run = bench.run(&format!("{arguments} --load 100,1000 {forces}"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(column(&run.out, "tangential_force_N"), [1.0, 10.0, 100.0, 1.0, 10.0, 100.0]);
-    let slides = "[blank]";
+    let slides = "[no-value]";
     assert!(run.messages.contains(slides), "{}", run.messages);
     let edge =
         bench.run("joint scene.toml --model gw --friction 0.2 --load 500 --tangential-force 100");
