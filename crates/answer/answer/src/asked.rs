@@ -135,17 +135,22 @@ impl Asked {
     /// The quantities that the model does not have, those of one reason together.
     #[must_use]
     pub fn refusals(&self) -> Vec<String> {
-        let pair = |(quantity, reason): &(Quantity, ContactError)| {
-            (reason.marked(), format!("`{quantity}`"))
-        };
         // The id of the model stands in front of the text.
-        let own = format!("`{}` ", self.model.id());
-        let text = |(reason, names): (String, Vec<String>)| match reason.strip_prefix(&own) {
-            Some(why) if names.iter().all(|name| reason.contains(name)) => why.into(),
-            Some(why) => format!("no {} ({why})", names.join(", ")),
-            None => format!("no {}: {reason}", names.join(", ")),
+        let is_own = |model: &str| model == self.model.id();
+        let text = |(reason, names): (&ContactError, Vec<String>)| match reason {
+            ContactError::NoLaw { model, quantity } if is_own(model) => {
+                format!("has no law for `{quantity}`")
+            }
+            ContactError::Unsupported { model, what } if is_own(model) => {
+                match names.iter().all(|name| what.contains(name)) {
+                    true => format!("cannot give {what}"),
+                    false => format!("no {} (cannot give {what})", names.join(", ")),
+                }
+            }
+            other => format!("no {}: {}", names.join(", "), other.marked()),
         };
-        grouped(self.refused.iter().map(pair)).into_iter().map(text).collect()
+        let pairs = self.refused.iter().map(|(quantity, why)| (why, format!("`{quantity}`")));
+        grouped(pairs).into_iter().map(text).collect()
     }
 
     /// The lines of these places, and the findings of their values.

@@ -128,7 +128,7 @@ impl<'a> Press<'a> {
             let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
             let cells = numbers.chain(values).chain(flows.into_iter().flatten());
             let cells = cells.collect();
-            let notes = solution.notes.iter().cloned().chain(summary.findings()).collect();
+            let notes = solution.notes.iter().cloned().chain(summary.finding()).collect();
             Pressed { cells, notes, solution }
         };
         elements.solve_each(self.given, progress, |index, solution| {
@@ -228,7 +228,7 @@ impl<'a> Press<'a> {
             Err(error) => errors.push(error.to_string()),
         });
         errors.append(&mut lacks);
-        once(&errors).iter().for_each(|text| sheet.warn("unsolved", text));
+        once(&errors).iter().for_each(|text| sheet.warn("no-value", text));
         let grid = format!("{rows} x {columns} pixels");
         let kept = kept.into_iter().flatten().collect();
         Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))

@@ -83,7 +83,7 @@ impl Inquiry<'_> {
         let of_area = |q: &Quantity| matches!(Compared::behind(*q), Some((Compared::Area, _)));
         if least > 0 && self.request.quantities.iter().any(of_area) {
             let text = "the area is F/H, the least that carries the load, and its interval extends above only";
-            sheet.note("least-area", format!("{id}: {}{text}", loads(least)));
+            sheet.result(format!("{id}: {}{text}", loads(least)));
         }
         found.lacking.extend(blanks.texts(rows).map(|text| (text, id.clone())));
     }

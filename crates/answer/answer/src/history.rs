@@ -4,8 +4,8 @@ use asperity::joints::{Joint, Path, UnloadingLaw};
 use asperity::{At, ContactError, Finding, Separation, SeparationUnit};
 
 use crate::number::rounded;
-use crate::sheet::{note, warning};
-use crate::subject::{LawFindings, Subject};
+use crate::sheet::warning;
+use crate::subject::{OfLaws, Subject};
 use crate::{AnswerError, Sheet};
 
 /// The most paths whose work is listed.
@@ -13,7 +13,7 @@ const LISTED: usize = 6;
 /// Points on each path between turning points.
 const STEPS: usize = 50;
 
-/// The paths of a new joint between turning points by each law; findings have the work of each.
+/// The paths of a new joint between turning points by each law; results have the work of each.
 ///
 /// # Errors
 /// Those of [`Joint::path`].
@@ -26,7 +26,7 @@ pub fn history(
     let heads = ["model", "law", "way", "separation_over_sigma", "separation_m", "force_N"];
     sheet.under(&[&heads, &["pressure_Pa", "stiffness_N_per_m"]]);
     subject.fill(sheet, |sheet| {
-        let mut found = LawFindings::new();
+        let mut found = OfLaws::new();
         for joint in subject.joints(laws)? {
             let path = joint.path(&joint.turning_points(turns)?, STEPS)?;
             let (law, area) = (joint.law().to_string(), subject.file.scene.nominal_area);
@@ -54,7 +54,7 @@ pub fn history(
             if open > 0 {
                 let all = path.points.len();
                 let text = format!("the joint is open at {open} of {all} points");
-                found.push((warning("few-contacts", text), joint.law()));
+                found.push((Err(warning("few-contacts", text)), joint.law()));
             }
         }
         subject.report_laws(sheet, found);
@@ -63,11 +63,11 @@ pub fn history(
 }
 
 /// The work of the first closing and of the later paths, which are listed if they are few.
-fn work(joint: &Joint, path: &Path) -> Option<Finding> {
+fn work(joint: &Joint, path: &Path) -> Option<Result<String, Finding>> {
     let closing = match joint.work(At::metres(path.points.first()?.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return Some(warning("no-work", format!("the work is unavailable: {error}")));
+            return Some(Err(warning("no-value", format!("the work is unavailable: {error}"))));
         }
     };
     let later = &path.work[..];
@@ -88,5 +88,5 @@ fn work(joint: &Joint, path: &Path) -> Option<Finding> {
             )
         }
     };
-    Some(note("work", text))
+    Some(Ok(text))
 }

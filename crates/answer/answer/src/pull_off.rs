@@ -33,7 +33,7 @@ pub fn pull_off(
         let found = contact.and_then(|contact| asperity::pull_off(&*contact));
         let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
         let Some(found) = found else {
-            sheet.note("no-pull-off", format!("{id}: no pull-off force{}", hidden(scene)));
+            sheet.note("no-value", format!("{id}: no pull-off force{}", hidden(scene)));
             sheet.add(&[id], [Cell::BLANK]);
             continue;
         };
@@ -47,7 +47,7 @@ pub fn pull_off(
     Ok(())
 }
 
-/// Notes the tension relative to that of asperities of equal height.
+/// States the tension relative to that of asperities of equal height.
 fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
     // Pull-off force of one asperity in units of pi R w_a.
     let single = match id {
@@ -60,13 +60,10 @@ fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
     let percent = -100.0 * force / (scene.asperities() * single);
     if percent < SMALLEST {
         let text = format!("{id}: practically no pull-off force{}", hidden(scene));
-        return sheet.note("no-pull-off", text);
+        return sheet.result(text);
     }
     let (percent, of) = (rounded(percent), "of that of asperities of equal height");
-    sheet.note(
-        "reduced-tension",
-        format!("{id}: roughness reduces the tension to {percent} % {of}"),
-    );
+    sheet.result(format!("{id}: roughness reduces the tension to {percent} % {of}"));
 }
 
 /// Why there is no pull-off force.

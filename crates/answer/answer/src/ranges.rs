@@ -13,7 +13,7 @@ const STIFFNESSES: [Quantity; 3] =
 /// Fills a sheet for a scene. Where numbers of its surface are known within ranges, it is filled in
 /// the middle of the ranges and at every combination of their ends; each answer, and each place
 /// that differs there, gets the smallest and the largest of these as columns with `_lower` and
-/// `_upper`, and is blank if it is missing at an end. Findings say which unknown makes the ranges
+/// `_upper`, and is blank if it is missing at an end. Results say which unknown makes the ranges
 /// wide.
 ///
 /// # Errors
@@ -137,12 +137,11 @@ impl Ends<'_> {
         let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
         let new = worst_at_ends(&sheet.findings, at_ends);
         sheet.findings.extend(new);
-        let verdict =
-            |of: &Sheet| of.findings.iter().find(|found| found.code == "verdict").cloned();
-        let own = verdict(sheet);
-        let others = self.sheets.iter().filter_map(verdict);
-        if let Some(other) = others.into_iter().find(|other| Some(other) != own.as_ref()) {
-            sheet.findings.push(other.from_origin(AT_AN_END));
+        // The first result is the verdict of a recommendation.
+        let own = sheet.results.first().cloned();
+        let mut others = self.sheets.iter().filter_map(|end| end.results.first());
+        if let Some(other) = others.find(|other| Some(*other) != own.as_ref()) {
+            sheet.result(format!("{AT_AN_END}: {other}"));
         }
         let spreads = self.file.spreads();
         let columns =
@@ -170,7 +169,7 @@ impl Ends<'_> {
         let text = format!(
             "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed} would narrow it"
         );
-        sheet.note("unknown-surface", text);
+        sheet.result(text);
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
             let all: f64 = of_unknowns.iter().sum();
             let share = |((name, _), of): (&(&str, f64), &f64)| {
@@ -183,7 +182,7 @@ impl Ends<'_> {
         let text = format!(
             "upper over lower end, at most, and the shares of the unknowns in this: {shares}"
         );
-        sheet.note("unknown-surface", text);
+        sheet.result(text);
         if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
             let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
             sheet.note("waviness", text);

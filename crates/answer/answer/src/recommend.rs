@@ -122,18 +122,16 @@ impl Recommend<'_> {
         }
         let found = models.iter().flat_map(|model| file.findings_at(*model, &places));
         sheet.report(file, found.collect());
-        sheet.note("verdict", advice.verdict());
-        if self.reference.is_some() && advice.verdict() != advice.simplest_sentence() {
-            sheet.note("verdict", advice.simplest_sentence());
+        sheet.result(advice.verdict());
+        if self.reference.is_some() {
+            sheet.result(advice.simplest_sentence());
         }
         let (compared, all) = (advice.evidence.len(), places.len());
         if compared < all {
-            let text = format!("there is evidence for {compared} of {all} separations or loads");
-            sheet.note("evidence", text);
+            sheet.result(format!("there is evidence for {compared} of {all} separations or loads"));
         }
-        for text in [advice.summary(), advice.expectations()].concat() {
-            sheet.note("evidence", text);
-        }
+        let evidence = [advice.summary(), advice.expectations()].concat();
+        evidence.into_iter().for_each(|text| sheet.result(text));
     }
 }
 

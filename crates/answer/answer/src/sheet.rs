@@ -12,6 +12,8 @@ pub struct Sheet {
     pub heads: Vec<String>,
     /// The rows, each with a cell for every column.
     pub rows: Vec<Vec<Cell>>,
+    /// Results that no column has, a sentence each, such as the recommended model.
+    pub results: Vec<String>,
     /// Findings, in the order in which they are to be read.
     pub findings: Vec<Finding>,
 }
@@ -104,6 +106,14 @@ impl Sheet {
         row.extend(numbers.into_iter().map(Into::into));
         row.resize(self.heads.len(), Cell::BLANK);
         self.rows.push(row);
+    }
+
+    /// Adds a result in a sentence, unless it stands there already.
+    pub fn result(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        if !self.results.contains(&text) {
+            self.results.push(text);
+        }
     }
 
     /// Adds a note that is a sentence of its own, unless it stands there already.

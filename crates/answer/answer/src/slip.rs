@@ -116,19 +116,19 @@ impl Slip<'_> {
         }
         let text =
             format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})");
-        sheet.note("loss", text);
+        sheet.result(text);
         let [limit, sliding] = [slip.limit()?, slip.shift_at(SLIDING)?].map(rounded);
         let percent = 100.0 * SLIDING;
         let text = format!(
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
-        sheet.note("gross-slip", text);
+        sheet.result(text);
         let states = slip.states(amplitude)?;
         if !states.is_empty() {
             let count = |least: f64| states.iter().filter(|state| **state >= least).count() as f64;
             let percent = rounded(100.0 * count(2.0) / count(1.0));
             let text = format!("{id}: at this amplitude {percent} % of the contact sticks");
-            sheet.note("stick", text);
+            sheet.result(text);
         }
         Ok(states)
     }

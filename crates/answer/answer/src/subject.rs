@@ -28,8 +28,8 @@ pub struct Subject<'a> {
     pub tolerance: Tolerance,
 }
 
-/// Findings of unloading laws.
-pub(crate) type LawFindings = Vec<(Finding, UnloadingLaw)>;
+/// Results and findings of unloading laws.
+pub(crate) type OfLaws = Vec<(Result<String, Finding>, UnloadingLaw)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
@@ -63,7 +63,7 @@ impl Subject<'_> {
 
     /// Warns of blank cells of the model.
     pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        sheet.findings.push(warning("blank", text).from_origin(self.name));
+        sheet.findings.push(warning("no-value", text).from_origin(self.name));
     }
 
     /// The scene over whose heights the model averages.
@@ -82,12 +82,19 @@ impl Subject<'_> {
         laws.iter().map(|law| Joint::new(self.model, scene, *law, self.tolerance)).collect()
     }
 
-    /// Adds findings of several unloading laws, each text once with the names of its laws.
-    pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: LawFindings) {
-        for (text, alike) in grouped(found.into_iter().map(|one| (one.0.message(), one))) {
-            let laws = alike.iter().map(|(_, law)| law.to_string()).collect::<Vec<_>>().join(", ");
-            let found = alike[0].0.clone().fact(format!("{} by {laws}: {text}", self.id));
-            sheet.findings.push(found);
+    /// Adds results and findings of several unloading laws, each text once with the names of its
+    /// laws.
+    pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: OfLaws) {
+        for (found, laws) in grouped(found) {
+            let laws = laws.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+            let whole = |text: &str| format!("{} by {laws}: {text}", self.id);
+            match found {
+                Ok(text) => sheet.result(whole(&text)),
+                Err(found) => {
+                    let text = whole(&found.message());
+                    sheet.findings.push(found.fact(text));
+                }
+            }
         }
     }
 

@@ -6,7 +6,7 @@ use asperity::{At, ContactError, Evaluation, Finding, Scene, SeparationUnit, lin
 use crate::blanks::Blanks;
 use crate::number::rounded;
 use crate::sheet::{note, warning};
-use crate::subject::{LawFindings, Subject, unit_warning};
+use crate::subject::{OfLaws, Subject, unit_warning};
 use crate::{AnswerError, Sheet};
 
 /// Number of default retreats.
@@ -16,7 +16,7 @@ const POINTS: usize = 101;
 pub type Retreats<'r> = (&'r [f64], SeparationUnit);
 
 /// Force, area, stiffness and contacts of a joint by each law as it opens by these retreats, by
-/// default to the end of contact; findings have the work of a cycle and the end of contact.
+/// default to the end of contact; results have the work of a cycle and the end of contact.
 ///
 /// # Errors
 /// Those of [`Joint`], and the reason why nothing opens.
@@ -32,7 +32,7 @@ pub fn unloading(
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     sheet.under(&[&heads, area, &["stiffness_N_per_m", "contacts"]]);
     subject.fill(sheet, |sheet| {
-        let (mut openings, mut last, mut found) = (vec![], None, LawFindings::new());
+        let (mut openings, mut last, mut found) = (vec![], None, OfLaws::new());
         for joint in subject.joints(laws)? {
             let opening = joint.unloading(closest)?;
             if opening.force(0.0)?.value() == 0.0 {
@@ -77,7 +77,12 @@ fn has_area(law: UnloadingLaw) -> bool {
 }
 
 /// The work of closing and opening.
-fn work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) -> Finding {
+fn work(
+    sheet: &mut Sheet,
+    subject: &Subject<'_>,
+    joint: &Joint,
+    closest: At,
+) -> Result<String, Finding> {
     let works = joint.work(closest).and_then(|work| {
         subject.warn_energy_gain(sheet, joint, closest, &work)?;
         let lost = work.lost();
@@ -88,28 +93,22 @@ fn work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) ->
         })
     });
     match works.map(|works| works.map(rounded)) {
-        Ok([spent, lost, factor]) => note(
-            "work",
-            format!(
-                "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
-            ),
-        ),
-        Err(error) => warning("no-work", format!("the work is unavailable: {error}")),
+        Ok([spent, lost, factor]) => Ok(format!(
+            "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
+        )),
+        Err(error) => Err(warning("no-value", format!("the work is unavailable: {error}"))),
     }
 }
 
 /// Where contact ends.
-fn last_contact(end: &Result<f64, ContactError>) -> Finding {
+fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Finding> {
     let few = "fewer than one asperity touches on average";
     match end {
-        Ok(0.0) => warning("few-contacts", format!("even at the closest approach, {few}")),
-        Ok(end) => note(
-            "end-of-contact",
-            format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)),
-        ),
-        Err(error) => {
-            note("no-end-of-contact", format!("the end of contact was not found: {error}"))
+        Ok(0.0) => Err(warning("few-contacts", format!("even at the closest approach, {few}"))),
+        Ok(end) => {
+            Ok(format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)))
         }
+        Err(error) => Err(note("no-value", format!("the end of contact was not found: {error}"))),
     }
 }
 
@@ -120,7 +119,7 @@ fn add_rows(
     opening: &Unloading,
     retreats: &[f64],
     with_area: bool,
-) -> Result<LawFindings, ContactError> {
+) -> Result<OfLaws, ContactError> {
     let (scene, law) = (subject.scene()?, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
     let (name, mut blanks) = (law.to_string(), Blanks::default());
@@ -145,6 +144,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    let blank = |text: String| (warning("blank", text), law);
+    let blank = |text: String| (Err(warning("no-value", text)), law);
     Ok(blanks.texts(retreats.len()).map(blank).collect())
 }

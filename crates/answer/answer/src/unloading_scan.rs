@@ -69,7 +69,7 @@ pub fn unloading_scan(
             return Err("no retreat was solved".into());
         }
         let (end, text) = (rounded(end), "where the last pixel parts");
-        sheet.note("end-of-contact", format!("{id}: contact ends at a retreat of {end} m, {text}"));
+        sheet.result(format!("{id}: contact ends at a retreat of {end} m, {text}"));
         Ok(())
     })
 }

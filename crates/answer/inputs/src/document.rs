@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, Finding};
+use asperity::ContactError;
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
@@ -42,8 +42,8 @@ pub(crate) struct Document<'a> {
     pub(crate) table: Table,
     /// The keys of numbers with a unit.
     pub(crate) stated: Vec<String>,
-    /// Notes about numbers in a unit that is not decimal, such as psi or HV.
-    pub(crate) converted: Vec<Finding>,
+    /// The keys of numbers in a unit that is not decimal, such as psi or HV, and their conversions.
+    pub(crate) converted: Vec<(String, String)>,
     /// Every key with the range of it and its value, and that of the value.
     places: BTreeMap<String, [Range<usize>; 2]>,
 }
@@ -90,12 +90,8 @@ impl<'a> Document<'a> {
                     })?;
                     self.stated.push(path.into());
                     let same = converted(text, key, units.0);
-                    let note = |same| {
-                        let found = Finding::note("other-unit", path.to_string(), number);
-                        let fact = format!("`{path}`: {} is {same}", shorten(text));
-                        found.unit(units.0).fact(fact)
-                    };
-                    self.converted.extend(same.map(note));
+                    let is = |same| (path.into(), format!("{} is {same}", shorten(text)));
+                    self.converted.extend(same.map(is));
                     Value::Float(number)
                 }
                 None => Value::String(text.clone().into_owned()),

@@ -3,8 +3,7 @@
 use std::iter::once;
 
 use asperity::{
-    Body, ContactError, Findings, HeightDistribution, Interface, WeibullHeights, nearest_hint,
-    nearest_name,
+    Body, ContactError, HeightDistribution, Interface, WeibullHeights, nearest_hint, nearest_name,
 };
 
 use crate::keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE};
@@ -185,7 +184,7 @@ impl SceneFile {
     ) -> Result<Self, ContactError> {
         let mut file = self.clone();
         // Findings about the file are those of its own numbers.
-        (file.warnings, file.stated) = (Findings::default(), vec![]);
+        (file.warnings, file.stated, file.converted) = Default::default();
         let (mut of_interface, mut of_surface, mut offset) = (vec![], vec![], None);
         for (SceneInput(input), value) in numbers {
             match input {

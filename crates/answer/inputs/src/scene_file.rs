@@ -41,6 +41,9 @@ pub struct SceneFile {
     pub bodies: Vec<Body>,
     /// Statistics of the scans of the surface, if there are any.
     pub measured: Option<Measured>,
+    /// The keys of numbers in a unit that is not decimal, such as psi or HV, and these in one:
+    /// `200 HV is 2.115 GPa`.
+    pub converted: Vec<(String, String)>,
     /// Warnings about the file.
     pub warnings: Findings,
     /// Codes of accepted warnings and notes, which are not shown.
@@ -169,7 +172,6 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         notes.extend(compare_std(document, table, file.scene.surface.asperity_height_std)?);
     }
     file.table = given.or(file.table);
-    notes.extend(document.converted.iter().cloned());
     let table = file.table.as_ref();
     let scene = &mut file.scene;
     scene.heights = match (&heights, table) {
@@ -229,6 +231,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         accept,
         hardness_at: Some(document.place(&joined(interface_section, "hardness"))),
         stated: document.stated.clone(),
+        converted: document.converted.clone(),
         ..file
     })
 }
@@ -259,6 +262,7 @@ impl From<Scene> for SceneFile {
             table: None,
             bodies: vec![],
             measured: None,
+            converted: vec![],
             warnings: Findings::default(),
             accept: vec![],
             scan: None,

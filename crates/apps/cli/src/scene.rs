@@ -12,7 +12,7 @@ use asperity_answer::{
 use asperity_inputs::SceneFile;
 
 use crate::input::destinations;
-use crate::output::{self, show};
+use crate::output::{self, print_results, show};
 
 fn is_periodic(given: BemOptions) -> bool {
     given.boundary == Some(Continuation::Periodic)
@@ -113,6 +113,7 @@ impl LoadedScene {
         let filled = fill(&mut sheet);
         sheet.findings.retain(|one| !one.is_accepted(&self.file.accept));
         show(&sheet.findings);
+        print_results(&sheet.results);
         match filled.map_err(|error| error.into().downcast::<AnswerError>()) {
             Ok(filled) => Ok((sheet, filled)),
             // These have the name of the file.

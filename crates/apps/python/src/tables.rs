@@ -1,7 +1,7 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
-use asperity::Severity;
 use asperity::joints::conductance;
+use asperity::{AsWritten, Dialect, Severity};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
@@ -18,8 +18,8 @@ use crate::scene::SceneFile;
 /// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
 /// between the nodes, and the text.
 type Nodes<'py> = (Bound<'py, PyDict>, f64, f64, String);
-/// Columns by their heads, and findings: the package's `Table`.
-pub(crate) type Table<'py> = (Bound<'py, PyDict>, Object<'py>);
+/// Columns by their heads, findings, and results in sentences: the package's `Table`.
+pub(crate) type Table<'py> = (Bound<'py, PyDict>, Object<'py>, Vec<String>);
 
 /// The columns of a sheet by their heads: arrays of numbers, NaN for blanks, or lists of words.
 pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py, PyDict>> {
@@ -38,7 +38,8 @@ pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py
 
 /// A sheet as the package's `Table`.
 pub(crate) fn table<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Table<'py>> {
-    Ok((columns(py, sheet)?, object(py, &sheet.findings)?))
+    let results = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
+    Ok((columns(py, sheet)?, object(py, &sheet.findings)?, results))
 }
 
 /// Emits the warnings of a sheet that the scene does not accept.

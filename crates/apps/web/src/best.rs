@@ -74,8 +74,7 @@ impl Best {
         let codes = solved.notes.iter().map(String::as_str).collect();
         best.basis = match unranked(&[codes]) {
             None => "Boundary elements on this scan at this load.".into(),
-            Some(why) if best.source == Source::Model => {
-                let (why, _) = why.split_once("; ").unwrap_or((why, ""));
+            Some([why, _]) if best.source == Source::Model => {
                 format!("Boundary elements on this scan at this load, uncertain: {why}.")
             }
             // The mean of many surfaces is better known than one with few contacts.
@@ -113,10 +112,8 @@ impl Best {
             true => "; the load is below the lightest solved one, whose ratios are used",
             false => "",
         };
-        let basis = row.basis();
-        let surfaces = basis.split("; ").last().unwrap_or_default();
-        self.basis =
-            format!("From {surfaces} like this one; 9 of 10 lie in the intervals{lighter}.");
+        let solved = row.solved();
+        self.basis = format!("From {solved} like this one; 9 of 10 lie in the intervals{lighter}.");
     }
 
     /// A value of the best source.

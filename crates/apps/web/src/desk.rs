@@ -228,7 +228,7 @@ impl Desk {
             "load": load,
             "rows": rows.iter().map(shown).collect::<Value>(),
             "answer": answer,
-            "findings": dialect::findings(&findings),
+            "findings": dialect::findings(&findings, &file.converted),
         }))
     }
 }

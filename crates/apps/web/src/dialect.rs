@@ -2,7 +2,7 @@
 //! Greek, and what the page offers in place of commands of the program.
 
 use asperity::recommended::{BEM, YIELDING};
-use asperity::{Described, Dialect, Finding, Findings, Model, Quantity};
+use asperity::{Described, Dialect, Finding, Findings, Model, Quantity, Severity};
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -159,15 +159,19 @@ impl Page {
     }
 }
 
-/// All findings as shown.
-pub(crate) fn findings(all: &Findings) -> Value {
+/// All findings as shown, with the numbers that were converted.
+pub(crate) fn findings(all: &Findings, converted: &[(String, String)]) -> Value {
     // Where contacts merge, no model of asperities is advised.
     let yielding = match all.iter().any(|found| found.code == "crowded") {
         true => WITHOUT_ASPERITIES,
         false => YIELDING,
     };
     let page = Page { yielding };
-    all.iter().map(|found| page.finding(found)).collect()
+    let converted = converted.iter().map(|(key, text)| {
+        let message = format!("{}: {text}", page.term(key));
+        json!({ "code": "", "severity": Severity::Note, "field": key, "message": message })
+    });
+    all.iter().map(|found| page.finding(found)).chain(converted).collect()
 }
 
 #[cfg(test)]
@@ -180,7 +184,7 @@ mod tests {
 
     fn messages(all: &Findings) -> Vec<String> {
         let message = |found: &Value| found["message"].as_str().unwrap().to_string();
-        findings(all).as_array().unwrap().iter().map(message).collect()
+        findings(all, &[]).as_array().unwrap().iter().map(message).collect()
     }
 
     #[test]

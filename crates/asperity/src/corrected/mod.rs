@@ -184,6 +184,12 @@ impl CorrectedRow<'_> {
         self.expected.basis()
     }
 
+    /// What was solved: `boundary elements on 16 surfaces`.
+    #[must_use]
+    pub fn solved(&self) -> String {
+        self.expected.solved()
+    }
+
     /// A quantity.
     ///
     /// # Errors

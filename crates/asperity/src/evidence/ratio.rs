@@ -106,8 +106,14 @@ impl ExpectedContact {
             false => text += ", elastic",
         }
         text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
+        format!("{text}; {}", self.solved())
+    }
+
+    /// What was solved: `boundary elements on 16 surfaces`.
+    #[must_use]
+    pub fn solved(&self) -> String {
         let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
-        format!("{text}; boundary elements on {} surfaces{hurst}", self.surfaces)
+        format!("boundary elements on {} surfaces{hurst}", self.surfaces)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::joints::conductance::{Correlated, Correlation};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
     Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
-    Finding, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
     Validity, ZhaoMaiettaChang, nearest_name,
 };
@@ -236,10 +236,6 @@ impl Described for Model {
 
     fn validity(&self) -> Validity {
         self.model.validity()
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.model.notes()
     }
 }
 

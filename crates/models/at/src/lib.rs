@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Finding, Law, Provenance, Regime,
-    Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Regime, Tolerance,
+    Validity,
 };
 use asperity_gao::{
     ELASTIC_END, Lateral, LateralLaw, LateralOptions, NormalLaw, PLASTIC_FROM, Stick,
@@ -108,10 +108,6 @@ impl Described for AminiTehrani {
             }
             _ => "w_c < R; needs the equivalent shear modulus; inclined contacts",
         })
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.options.notes(self.id())
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity_core::{Asperity, ContactError, Finding, Law, Part, Regime, Tolerance, Validity};
+use asperity_core::{Asperity, ContactError, Law, Part, Regime, Tolerance, Validity};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -92,17 +92,6 @@ impl LateralOptions {
             }
         }
         Ok(())
-    }
-
-    /// Warnings about these options.
-    #[must_use]
-    pub fn notes(&self, model: &str) -> Vec<Finding> {
-        let minimum = self.angle_density.minimum();
-        let found = Finding::note("negative-angle-density", "minimum", minimum)
-            .of_model(model)
-            .fact(format!("the angle density falls to 4 pi psi = {minimum:.5}"))
-            .advice("its a21 and b21 terms average out and change no result");
-        if minimum < 0.0 { vec![found] } else { vec![] }
     }
 }
 

@@ -12,8 +12,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Finding, Law, Provenance, Regime,
-    Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Regime, Tolerance,
+    Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -57,10 +57,6 @@ impl Described for Gao {
 
     fn validity(&self) -> Validity {
         lateral_validity("w_c < R; needs the equivalent shear modulus; inclined contacts")
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.options.notes(self.id())
     }
 }
 

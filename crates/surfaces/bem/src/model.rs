@@ -149,9 +149,7 @@ impl ContactModel for Bem {
         let all = given.into_iter().zip(all);
         let all: Vec<Solved> =
             all.map(|(given, solution)| (given, contact.summary(solution))).collect();
-        notes.extend(
-            all.iter().flat_map(|(_, found)| found.iter().flat_map(ContactSummary::findings)),
-        );
+        notes.extend(all.iter().filter_map(|(_, found)| found.as_ref().ok()?.finding()));
         contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         contact.keep(all);
         Ok(Box::new(contact))

@@ -53,30 +53,6 @@ pub(crate) fn of_contact(
     few_pixels.into_iter().chain(few_patches)
 }
 
-/// Notes of a hardness: the corrected count of pixels is below the least area that carries the
-/// load, both over the area of the map, and the imprint makes the mean gap negative.
-pub(crate) fn of_hardness(
-    at: At,
-    [counted, least]: [f64; 2],
-    mean_gap: f64,
-) -> impl Iterator<Item = Finding> {
-    let area = Finding::note("least-area", "area_fraction", least)
-        .usual([1.0, f64::INFINITY])
-        .at(at)
-        .fact("area_fraction is pressure over hardness, the least that carries the load, as the pixels in contact, corrected for their edges, are fewer")
-        .advice("refine the grid; area_fraction_pixels is the count");
-    let gap = Finding::note("imprint", "mean_gap", mean_gap)
-        .usual([0.0, f64::INFINITY])
-        .at(at)
-        .fact(format!(
-            "the mean gap is {} m, below 0 by the imprint of the pixels at the hardness",
-            short(mean_gap)
-        ))
-        .advice("mean_open_gap is the mean gap of the pixels out of contact");
-    let area = (counted < least).then_some(area);
-    area.into_iter().chain((mean_gap < 0.0 && least > 0.0).then_some(gap))
-}
-
 /// Findings of a map: waves of a few pixels, and edges that do not match where no boundary is
 /// declared.
 pub(crate) fn of_map(
@@ -97,7 +73,7 @@ pub(crate) fn of_map(
             ))
     });
     let step = map.seam_step();
-    let seam = Finding::warning("seam", "seam_step", step)
+    let seam = Finding::warning("open-seam", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the map do not match (step {step:.1} times that between neighbours)"

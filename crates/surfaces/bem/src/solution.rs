@@ -55,8 +55,7 @@ pub struct Solution {
     pub residual: f64,
     /// Number of iterations, including all trials for a mean gap.
     pub iterations: usize,
-    /// Findings of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`; and of the
-    /// hardness: `least-area`, `imprint`.
+    /// Findings of the resolution: `short-waves`, `open-seam`, `few-pixels`, `few-patches`.
     pub notes: Vec<Finding>,
 }
 
@@ -112,7 +111,6 @@ impl Solution {
         // At least F/H to the last digit of the given load.
         let (counted, least) = (corrected_area(count, edges) / pixels, carried / cap);
         notes.extend(note::of_contact(at, [count, pressures.len()], patches.len()));
-        notes.extend(note::of_hardness(at, [counted, least], mean_gap));
         let open = gaps.iter().zip(&touching).filter(|(_, touches)| !**touches);
         let open = open.map(|(gap, _)| gap).sum::<f64>() / (pixels - count as f64);
         Self {

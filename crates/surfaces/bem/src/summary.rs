@@ -126,14 +126,9 @@ impl ContactSummary {
         }
     }
 
-    /// Notes where no open path of pixels is left in a required direction, and of a gap smaller
-    /// than an atom.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
-        self.sealed().chain(self.atomic())
-    }
-
     /// A note of the smallest gap, if it is open and smaller than an atom.
-    fn atomic(&self) -> Option<Finding> {
+    #[must_use]
+    pub fn finding(&self) -> Option<Finding> {
         let gaps =
             self.gaps.iter().filter_map(|(of, gap)| Some((of.to_string(), *gap.as_ref().ok()?)));
         let gaps = gaps.chain([("mean-gap".into(), self.mean_gap)]);
@@ -142,20 +137,6 @@ impl ContactSummary {
         let found = Finding::note("atomic", name, gap).usual([ATOMIC_DISTANCE, f64::INFINITY]);
         let advice = "a gap below the distance of two atoms (0.3 nm) is closed to any fluid";
         Some(found.unit("m").at(At::Pressure(self.mean_pressure)).advice(advice))
-    }
-
-    fn sealed(&self) -> impl Iterator<Item = Finding> + '_ {
-        let closed = self.gaps.iter().filter(|(_, gap)| *gap == Ok(0.0));
-        closed.filter_map(|(quantity, _)| {
-            let (direction, percent) = (direction(*quantity)?, 100.0 * self.area);
-            // Of several loads the smallest area is shown.
-            let note = Finding::note("sealed", "area_fraction", self.area)
-                .usual([1.0, f64::INFINITY])
-                .of_quantity(*quantity);
-            Some(note.at(At::Pressure(self.mean_pressure)).fact(format!(
-                "no open path of pixels leads along {direction} with {percent:.1} % of the area in contact, and the hydraulic gap is 0"
-            )))
-        })
     }
 
     /// A quantity on the nominal area of `scene`, for which the map stands. Stiffness and tangent
@@ -208,12 +189,10 @@ mod tests {
             ],
             ..ContactSummary::open(gaps[2])
         };
-        let found: Vec<Finding> = contact([1.6e-10, 4e-10, 2e-10]).findings().collect();
-        let [note] = &found[..] else { panic!("{found:?}") };
+        let note = contact([1.6e-10, 4e-10, 2e-10]).finding().unwrap();
         assert_eq!((note.code, &*note.field), ("atomic", "hydraulic-gap-x"));
         assert!((note.value / 1.6e-10 - 1.0).abs() < 1e-15);
-        // A hardness leaves mean gaps below 0, and a closed gap has its own note.
-        let codes = |gaps| contact(gaps).findings().map(|found| found.code).collect::<Vec<_>>();
-        assert_eq!(codes([0.0, 4e-10, -2e-10]), ["sealed"]);
+        // A hardness leaves mean gaps below 0, and a sealed gap is 0.
+        assert_eq!(contact([0.0, 4e-10, -2e-10]).finding(), None);
     }
 }

@@ -115,7 +115,6 @@ impl Topography {
         statistics.outliers = self.outliers();
         let mut notes = self.notes().to_vec();
         notes.extend(warning::filled(self.filled_share()));
-        notes.extend(warning::despiked(self));
         if let Some(found) = warning::outliers(&statistics.outliers) {
             let clean = self.clone().without_points(&statistics.outliers.points);
             let anisotropic =

@@ -3,7 +3,7 @@
 use asperity_core::{Finding, Surface};
 
 use crate::outliers::MATTERS;
-use crate::{Level, Moments, Outliers, Statistics, Texture, Topography, TopographyError};
+use crate::{Level, Moments, Outliers, Statistics, Texture, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -123,16 +123,6 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
     found.matter().then_some(warning)
 }
 
-/// A note that outliers were replaced.
-pub(crate) fn despiked(surface: &Topography) -> Option<Finding> {
-    let count = surface.despiked_points();
-    let points = if count == 1 { "outlier was" } else { "outliers were" };
-    let found = Finding::note("despiked", "despiked", count as f64)
-        .usual([0.0, 0.0])
-        .fact(format!("{count} {points} replaced by harmonic heights"));
-    (count > 0).then_some(found)
-}
-
 /// A warning that the estimator finds no asperities.
 pub(crate) fn no_asperities(reason: &str) -> Finding {
     Finding::warning("no-asperities", "asperities", 0.0)
@@ -159,7 +149,7 @@ impl Statistics {
     #[must_use]
     pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
         let slope = (2.0 * self.m2).sqrt();
-        let found = Finding::warning("slope", "measured_slope", slope)
+        let found = Finding::warning("unusual-size", "measured_slope", slope)
             .implausible(slope > SLOPE[1])
             .usual(SLOPE)
             .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));

@@ -27,17 +27,18 @@ impl Truth {
     }
 }
 
-/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load;
-/// `None` where they are.
+/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load, and
+/// what to do; `None` where they are.
 #[must_use]
-pub fn unranked(codes: &[Vec<&str>]) -> Option<&'static str> {
+pub fn unranked(codes: &[Vec<&str>]) -> Option<[&'static str; 2]> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
     match codes {
-        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some(
-            "the grid is too coarse for the shortest waves of the scan; set `smooth`, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
-        ),
+        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some([
+            "the grid is too coarse for the shortest waves of the scan",
+            "set `smooth`, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
+        ]),
         _ if codes.iter().all(|codes| has(&FEW, codes)) => {
-            Some("too few pixels or patches are in contact")
+            Some(["too few pixels or patches are in contact", "raise the load"])
         }
         _ => None,
     }
@@ -58,12 +59,12 @@ pub fn summary(found: &[Truth]) -> String {
         let codes = truth.notes.iter().map(|note| note.code);
         codes.filter(|code| ranked.is_empty() || !COARSE.contains(code)).collect()
     };
-    if let Some(why) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
+    if let Some([why, remedy]) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
         let refine = match is_coarse && found.iter().all(|truth| truth.half.is_none()) {
             true => ", or compare with half the grid (refine)",
             false => "",
         };
-        return format!("models are not ranked: {why}{refine}");
+        return format!("models are not ranked: {why}; {remedy}{refine}");
     }
     let resolved: Vec<&Truth> = found.iter().filter(|truth| !truth.has_note(&FEW)).collect();
     let models = found.first().map_or(&[][..], |first| &first.models);

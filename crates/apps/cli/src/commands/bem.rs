@@ -201,6 +201,6 @@ pub(super) fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
     let png = map_png(map)?;
     output::write(Some(path), |out| out.write_all(&png))?;
     let (path, label, top) = (path.display(), &map.label, rounded(map.top));
-    output::note("picture", format!("{path}: {label} from yellow to black at {top}"));
+    output::print_results(&[format!("{path}: {label} from yellow to black at {top}")]);
     Ok(())
 }

@@ -82,7 +82,7 @@ impl Generate {
                 ),
             ),
             (
-                "slope",
+                "unusual-size",
                 gradient > 1.0,
                 format!(
                     "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
@@ -110,10 +110,7 @@ impl Generate {
         }
         contact_map::write(&self.output, &[map.heights()], shape)?;
         let text = format!("read it with --unit m --pixel-size {dx:e}x{dy:e} --periodic");
-        output::note(
-            "heights-in-metres",
-            format!("{}: heights in m; {text}", self.output.display()),
-        );
+        output::print_results(&[format!("{}: heights in m; {text}", self.output.display())]);
         Ok(())
     }
 

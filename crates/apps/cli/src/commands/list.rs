@@ -41,7 +41,7 @@ enum What {
 }
 
 impl List {
-    /// Writes a list, narrow in a terminal, and its notes.
+    /// Writes a list, narrow in a terminal, and what its words mean.
     pub fn run(self) -> Result<()> {
         let (narrow, word) = (self.output.format() == Format::Table, self.word.join(" "));
         let is_bibtex = self.output.format() == Format::Bibtex;
@@ -53,7 +53,7 @@ impl List {
             What::Findings => findings(&word, narrow)?,
         };
         self.output.write(&sheet)?;
-        output::show(&sheet.findings);
+        output::print_results(&sheet.results);
         Ok(())
     }
 }
@@ -74,19 +74,16 @@ struct Listed {
     name: String,
     source: Citation,
     valid_for: &'static str,
-    notes: String,
     variant: Vec<&'static str>,
 }
 
 impl From<Model> for Listed {
     fn from(model: Model) -> Self {
-        let notes = model.notes().iter().map(ToString::to_string).collect::<Vec<_>>();
         Self {
             id: model.id().into(),
             name: model.name().into(),
             source: *model.citation(),
             valid_for: model.validity().valid_for,
-            notes: notes.join("; "),
             variant: model.variant(),
         }
     }
@@ -95,20 +92,20 @@ impl From<Model> for Listed {
 /// Every model, also boundary elements, which need a scan.
 fn all() -> Vec<Listed> {
     let (id, name) = (Bem::ID.into(), Bem::SOURCE.name.into());
-    let (notes, variant) = (String::new(), vec![]);
-    let bem = Listed { id, name, source: Bem::SOURCE, valid_for: Bem::VALID_FOR, notes, variant };
+    let (source, valid_for, variant) = (Bem::SOURCE, Bem::VALID_FOR, vec![]);
+    let bem = Listed { id, name, source, valid_for, variant };
     Model::all().into_iter().map(Listed::from).chain([bem]).collect()
 }
 
 fn models(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
-    for Listed { id, name, source, valid_for, notes, variant } in like(word)? {
+    for Listed { id, name, source, valid_for, variant } in like(word)? {
         if let Some(text) = variant.last().filter(|_| narrow) {
             // Of models on other asperities, their ending: it differs in the same way for all.
             let ending = id.strip_prefix(source.id).filter(|ending| !ending.is_empty());
-            sheet.note("variant", format!("{}: {text}", ending.unwrap_or(&id)));
+            sheet.result(format!("{}: {text}", ending.unwrap_or(&id)));
         }
-        let cells: [(&str, &str); 9] = [
+        let cells: [(&str, &str); 8] = [
             ("model", &id),
             ("name", &name),
             ("year", &source.year.to_string()),
@@ -116,7 +113,6 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
             ("valid_for", valid_for),
             ("title", source.title),
             ("equations", &source.provenance.to_string()),
-            ("notes", &notes),
             ("variant", &variant.join("; ")),
         ];
         let shown = if narrow { NARROW.map(|k| cells[k]).to_vec() } else { cells.to_vec() };
@@ -126,7 +122,7 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
     }
     if narrow {
         for (tag, meaning) in TAGS {
-            sheet.note("provenance", format!("equations {tag}: {meaning}"));
+            sheet.result(format!("equations {tag}: {meaning}"));
         }
     }
     Ok(sheet)

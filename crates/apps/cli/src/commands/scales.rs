@@ -94,7 +94,7 @@ impl Scales {
             }
             table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
         }
-        blanks.texts(cutoffs.len()).for_each(|text| output::warn("blank", text));
+        blanks.texts(cutoffs.len()).for_each(|text| output::warn("no-value", text));
         if table.rows.iter().all(|row| row[1..].iter().all(|cell| cell.number().is_none())) {
             bail!("no row has a value");
         }

@@ -1,16 +1,16 @@
-//! Messages on standard error: errors, and findings with their codes.
+//! Messages on standard error: errors, findings with their codes, and results in sentences.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::{Mutex, OnceLock};
 
-use asperity::{Code, Finding, Severity};
+use asperity::{AsWritten, Code, Dialect, Finding, Severity};
 use clap::Args;
 
 /// How the program treats warnings and notes.
 #[derive(Debug, Default, Args)]
 pub struct Treatment {
-    /// Print errors only, without warnings and notes
+    /// Print errors only, without warnings, notes and results in sentences
     #[arg(long, global = true, display_order = 100)]
     quiet: bool,
     /// End with exit code 1 if there is a warning that is not accepted
@@ -53,9 +53,20 @@ pub fn print_error(text: &str) {
     let _ = writeln!(io::stderr(), "error: {text}");
 }
 
+/// Results that no column has, each on a line.
+pub fn print_results(results: &[String]) {
+    if !is_quiet() {
+        results.iter().for_each(|text| drop(writeln!(io::stderr(), "{}", AsWritten.say(text))));
+    }
+}
+
+fn is_quiet() -> bool {
+    TREATMENT.get().is_some_and(|treatment| treatment.quiet)
+}
+
 /// Each finding on a line, unless its code is accepted: `warning[few-contacts]: ...`.
 pub fn show<'a>(found: impl IntoIterator<Item = &'a Finding>) {
-    let is_quiet = TREATMENT.get().is_some_and(|treatment| treatment.quiet);
+    let is_quiet = is_quiet();
     for found in found {
         let Finding { code, severity, .. } = found;
         if found.is_accepted(accepted()) {

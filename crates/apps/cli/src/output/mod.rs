@@ -18,7 +18,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
 
 pub use self::messages::{
-    Treatment, accepted, note, print_error, show, strict_failure, treat, warn,
+    Treatment, accepted, note, print_error, print_results, show, strict_failure, treat, warn,
 };
 
 /// Shorter work shows no progress.

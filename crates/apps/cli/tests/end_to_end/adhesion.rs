@@ -80,7 +80,7 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     bench.write("stiff.toml", &stiff);
     let run = bench.run("curve --pull-off stiff.toml --model dmt --format csv");
     assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
-    assert!(run.messages.contains("[no-pull-off]"), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     let printed = bench
         .refusals("{}", &["curve --pull-off soft.toml --model gw", "curve --pull-off scene.toml"]);
     insta::assert_snapshot!(printed);

@@ -164,7 +164,7 @@ fn pressures_are_written_and_drawn() {
     }
     let svg = bench.read("one.svg");
     let pixels = bench.run("bem scan.toml --pressure 1e9 --picture one.PNG");
-    assert!(pixels.messages.contains("[picture]"), "{}", pixels.messages);
+    assert!(!pixels.results().is_empty(), "{}", pixels.messages);
     let png = std::fs::read(bench.path("one.PNG")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n"));
     for arguments in
@@ -179,11 +179,11 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[unsolved]"));
+    assert!(run.messages.contains("[no-value]"));
     assert_eq!(cells(&run.out, "area_fraction")[1], "");
     let run = bench.run("bem scan.toml --elastic --pressure 1e8,1e100 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[unsolved]"), "{}", run.messages);
+    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     let areas = cells(&run.out, "area_fraction");
     assert!(!areas[0].is_empty() && areas[1].is_empty(), "{}", run.out);
     bench.write("none.toml", NO_SHEAR);

@@ -133,6 +133,11 @@ impl Run {
         let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
         Self { code: output.status.code(), out: text(output.stdout), messages: text(output.stderr) }
     }
+
+    /// The results in sentences: lines of standard error without a code.
+    pub fn results(&self) -> Vec<&str> {
+        self.messages.lines().filter(|line| !line.contains("]: ")).collect()
+    }
 }
 
 /// A csv: its head, and its rows.

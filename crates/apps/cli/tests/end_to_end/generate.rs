@@ -13,11 +13,7 @@ const LINE: &str = "generate --hurst 0.7 --long 40um --roll-off 20um --short 2um
 fn both_files_hold_the_heights_of_the_library() {
     let bench = Bench::new();
     let npy = bench.run(&format!("{LINE} s.npy"));
-    assert!(
-        npy.code == Some(0) && npy.messages.contains("[heights-in-metres]"),
-        "{}",
-        npy.messages
-    );
+    assert!(npy.code == Some(0) && npy.results().len() == 1, "{}", npy.messages);
     assert_eq!(bench.run(&format!("{LINE} s.x3p")).code, Some(0));
     let size = [128.0 * 0.5e-6, 96.0 * 0.4e-6];
     let surface = RandomSurface::of_wavelengths([40e-6, 20e-6, 2e-6], size).unwrap();

@@ -82,7 +82,7 @@ fn zeros_and_few_contacts_are_reported_once() {
     let bench = Bench::new();
     let run = bench.run("joint scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
-    assert!(run.messages.contains("[end-of-contact]"), "{}", run.messages);
+    assert_eq!(run.results().len(), 2, "{}", run.messages);
     let open = "[few-contacts]";
     let run = bench.run("joint scene.toml --model ke --history 2,40,0.5");
     assert_eq!(run.messages.matches(open).count(), 1, "{}", run.messages);
@@ -149,7 +149,8 @@ fn all_laws_have_their_loss_and_end_of_contact() {
     let joint = joint(&bench, "ke", At::Load(2e3), UnloadingLaw::Brake);
     let end = format!("{:.5e} m", joint.last_contact().unwrap());
     assert!(run.messages.contains(&end), "{}", run.messages);
-    assert_eq!(run.messages.matches("[work]").count(), 3, "{}", run.messages);
+    // The work and the end of contact of each law.
+    assert_eq!(run.results().len(), 6, "{}", run.messages);
     // Lengths have units, and likely unit errors have a warning.
     let short = "joint scene.toml --model ke --closest 1um --retreat 0nm,100nm,200nm";
     let retreats = column(&bench.data(short), "retreat_m");
@@ -169,7 +170,7 @@ fn histories_turn_at_separations_and_at_loads() {
         let last = way.iter().rposition(|way| *way == number).unwrap();
         assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
     }
-    assert!(run.messages.contains("[work]") && bench.read("h.svg").starts_with("<svg"));
+    assert!(run.results().len() == 1 && bench.read("h.svg").starts_with("<svg"));
     // Back to the start of an elastic joint, what is in it is the work of the first closing.
     let round = bench.run("joint scene.toml --model gw --history-load 10,200,10").messages;
     let (_, first) = round.split_once("first closing takes ").unwrap();
@@ -191,10 +192,8 @@ fn histories_turn_at_separations_and_at_loads() {
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
     // All laws open an elastic joint alike.
     let laws = "--law hertz,brake,etsion --history-load 100,200,150";
-    let alike = bench.run(&format!("joint scene.toml --model gw {laws}")).messages;
-    let works = alike.lines().filter(|line| line.contains("[work]"));
-    let works: Vec<&str> = works.collect();
-    assert!(matches!(works[..], [one] if one.contains("[work]")), "{alike}");
+    let alike = bench.run(&format!("joint scene.toml --model gw {laws}"));
+    assert_eq!(alike.results().len(), 1, "{}", alike.messages);
     let open = bench.run("joint scene.toml --model ke --history-load 100,0");
     assert_eq!(open.code, Some(2), "{}", open.messages);
     let light = bench.run("joint scene.toml --model ke --closest 6");
@@ -276,6 +275,6 @@ fn the_work_of_many_paths_is_summed_up() {
     let turns: Vec<String> = (0..10).map(|k| (100 + 50 * (k % 2)).to_string()).collect();
     let run = bench.run(&format!("joint scene.toml --model ke --history-load {}", turns.join(",")));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[work]"), "{}", run.messages);
+    assert_eq!(run.results().len(), 1, "{}", run.messages);
     assert!(run.messages.lines().all(|line| line.len() < 300), "{}", run.messages);
 }

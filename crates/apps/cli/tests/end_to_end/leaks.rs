@@ -17,9 +17,8 @@ fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
     // A square: h³ Δp/(12 μ).
     assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
     assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
-    // Sealed: 0 is the answer, with a note for each direction.
+    // Sealed.
     assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
-    assert_eq!(run.messages.matches("[sealed]").count(), 2, "{}", run.messages);
     // Unasked, there are none.
     let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
     assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));

@@ -59,7 +59,7 @@ fn scales_show_what_the_shortest_wave_changes() {
     let run =
         bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");
     assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
-    assert!(run.messages.contains("[blank]"));
+    assert!(run.messages.contains("[no-value]"));
     let printed = bench.refusals(
         "surface scan.txt --unit um {}",
         &["--pixel-size 2 --smooth 12", "--pixel-size 2e-6"],

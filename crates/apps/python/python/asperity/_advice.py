@@ -80,7 +80,7 @@ class Recommendation(Table):
     For each model the largest relative deviation of each quantity from the reference
     (``area_deviation``), whether it is the ``simplest`` valid one within the limit, and its expected
     deviations from boundary elements on solved surfaces, with half the width of their intervals
-    (``area_off_bem``, ``area_off_bem_spread``). Findings have the verdict and the evidence.
+    (``area_off_bem``, ``area_off_bem_spread``). Results have the verdict and the evidence.
     """
 
     @property

@@ -80,7 +80,7 @@ _Pressed: TypeAlias = tuple[Topography | Scene, Interface | None, str | None, _P
 _Asked: TypeAlias = tuple[Engine, _Rows, str | Iterable[str], _Float]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 # Columns by their heads, and findings.
-_Table: TypeAlias = tuple[dict[str, Any], list[_Fields]]
+_Table: TypeAlias = tuple[dict[str, Any], list[_Fields], list[str]]
 
 class NotConverged(RuntimeError): ...
 class UnsupportedFormat(ValueError): ...
@@ -224,7 +224,6 @@ class Engine:
     name: Final[str]
     source: Final[str]
     variant: Final[str]
-    notes: Final[tuple[str, ...]]
     _authors: Final[str]
     _citation: Final[tuple[str, int, str, str]]
     def bibtex(self) -> str: ...

@@ -42,10 +42,14 @@ class Table:
     columns: dict[str, Floats | list[str]]
     #: What there is to say about them, with the reasons of blanks.
     findings: tuple[Finding, ...]
+    #: Results that no column has, a sentence each, such as the recommended model.
+    results: tuple[str, ...]
 
-    def __init__(self, columns: dict[str, Any], findings: list[dict[str, Any]]) -> None:
+    def __init__(
+        self, columns: dict[str, Any], findings: list[dict[str, Any]], results: list[str]
+    ) -> None:
         found = tuple(record(Finding, one) for one in findings)
-        vars(self).update(columns=columns, findings=found)
+        vars(self).update(columns=columns, findings=found, results=tuple(results))
 
     def __getitem__(self, head: str) -> Any:
         return self.columns[head]
@@ -63,7 +67,7 @@ class Table:
         widths = [max(map(len, column)) for column in columns]
         rows = (zip(row, widths, strict=True) for row in zip(*columns, strict=True))
         lines = ("  ".join(f"{cell:<{width}}" for cell, width in row).rstrip() for row in rows)
-        return "\n".join([*lines, *map(str, self.findings)])
+        return "\n".join([*lines, *map(str, self.findings), *self.results])
 
 
 def _cell(value: Any) -> str:

@@ -9,7 +9,7 @@ use asperity_answer::{AnswerError, Sheet, models};
 use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyTuple};
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::convert::{Object, Quantities, refused, tolerance, value_error};
 use crate::model::python_model::{PythonModel, Raised};
@@ -119,13 +119,6 @@ impl Engine {
     #[getter]
     fn variant(&self) -> PyResult<String> {
         Ok(self.alone()?.map_or(String::new(), |model| model.variant().join("; ")))
-    }
-
-    /// Notes on these options for every scene.
-    #[getter]
-    fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let notes = self.alone()?.map_or(vec![], |model| model.notes());
-        PyTuple::new(py, notes.iter().map(ToString::to_string))
     }
 
     /// The law of one asperity of a scene at interferences [m], in SI units.

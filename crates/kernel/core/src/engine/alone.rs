@@ -13,8 +13,7 @@ use crate::engine::row_integrals::{RowIntegrals, answers};
 use crate::request::separation::SeparationInSigma;
 use crate::response::{Response, respond};
 use crate::{
-    At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
-    Share,
+    At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
 /// Loads whose separations are kept: more than few are asked of tables.
@@ -72,10 +71,6 @@ impl Contact for Alone {
 
     fn is_adhesive(&self) -> bool {
         self.facts.laws.adhesive
-    }
-
-    fn notes(&self, _: &[At]) -> Vec<Finding> {
-        self.facts.notes.to_vec()
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -11,8 +11,7 @@ use crate::engine::prepared::Prepared;
 use crate::engine::row_integrals::RowIntegrals;
 use crate::response::Response;
 use crate::{
-    At, Contact, ContactError, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
-    Share,
+    At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
 impl Contact for Prepared {
@@ -30,10 +29,6 @@ impl Contact for Prepared {
 
     fn is_adhesive(&self) -> bool {
         self.facts.laws.adhesive
-    }
-
-    fn notes(&self, _: &[At]) -> Vec<Finding> {
-        self.facts.notes.to_vec()
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -12,7 +12,7 @@ use crate::engine::law_units::LawUnits;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;
-use crate::{AsperityModel, At, Contact, ContactError, Finding, Law, Quantity, Request, Scene};
+use crate::{AsperityModel, At, Contact, ContactError, Law, Quantity, Request, Scene};
 
 /// The part of a request that does not depend on the surface.
 #[derive(Debug)]
@@ -20,7 +20,6 @@ pub(crate) struct Facts {
     pub(crate) model: String,
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) laws: Laws,
-    pub(crate) notes: Vec<Finding>,
 }
 
 impl Facts {
@@ -38,7 +37,6 @@ impl Facts {
             model: model.id().into(),
             quantities: quantities.clone(),
             laws: Laws::new(model, asperity, quantities, any_load(at), *tolerance)?,
-            notes: model.notes(),
         }))
     }
 

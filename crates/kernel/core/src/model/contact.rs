@@ -34,7 +34,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         false
     }
 
-    /// Notes on the model's options, and on answers at these places.
+    /// Notes on the answers at these places.
     fn notes(&self, at: &[At]) -> Vec<Finding> {
         let _ = at;
         vec![]

@@ -4,8 +4,6 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::Finding;
-
 /// How well the source of an equation is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -155,7 +153,7 @@ impl Default for Validity {
     }
 }
 
-/// What every model states of itself: names, source, range and remarks.
+/// What every model states of itself: names, source and range.
 pub trait Described: fmt::Debug + Send + Sync {
     /// Names and source of the model.
     fn citation(&self) -> &Citation;
@@ -179,10 +177,5 @@ pub trait Described: fmt::Debug + Send + Sync {
     /// Properties and range of the laws.
     fn validity(&self) -> Validity {
         Validity::default()
-    }
-
-    /// Remarks on the chosen options.
-    fn notes(&self) -> Vec<Finding> {
-        vec![]
     }
 }

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    AsperityModel, Citation, ContactError, ContactModel, Described, Finding, HeightDistribution,
-    Validity,
+    AsperityModel, Citation, ContactError, ContactModel, Described, HeightDistribution, Validity,
 };
 
 /// A model whose laws are averaged over other asperities than those of one radius under a flat:
@@ -98,9 +97,5 @@ impl<V: IsVariant> Described for V {
 
     fn validity(&self) -> Validity {
         self.of().validity
-    }
-
-    fn notes(&self) -> Vec<Finding> {
-        self.of().model.notes()
     }
 }

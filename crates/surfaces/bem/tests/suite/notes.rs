@@ -79,7 +79,7 @@ fn edges_that_do_not_match_are_reported_where_nothing_is_declared() {
             None => solver,
         };
         let solution = solver.tolerance(0.1).unwrap().solve(LoadCase::MeanPressure(UNIT)).unwrap();
-        solution.notes.iter().any(|note| note.code == "seam" && note.value > 3.0)
+        solution.notes.iter().any(|note| note.code == "open-seam" && note.value > 3.0)
     };
     assert!(noted(cut.clone(), None));
     assert!(!noted(cut.periodic_part(), None) && !noted(whole, None));

@@ -91,12 +91,12 @@ fn a_soft_sphere_carries_the_hardness() {
     }
 }
 
-/// Pixels out of contact have a gap above 0 also where the imprint makes the mean gap negative;
-/// notes tell of that, and of an area that is no more than F/H.
+/// Pixels out of contact have a gap above 0 also where the imprint makes the mean gap negative, and
+/// the area is at least F/H.
 #[test]
-fn gaps_are_told_apart_and_the_least_area_is_told() {
+fn open_gaps_are_positive_and_the_area_carries_the_load() {
     let elastic = BoundaryElements::new(rough(64, 3), MODULUS).unwrap();
-    let mut told = [0; 2];
+    let mut reached = [0; 2];
     for [hardness, share] in [[0.5, 0.02], [0.05, 0.1], [0.05, 0.5], [0.05, 0.99]] {
         let hardness = hardness * UNIT;
         let solver = elastic.clone().hardness(hardness).unwrap();
@@ -106,14 +106,11 @@ fn gaps_are_told_apart_and_the_least_area_is_told() {
         let mean = open.iter().sum::<f64>() / open.len() as f64;
         close(solution.mean_open_gap.unwrap(), mean, 1e-12);
         assert!(mean > 0.0 && mean > solution.mean_gap);
-        let has = |code| solution.notes.iter().any(|note| note.code == code);
-        assert_eq!(has("imprint"), solution.mean_gap < 0.0, "{share}");
-        assert_eq!(has("least-area"), solution.area <= share, "{share}");
-        told[0] += usize::from(has("imprint"));
-        told[1] += usize::from(has("least-area"));
+        assert!(solution.area >= share, "{share}");
+        reached[0] += usize::from(solution.mean_gap < 0.0);
+        reached[1] += usize::from(solution.area <= share);
     }
-    assert!(told.iter().all(|told| (1..4).contains(told)), "{told:?}");
+    assert!(reached.iter().all(|count| (1..4).contains(count)), "{reached:?}");
     let full = elastic.solve(LoadCase::MeanPressure(3.0 * UNIT)).unwrap();
     assert_eq!((full.pixel_area >= 1.0, full.mean_open_gap), (true, None));
-    assert!(!full.notes.iter().any(|note| ["imprint", "least-area"].contains(&note.code)));
 }

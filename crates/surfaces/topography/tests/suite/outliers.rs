@@ -75,8 +75,6 @@ fn a_spiked_ground_surface_comes_back() {
         ] {
             assert!((found / wanted - 1.0).abs() < 0.02, "{found:e} {wanted:e}");
         }
-        let told = found.warnings.iter().find(|w| w.code == "despiked").unwrap().to_string();
-        assert!(told.starts_with(&format!("{} outliers were replaced", count * size)), "{told}");
     }
 }
 
