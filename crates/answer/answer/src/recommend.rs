@@ -1,7 +1,9 @@
 //! The model nearest to boundary elements, or the simplest valid one near a reference, and how far
 //! each is.
 
-use asperity::{Asperities, At, Compared, Comparison, Model, Quantity, Recommendation, Request};
+use asperity::{
+    Asperities, At, Compared, Comparison, Model, Quantity, Recommendation, Request, Tolerance,
+};
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
@@ -22,6 +24,11 @@ pub struct Recommend<'a> {
     /// Whether nobody has chosen the separations: findings are about a typical one then.
     pub at_defaults: bool,
 }
+
+/// The largest deviation from the reference unless another is given.
+const WITHIN: f64 = 0.05;
+/// The tolerance of compared values unless another is given.
+const TOLERANCE: f64 = 1e-4;
 
 /// The compared quantities of a row, and the names of their columns.
 const OFF: [(Compared, &str); 3] = [
@@ -48,12 +55,25 @@ impl Recommend<'_> {
         Ok(())
     }
 
-    /// Fills a sheet with a row for each model, from simplest to most complex; the verdict and the
-    /// evidence are findings.
+    /// What `asperity recommend` asks at loads unless it is told otherwise: all models, in the area.
+    #[must_use]
+    pub fn at(loads: impl IntoIterator<Item = At>) -> Self {
+        let request = Request::new([Quantity::Area])
+            .at(loads)
+            .within(Tolerance::new(TOLERANCE).unwrap_or_default());
+        Self { models: &[], reference: None, within: WITHIN, request, at_defaults: false }
+    }
+
+    /// Fills a sheet with a row for each model, from simplest to most complex, and returns what it
+    /// shows; the verdict and the evidence are findings.
     ///
     /// # Errors
     /// Those of [`check`](Self::check), of the reference, and of the models named.
-    pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Result<(), AnswerError> {
+    pub fn answer(
+        &self,
+        file: &SceneFile,
+        sheet: &mut Sheet,
+    ) -> Result<Recommendation, AnswerError> {
         self.check()?;
         let reference = one_model(file, self.reference)?;
         // Persson's theory has evidence, too.
@@ -72,7 +92,7 @@ impl Recommend<'_> {
         models: Vec<Model>,
         (id, reference): NamedModel,
         sheet: &mut Sheet,
-    ) -> Result<(), AnswerError> {
+    ) -> Result<Recommendation, AnswerError> {
         let Self { request, within, .. } = self;
         let other = file.other_joint(models.iter().chain([&reference]));
         sheet.extend(file.accepted(other.into_iter().collect()));
@@ -100,7 +120,7 @@ impl Recommend<'_> {
             sheet.note("no-value", format!("no value: {text}"));
         }
         self.report(file, &advice, sheet);
-        Ok(())
+        Ok(advice)
     }
 
     /// Adds the findings about the models and the evidence.

@@ -1,63 +1,56 @@
-// The explorer as a whole: what it opens with, findings at their fields, links, keys, widths.
+// The page opens, is restored from its link, and is used by keys and on paper.
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { example, explorer, READY } from "./harness.mjs";
+import { example, explorer, field, READY, SETTLED } from "./harness.mjs";
 
 let page;
 before(async () => (page = await explorer()));
 after(() => page?.end());
 
-const field = (path) => `document.querySelector('[data-path="${path}"]')`;
-const pixels = (side, shortest) => page.run(`document.getElementById('random-pixels').value = arguments[0];
-  document.getElementById('random-shortest').value = arguments[1]; document.getElementById('make-random').click()`, side, shortest);
-
-test("the page opens with a curve, boundary elements and a map", async () => {
-  const found = await page.values();
-  assert.ok(Number(found["ke area-fraction"][0]) > 0, JSON.stringify(found));
+test("everything is there", async () => {
+  await page.opened();
   await page.browser.until(READY);
-  assert.ok(await page.run("return document.querySelector('#curve svg') && document.querySelector('#contact svg image') !== null"));
-  assert.ok((await page.run("return document.querySelectorAll('[data-model=bem][data-quantity=area-fraction]').length")) >= 5);
+  assert.ok(Number((await page.values())["ke area-fraction"][0]) > 0);
+  assert.equal((await page.all("#curve svg, #contact image")).length, 2);
+  assert.equal((await page.all("#answer [data-value]")).length, 4);
+  assert.ok((await page.all("#numbers sub")).includes("c"));
+  for (const k of [0, 1, 2]) {
+    await page.run(`document.querySelectorAll("#tries button")[arguments[0]].click()`, k);
+    await page.browser.until(READY, `try ${k}`);
+  }
 });
 
-test("a wrong unit is marked at its field and its line, and the page goes on", async () => {
-  const good = example("wheel-rail");
-  await page.scene(good.replace(/youngs_modulus = .*/, 'youngs_modulus = "210 mm"'));
-  assert.equal(await page.run(`return ${field("body[1].youngs_modulus")}.getAttribute('aria-invalid')`), "true");
-  const line = 1 + good.split("\n").findIndex((line) => line.startsWith("youngs_modulus"));
-  assert.match(await page.text("scene-error"), new RegExp(`^line ${line}: body\\[1\\]\\.youngs_modulus = "210 mm" is not`));
-  assert.equal(await page.run("return document.querySelector('#lines b').textContent"), String(line));
-  await page.scene(good.replace(/youngs_modulus = .*/, "youngs_modulus = 210"));
-  assert.match(await page.run(`return ${field("body[1].youngs_modulus")}.closest('.row').textContent`), /210 looks like GPa/);
-  await page.scene(good);
-  assert.equal(await page.phase(), "ready");
+test("readings", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.browser.until(`return document.querySelector("#contact image")`, "a map");
+  await page.browser.until(READY);
+  await page.run(`document.querySelectorAll("#curve .reading")[60].dispatchEvent(new PointerEvent("pointerover", { bubbles: true }))`);
+  assert.ok((await page.all("#reading span")).length >= 4);
+  const readings = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
+    const at = (x, y) => {
+      document.getElementById("contact").dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
+      return document.getElementById("contact-reading").textContent;
+    };
+    return [[0.001, 0.999], [0.5, 0.5]].map(([x, y]) => at(x, y))`);
+  assert.match(readings[0], /^x 1\.56[23] µm, y 198\.4 µm: /);
+  assert.notEqual(readings[0], readings[1]);
 });
 
-test("a scene of 10 000 keys is refused at a line", async () => {
-  const keys = Array.from({ length: 10000 }, (_, k) => `key${k} = ${k}`).join("\n");
-  await page.scene(`${keys}\n${example("wheel-rail")}`);
-  assert.match(await page.text("scene-error"), /^line 1: key0 is not known/);
-  await page.scene(example("wheel-rail"));
-  assert.equal(await page.phase(), "ready");
-});
-
-test("a link restores everything in a fresh profile, and a damaged one has a message", async () => {
+test("links restore everything", async () => {
   await page.scene(example("lapped-seal"));
-  await page.change(["#load", "123 N"]);
-  const link = await page.browser.until("return location.hash.startsWith('#s=') && location.href");
-  const hash = link.slice(link.indexOf("#"));
+  await page.choose(["gw", "ke"]);
+  await page.change(["#view", "tangent"], ["#load", "123 N"]);
+  const hash = await page.browser.until(`return location.hash.startsWith("#s=") && location.hash`);
   const before = await page.values();
   const fresh = await explorer({ address: (url) => url + hash });
   try {
-    assert.deepEqual([await fresh.value("load"), await fresh.value("scene")], ["123 N", example("lapped-seal")]);
+    assert.deepEqual([await fresh.value("load"), await fresh.value("view"), await fresh.value("scene")], ["123 N", "tangent", example("lapped-seal")]);
     assert.deepEqual(await fresh.values(), before);
-    const other = Buffer.from(JSON.stringify({ version: 99, scene: "" })).toString("base64url");
-    for (const [wrong, wanted] of [[hash.slice(0, 40), /damaged or incomplete/], [`#s=${other}`, /version|damaged/], ["#s=<b id=sly>", /damaged/]]) {
+    for (const wrong of [hash.slice(0, 40), "#s=<b id=sly>"]) {
       await fresh.browser.go("about:blank");
       await fresh.browser.go(fresh.site.url + wrong);
       await fresh.browser.until(READY);
-      assert.match(await fresh.text("message"), wanted);
+      assert.notEqual(await fresh.text("message"), "");
       assert.ok(Object.keys(await fresh.values()).length > 5);
     }
   } finally {
@@ -65,21 +58,20 @@ test("a link restores everything in a fresh profile, and a damaged one has a mes
   }
 });
 
-test("two tabs work side by side", async () => {
-  await page.scene(example("wheel-rail"));
-  const first = await page.browser.call("GET", "/window");
-  const { handle } = await page.browser.call("POST", "/window/new", { type: "tab" });
-  await page.browser.call("POST", "/window", { handle });
-  await page.browser.go(page.site.url);
-  await page.browser.until(READY, "the second tab");
+test("history goes back", async () => {
   await page.scene(example("bolted-joint"));
-  assert.ok(Object.keys(await page.values()).length > 5);
-  await page.browser.call("DELETE", "/window");
-  await page.browser.call("POST", "/window", { handle: first });
-  assert.deepEqual([await page.value("scene"), await page.phase()], [example("wheel-rail"), "ready"]);
+  await page.change(["#view", "area-fraction"]);
+  await page.change(["#view", "tangent"]);
+  await page.change([field("nominal_area"), "2 cm2"]);
+  for (const [step, script] of [[-1, `return !document.getElementById("scene").value.includes("2 cm2")`], [-1, `return document.getElementById("view").value === "area-fraction"`],
+    [2, `return document.getElementById("scene").value.includes("2 cm2") && document.getElementById("view").value === "tangent"`]]) {
+    await page.run(`history.go(arguments[0])`, step);
+    await page.browser.until(script);
+    await page.browser.until(SETTLED);
+  }
 });
 
-test("the page needs no storage", async () => {
+test("no storage", async () => {
   const denied = `for (const name of ["localStorage", "sessionStorage", "indexedDB", "caches"])
     Object.defineProperty(window, name, { get() { throw new DOMException("denied", "SecurityError"); } });`;
   const other = await explorer({ script: denied });
@@ -90,63 +82,32 @@ test("the page needs no storage", async () => {
   }
 });
 
-test("a solution stops within 200 ms and can be started again", async () => {
-  const { run, browser } = page;
-  await pixels("1024", "2 um");
-  await browser.until("return document.getElementById('elements-note').textContent.includes('1024')", "a surface of 1024 pixels");
-  await browser.until(READY);
-  await run("document.getElementById('solve').click()");
-  await browser.until("return document.getElementById('iterations').textContent.includes('iteration')", "progress");
-  const took = await browser.later(`const start = performance.now();
-    document.getElementById('stop').click();
-    while (document.documentElement.dataset.state === 'busy') await new Promise((done) => setTimeout(done));
-    return performance.now() - start`);
-  assert.ok(took < 200, `${took} ms`);
-  await pixels("128", "12.5 um");
-  await browser.until("return document.getElementById('elements-note').textContent.includes('128')", "a surface of 128 pixels");
-  await browser.until(READY);
-  await run("document.getElementById('solve').click()");
-  await browser.until("return document.querySelectorAll('[data-model=bem][data-quantity=area-fraction]').length >= 5", "solved loads");
-});
-
-test("from the load to the csv by keys alone", async () => {
+test("keys reach everything", async () => {
   await page.scene(example("wheel-rail"));
-  await page.run("document.activeElement.blur()");
-  const tabTo = async (id) => {
-    for (let k = 0; k < 120; k++) {
-      if ((await page.run("return document.activeElement.id")) === id) return;
+  await page.run(`document.activeElement.blur(); scrollTo(0, 0)`);
+  const tabTo = async (id, most) => {
+    for (let k = 0; k < most; k++) {
       await page.browser.keys(["\uE004"]);
+      if ((await page.run(`return document.activeElement.id`)) === id) return;
     }
     assert.fail(`${id} is not reached`);
   };
-  await tabTo("load");
+  await tabTo("load", 12);
   await page.browser.keys([..."\uE010"].concat(Array(12).fill("\uE003"), [..."77 N"]));
-  await tabTo("tab-findings");
-  // The last of the sections below.
+  await tabTo("tab-findings", 120);
+  // The last of the sections below, and back.
   await page.browser.keys(["\uE012"]);
-  await tabTo("save-csv");
+  await tabTo("save-csv", 4);
   await page.browser.until(READY);
-  assert.equal(await page.run("return document.getElementById('load').dataset.newtons"), "77");
+  assert.equal(await page.run(`return document.getElementById("load").dataset.newtons`), "77");
   await page.browser.keys(["\uE007"]);
-  for (let k = 0; k < 50 && !readdirSync(page.scratch).includes("asperity.csv"); k++) await new Promise((resolve) => setTimeout(resolve, 100));
-  assert.match(readFileSync(join(page.scratch, "asperity.csv"), "utf8"), /^model,load_N,pressure_Pa,separation_m,area_fraction/);
+  assert.match(await page.saved("asperity.csv", "status"), /^model,load_N,pressure_Pa,separation_m,area_fraction/);
+  await page.run(`document.getElementById("to-answers").focus()`);
+  await page.browser.keys(["\uE007"]);
+  assert.equal(await page.run(`return document.activeElement.id`), "answer");
 });
 
-test("every control has a name, and no width scrolls sideways", async () => {
-  const unnamed = await page.run(`return [...document.querySelectorAll('input, select, textarea, button')]
-    .filter((one) => !one.labels?.length && !one.getAttribute('aria-label') && !one.textContent.trim()).map((one) => one.outerHTML)`);
-  assert.deepEqual(unnamed, []);
-  for (const [width, height] of [[360, 800], [1280, 900], [2560, 1300]]) {
-    await page.browser.cdp("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
-    for (const value of ["light", "dark"]) {
-      await page.browser.cdp("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
-      assert.ok(await page.run("const { scrollWidth, clientWidth } = document.documentElement; return scrollWidth <= clientWidth"), `${width} px`);
-      if (process.env.SHOTS) writeFileSync(join(process.env.SHOTS, `page-${width}-${value}.png`), await page.browser.picture());
-    }
-  }
-});
-
-test("what is printed fits the sheet", async () => {
+test("paper has everything", async () => {
   for (const [name, sheets] of [["bolted-joint", 1], ["made-here", 4]]) {
     await page.change(["#example", name]);
     await page.browser.until(READY);
@@ -158,11 +119,19 @@ test("what is printed fits the sheet", async () => {
       .filter((one) => one.getBoundingClientRect().right > arguments[0] + 1 || one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== "visible")
       .map((one) => one.outerHTML.slice(0, 100))`, width);
     assert.deepEqual(wide, []);
-    assert.ok(await page.run("return document.getElementById('load').getClientRects().length > 0"));
+    assert.ok(await page.run(`return document.getElementById("load").getClientRects().length > 0`));
     await page.browser.cdp("Emulation.setEmulatedMedia", { media: "" });
     await page.browser.cdp("Emulation.clearDeviceMetricsOverride", {});
     const { data } = await page.browser.cdp("Page.printToPDF", { paperWidth: 210 / 25.4, paperHeight: 297 / 25.4, preferCSSPageSize: true });
-    const pdf = Buffer.from(data, "base64").toString("latin1");
-    assert.ok(pdf.match(/\/Type\s*\/Page\b/g).length <= sheets, `${name}: ${pdf.match(/\/Type\s*\/Page\b/g).length} sheets`);
+    const found = Buffer.from(data, "base64").toString("latin1").match(/\/Type\s*\/Page\b/g).length;
+    assert.ok(found <= sheets, `${name}: ${found} sheets`);
   }
+});
+
+test("laws are drawn", async () => {
+  const models = page.site.url.replace("index.html", "models.html");
+  await page.browser.go(models);
+  await page.browser.until(READY, "all laws");
+  assert.ok((await page.all("#laws svg")).length >= 9);
+  for (const link of new Set(await page.all("#laws a", "href"))) assert.equal((await fetch(link)).status, 200, link);
 });

@@ -8,9 +8,8 @@ use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::advice::ELASTIC;
+use crate::advice::{Best, ELASTIC, answering};
 use crate::answer::Row;
-use crate::best::{Best, recommended};
 use crate::files::{admit, usable};
 use crate::message::{LoadKeys, Message, Solved};
 use crate::refusal::Refusal;
@@ -121,6 +120,11 @@ impl Desk {
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
             Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
+            Message::Recommend { load } => {
+                // Within ranges, that in the middle.
+                let file = self.scenes.first().ok_or_else(no_scene)?;
+                advice::recommend(file, Load::of(&load, &file.scene)?.at)?
+            }
             Message::Curve { models } => {
                 let pressures = Span::of(&self.scene()?.scene).pressures();
                 self.compile(models.iter().map(String::as_str));
@@ -194,7 +198,7 @@ impl Desk {
     ) -> Result<Value, Refusal> {
         let file = self.scene()?;
         let load = Load::of(load, &file.scene)?;
-        let id = recommended(self.scenes.first().unwrap_or(file), load.at);
+        let id = answering(self.scenes.first().unwrap_or(file), load.at);
         self.compile(models.iter().map(String::as_str).chain([id, ELASTIC]));
         let Self { file: Some(file), scenes, compiled, corrected, .. } = self else {
             return Err(no_scene());
@@ -215,7 +219,7 @@ impl Desk {
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
         let columns = answer::columns(Some(file));
         let best = Best::new((file, &columns), &row(id), corrected, here);
-        let mut answer = advice::answer(&best, (scenes, &columns), &load, &rows, &row(ELASTIC));
+        let mut answer = advice::answer(&best, (scenes, &columns), &load, &row(ELASTIC));
         let shown = |row: &Row| advice::shown_row(&best, row, &columns);
         answer["solved"] = here.map(|solved| shown(&solved.row(&columns))).into();
         let scene = &scenes[0];
@@ -254,6 +258,12 @@ mod tests {
         serde_json::from_str(&desk.call(&message.to_string())).unwrap()
     }
 
+    const SURFACES: [&str; 3] = [
+        "sq = \"95 nm\"  # measured\nspd = \"20000 1/mm2\"\nspc = \"50 1/mm\"",
+        "asperity_radius = \"18.3 um\"\nasperity_density = 6.4e9\nasperity_height_std = 1e-7",
+        "ra = \"0.8 um\"\nfinish = \"ground\"\ncounterface = { ra = 4e-7, finish = \"honed\" }",
+    ];
+
     #[test]
     fn a_scene_is_shown_answered_and_drawn() {
         let mut desk = Desk::default();
@@ -289,13 +299,12 @@ mod tests {
         let line = 1 + text.lines().position(|line| line.contains("2 GP")).unwrap();
         assert_eq!(shown["ok"]["error"]["line"], line);
         let refused = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
-        assert!(refused["error"]["message"].as_str().unwrap().contains("correct it first"));
+        assert!(refused["error"]["message"].is_string());
         assert!(call(&mut desk, json!({ "call": "fly" }))["error"]["message"].is_string());
         let empty: Value = serde_json::from_str(&desk.hand("a.x3p", vec![])).unwrap();
-        assert!(empty["error"]["message"].as_str().unwrap().starts_with("a.x3p is empty"));
+        assert_eq!(empty["error"]["field"], "surface.file");
         let large = json!({ "call": "admit", "name": "b.x3p", "size": 2_u64 << 30 });
-        let large = call(&mut desk, large)["error"]["message"].to_string();
-        assert!(large.contains("b.x3p has 2048 MB, and the page reads at most 128 MB"), "{large}");
+        assert_eq!(call(&mut desk, large)["error"]["field"], "surface.file");
         let right = json!({ "call": "admit", "name": "b.x3p", "size": MOST_FILE });
         assert!(call(&mut desk, right)["ok"].is_null());
     }
@@ -304,11 +313,7 @@ mod tests {
     fn a_look_at_another_description_changes_nothing() {
         let template = asperity_inputs::template();
         let (head, _) = template.split_once("\n[surface]").unwrap();
-        for surface in [
-            "sq = \"95 nm\"  # measured\nspd = \"20000 1/mm2\"\nspc = \"50 1/mm\"",
-            "asperity_radius = \"18.3 um\"\nasperity_density = 6.4e9\nasperity_height_std = 1e-7",
-            "ra = \"0.8 um\"\nfinish = \"ground\"\ncounterface = { ra = 4e-7, finish = \"honed\" }",
-        ] {
+        for surface in SURFACES {
             let given = format!("{head}\n[surface]\n{surface}\n");
             let mut desk = Desk::default();
             let mut show = |text: &str| call(&mut desk, json!({ "call": "show", "text": text }));

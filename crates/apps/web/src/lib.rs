@@ -6,7 +6,6 @@
 
 mod advice;
 mod answer;
-mod best;
 mod desk;
 mod dialect;
 mod fields;

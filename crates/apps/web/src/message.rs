@@ -42,6 +42,8 @@ pub(crate) enum Message {
         #[serde(default)]
         solved: Vec<Solved>,
     },
+    /// The model to use at a load, and how far each is.
+    Recommend { load: LoadKeys },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
     /// The picture of rows.
@@ -106,12 +108,17 @@ pub(crate) struct Solved {
     pub(crate) notes: Vec<String>,
 }
 
+/// Why a column has no value.
+const NOT_GIVEN: &str = "boundary elements do not give this quantity";
+
 impl Solved {
     /// As the row of a model.
     pub(crate) fn row(&self, columns: &[Column]) -> Row {
         let known = |column: &Column| {
             let value = self.values.get(&column.id).and_then(|digits| digits.parse().ok());
-            value.map(|value| Known::new(value, None, Source::Solved)).ok_or_else(String::new)
+            value
+                .map(|value| Known::new(value, None, Source::Solved))
+                .ok_or_else(|| NOT_GIVEN.into())
         };
         let cells = columns.iter().map(known).collect();
         Row { model: "bem".into(), cells, ..Row::default() }

@@ -70,37 +70,15 @@ mod tests {
     }
 
     #[test]
-    fn messages_of_fields_name_the_text_as_typed_and_no_line_of_the_file() {
-        let units = "(units: GPa, MPa, kPa, Pa, bar, N/mm2, N/m2)";
-        for (key, value, wanted) in [
-            ("poissons_ratio", "\"0,3\"", "0,3 has a decimal comma; write 0.3".into()),
-            (
-                "youngs_modulus",
-                "\"210,000 MPa\"",
-                "210,000 MPa is ambiguous; write 210.000 MPa or 210000 MPa".into(),
-            ),
-            (
-                "youngs_modulus",
-                "\"0,21 TPa\"",
-                "0,21 TPa has a decimal comma; write 0.21 TPa".into(),
-            ),
-            (
-                "youngs_modulus",
-                "\"210 mm\"",
-                format!("210 mm is not a number in Pa: write 210GPa, for example {units}"),
-            ),
-            ("youngs_modulus", "-5", "-5.0: a finite number above 0 was required".into()),
-            ("poissons_ratio", "0.7", "0.7: a number above -1 and at most 0.5 was required".into()),
-            (
-                "poissons_ratio",
-                "\"abc\"",
-                "abc: a number (above -1, at most 0.5) was required".into(),
-            ),
-        ] {
+    fn a_field_is_named_with_its_line_and_without_both_for_the_form() {
+        for (key, value) in [("poissons_ratio", "\"0,3\""), ("youngs_modulus", "-5")] {
             let found = refusal(key, value);
-            assert_eq!(found.field_message.as_deref(), Some(&*wanted));
             assert!(found.message.starts_with("line ") && found.line.is_some());
             assert_eq!(found.field, Some(format!("body[1].{key}")));
+            let short = found.field_message.unwrap();
+            assert!(
+                found.message.len() > short.len() && !short.contains('"') && !short.contains(key)
+            );
         }
     }
 

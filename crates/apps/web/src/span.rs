@@ -170,15 +170,10 @@ mod tests {
                 assert_eq!((found.text.as_str(), found.other.as_str()), (text, other));
             }
         }
-        for text in ["5 kg", "1 kip", "3 mm"] {
-            let refused = Load::of(&keys(text, None, "Pa"), &scene).unwrap_err().message;
-            assert!(refused.contains("neither a load nor a pressure: write 2 kN or"), "{refused}");
+        for text in ["5 kg", "1 kip", "3 mm", "0,3 N", "1e999", "0"] {
+            let refused = Load::of(&keys(text, None, "N"), &scene).unwrap_err();
+            assert_eq!(refused.field.as_deref(), Some("load"), "{text}");
         }
-        let comma = Load::of(&keys("0,3 N", None, "N"), &scene).unwrap_err().message;
-        assert_eq!(comma, "load: \"0,3 N\" has a decimal comma; write 0.3 N");
-        assert!(Load::of(&keys("1e999", None, "N"), &scene).is_err());
-        let refused = Load::of(&keys("0", None, "N"), &scene).unwrap_err();
-        assert!(refused.message.contains("neither a load"), "{}", refused.message);
     }
 
     #[test]

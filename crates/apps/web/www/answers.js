@@ -4,13 +4,14 @@ import { $, cell, element, heading, lowered, noPicture, numbers as attributes, o
 // What the answer has before there are values: their place on the screen.
 const PARTS = ["real area", "first-loading stiffness", "unloading stiffness", "plasticity index", "model to use"];
 
-// The values at the load with their intervals, the model to use, and where both are from.
-export function answer(found, isExample) {
+// The values at the load with their intervals, where they are from, and the model to use, which
+// follows them.
+export function answer(found, advice, isExample) {
   const part = (name, data, shown, more) => element("div", { title: more },
     element("dt", {}, name), element("dd", {}, element("b", { data }, shown), element("small", {}, more)));
   $("answer").querySelector("dl").replaceChildren(...(found ? [
     ...found.first.map((one) => part(one.name, attributes(one, "answer"), one.shown, one.by)),
-    part("model to use", {}, found.use?.model ?? "–", found.use?.says ?? ""),
+    part("model to use", {}, advice ? advice.model ?? "none" : "…", advice?.verdict ?? ""),
   ] : PARTS.map((name) => part(name, {}, "–", ""))));
   const [example, basis] = $("basis").children;
   basis.textContent = found?.basis ?? "";
@@ -19,13 +20,13 @@ export function answer(found, isExample) {
 }
 
 // Columns: quantities; rows: models, those without values yet with dots, and boundary elements.
-export function table(views, ids, values, solved, best, about = () => "") {
+export function table(views, ids, values, best, about = () => "") {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
   head.replaceChildren(element("tr", {}, heading("model"), heading("area, stiffness against the answer", "How far real area and first-loading stiffness of a model are from the answer; ⚠ where the model is out of its range."), ...views.map(({ label, definition }) => heading(label, definition))));
   const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
   const cells = (id, row) => (row.reason ? [element("td", { className: "reason", colSpan: views.length }, row.reason)] : row.cells.map((value) => cell(value, id)));
-  const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against?.words ?? "" },
-    row?.outside ? "⚠ " : "", row?.against?.short ?? "");
+  const against = (row) => element("td", { className: "against", title: row?.outside ?? row?.against ?? "" },
+    row?.outside ? "⚠ " : "", row?.against ?? "");
   const first = best ? [element("tr", { className: "answer" }, element("th", { scope: "row" }, "answer"), against(), ...cells("answer", best.row))] : [];
   body.replaceChildren(...first, ...ids.map((id) => {
     const row = values.get(id);
@@ -33,9 +34,9 @@ export function table(views, ids, values, solved, best, about = () => "") {
     const line = element("tr", {}, name, against(row), ...(row ? cells(id, row) : waiting()));
     return row?.mark ? [line, marked(id, row.mark, views)] : [line];
   }).flat());
-  if (solved) {
+  if (best?.solved) {
     const name = element("th", { scope: "row", title: "the scan of this scene, solved pixel by pixel" }, "boundary elements");
-    body.append(element("tr", {}, name, against(best?.solved), ...columns(views, solved).map((value) => cell(value, "bem"))));
+    body.append(element("tr", {}, name, against(best.solved), ...cells("bem", best.solved)));
   }
 }
 
@@ -45,8 +46,14 @@ function marked(id, reason, views) {
   return element("tr", { className: "marked", data: { marked: id } }, text);
 }
 
-// The cells of a solved load that stand in the columns of the models.
-export const columns = (views, { cells }) => views.map(({ id }) => cells.find(({ quantity }) => quantity === id) ?? { quantity: id, shown: "boundary elements do not give this quantity" });
+// All models as the program recommends among them; a press adds one to the table.
+export function compared(advice, chosen = [], add = null) {
+  $("verdict").textContent = advice?.verdict ?? "";
+  const name = (id) => (chosen.includes(id) ? id : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
+  $("compared").tHead.replaceChildren(...(advice ? [element("tr", {}, heading("model"), ...advice.head.map((one) => heading(one)))] : []));
+  $("compared").tBodies[0].replaceChildren(...(advice?.rows ?? []).map(({ model, cells }) =>
+    element("tr", { data: { compared: model } }, element("th", { scope: "row" }, name(model)), ...cells.map((text) => element("td", {}, text)))));
+}
 
 export function load(shown, typed) {
   const field = $("load");
@@ -154,6 +161,7 @@ export function keep({ load, models, view }) {
 // No values, no curves; the place of the curves says why.
 export function clear(why) {
   answer(null);
+  compared(null);
   table([], [], new Map());
   findings([]);
   numbers([]);

@@ -10,7 +10,6 @@ import { leak, showLeak } from "./leak.js";
 import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
-import { startCompare } from "./compare.js";
 import { openTab, tabs } from "./tabs.js";
 
 // A scene with another surface or a typed text is no longer the example that it started from.
@@ -91,7 +90,6 @@ async function start() {
     openTab("findings");
     $("tab-findings").focus();
   });
-  startCompare((id) => setModels([...state.models, id]));
   // A surface of the user is no example any more.
   $("surface-fields").addEventListener("change", () => work("page", null, ownScene));
   editor((text) => {

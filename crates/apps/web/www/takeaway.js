@@ -1,8 +1,7 @@
 // Files and lines to take away.
 import { $, download, element, options, picture, noPicture, readings } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
-import { byReason, columns } from "./answers.js";
-import { elements } from "./elements.js";
+import { byReason } from "./answers.js";
 import { writeLink } from "./link.js";
 
 // The model that was ticked or chosen last: tables and laws begin with it.
@@ -21,8 +20,7 @@ function saves() {
     const { views, head, ends } = page.shown;
     const numbers = ({ digits = "", lower = "", upper = "" } = {}) => (ends ? [digits, lower, upper] : [digits]);
     const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
-    const solved = elements.at(pascals);
-    if (solved) rows.push(["bem", columns(views, solved)]);
+    if (page.best.solved) rows.push(["bem", page.best.solved.cells]);
     const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.flatMap((_, k) => numbers(cells[k]))].join());
     download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
   });

@@ -103,6 +103,24 @@ pub struct Recommendation {
 }
 
 impl Recommendation {
+    /// The model to use, as the [`verdict`](Self::verdict) names it: the nearest to boundary
+    /// elements that is valid or the simplest that is as near, without evidence the simplest valid
+    /// one within the limit of the reference. `None` where none is valid or contacts merge.
+    #[must_use]
+    pub fn model_to_use(&self) -> Option<&str> {
+        if self.merging.is_some() {
+            return None;
+        }
+        match self.nearest.last() {
+            Some((id, outside)) => outside.is_none().then_some(id),
+            None => {
+                let simplest = self.simplest.as_ref()?.id();
+                let is_compared = |found: &&Comparison| found.model.id() == simplest;
+                self.comparisons.iter().find(is_compared).map(|found| found.model.id())
+            }
+        }
+    }
+
     /// Removes the evidence, for a surface that differs from the solved ones in a property that
     /// neither a [`Scene`] nor a [`SurfaceShape`] holds; the reason
     /// ([`ContactError::NoEvidence`]) names it.

@@ -46,7 +46,7 @@ impl Recommend {
         valid("recommend", asked.check());
         let working = progress("comparing models");
         let fill = |file: &_, sheet: &mut _| asked.answer(file, sheet);
-        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
+        let (sheet, _) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         drop(working);
         self.output.write(&sheet)
     }

@@ -169,7 +169,7 @@ pub(crate) fn recommend<'py>(
     let question = Recommend { models, reference: Some(&id), within, request, at_defaults };
     let reference = (id.clone(), asked.model.clone());
     let found = py.detach(|| question.answer_of(file, among, reference, &mut sheet));
-    answered(found, &engines, &sheet)?;
+    answered(found.map(drop), &engines, &sheet)?;
     table(py, &sheet)
 }
 

@@ -7,22 +7,6 @@ use crate::finding::short;
 use crate::{At, ContactModel, Finding};
 
 impl Check {
-    /// The warning that a model's real area at a mean pressure is impossible: a load beyond full
-    /// contact, or more area than the nominal one.
-    #[must_use]
-    pub fn impossible(
-        model: &dyn ContactModel,
-        scene: &Scene,
-        pressure: f64,
-        area_fraction: f64,
-    ) -> Option<Finding> {
-        let beyond =
-            beyond_full_contact(model, scene, At::Pressure(pressure), [pressure, area_fraction]);
-        beyond.or_else(|| {
-            Self::crowded(model, pressure, area_fraction).filter(|_| area_fraction > 1.0)
-        })
-    }
-
     /// A warning where the contacts of a model have so much area at a pressure that they merge, or
     /// more than there is; theories of the whole surface only in that case.
     #[must_use]
