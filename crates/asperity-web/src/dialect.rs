@@ -261,7 +261,7 @@ mod tests {
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
         let merged = file.findings_at(&ke, &[At::Pressure(1e9)]);
         let refusal = |text: String| crate::refusal::Refusal::new(text).message;
-        let shown = [&merged, &check.findings, &file.warnings].map(|all| messages(all));
+        let shown = [&merged, &check.findings, &file.warnings].map(messages);
         let all: Vec<String> = shown
             .concat()
             .into_iter()
