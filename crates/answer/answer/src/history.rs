@@ -54,7 +54,7 @@ pub fn history(
             if open > 0 {
                 let all = path.points.len();
                 let text = format!("the joint is open at {open} of {all} points");
-                found.push((Err(warning("few-contacts", text)), joint.law()));
+                found.push((Err(warning("few-contacts", text).into()), joint.law()));
             }
         }
         subject.report_laws(sheet, found);
@@ -63,11 +63,13 @@ pub fn history(
 }
 
 /// The work of the first closing and of the later paths, which are listed if they are few.
-fn work(joint: &Joint, path: &Path) -> Option<Result<String, Finding>> {
+fn work(joint: &Joint, path: &Path) -> Option<Result<String, Box<Finding>>> {
     let closing = match joint.work(At::metres(path.points.first()?.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return Some(Err(warning("no-value", format!("the work is unavailable: {error}"))));
+            return Some(Err(
+                warning("no-value", format!("the work is unavailable: {error}")).into()
+            ));
         }
     };
     let later = &path.work[..];

@@ -29,7 +29,7 @@ pub struct Subject<'a> {
 }
 
 /// Results and findings of unloading laws.
-pub(crate) type OfLaws = Vec<(Result<String, Finding>, UnloadingLaw)>;
+pub(crate) type OfLaws = Vec<(Result<String, Box<Finding>>, UnloadingLaw)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;

@@ -82,7 +82,7 @@ fn work(
     subject: &Subject<'_>,
     joint: &Joint,
     closest: At,
-) -> Result<String, Finding> {
+) -> Result<String, Box<Finding>> {
     let works = joint.work(closest).and_then(|work| {
         subject.warn_energy_gain(sheet, joint, closest, &work)?;
         let lost = work.lost();
@@ -96,19 +96,23 @@ fn work(
         Ok([spent, lost, factor]) => Ok(format!(
             "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
         )),
-        Err(error) => Err(warning("no-value", format!("the work is unavailable: {error}"))),
+        Err(error) => Err(warning("no-value", format!("the work is unavailable: {error}")).into()),
     }
 }
 
 /// Where contact ends.
-fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Finding> {
+fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Box<Finding>> {
     let few = "fewer than one asperity touches on average";
     match end {
-        Ok(0.0) => Err(warning("few-contacts", format!("even at the closest approach, {few}"))),
+        Ok(0.0) => {
+            Err(warning("few-contacts", format!("even at the closest approach, {few}")).into())
+        }
         Ok(end) => {
             Ok(format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)))
         }
-        Err(error) => Err(note("no-value", format!("the end of contact was not found: {error}"))),
+        Err(error) => {
+            Err(note("no-value", format!("the end of contact was not found: {error}")).into())
+        }
     }
 }
 
@@ -144,6 +148,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    let blank = |text: String| (Err(warning("no-value", text)), law);
+    let blank = |text: String| (Err(warning("no-value", text).into()), law);
     Ok(blanks.texts(retreats.len()).map(blank).collect())
 }
