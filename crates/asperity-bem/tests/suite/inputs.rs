@@ -83,7 +83,6 @@ fn wording() {
         HeightMap::new(vec![f64::NAN; 4], [2, 2], [1.0; 2]).map(drop),
         solver.solve(LoadCase::Load(-1.0)).map(drop),
         solver.solve(LoadCase::MeanPressure(1e100)).map(drop),
-        solver.solve(LoadCase::MeanGap(1.0)).map(drop),
         soft.solve(LoadCase::MeanPressure(UNIT)).map(drop),
         RandomSurface::new(1.1, 1.2, 1.3).map(drop),
         RandomSurface::of_wavelengths([1e-5, 2e-5, 1e-6], [1e-4; 2]).map(drop),
