@@ -39,7 +39,7 @@ fn refused_files_and_surfaces() {
     let sizes = [10_000, 10_000];
     for (what, name, bytes) in [
         ("a picture", "a.jpg", b"\xff\xd8\xff\xe0".to_vec()),
-        ("points out of order", "a.csv", b"0 1\n2 2\n1 3\n".to_vec()),
+        ("unordered points", "a.csv", b"0 1\n2 2\n1 3\n".to_vec()),
         ("a second point", "a.xyz", b"0 0 1\n1 0 1\n0 1 1\n0 1 2\n".to_vec()),
         ("missing points", "a.txt", b"nan nan nan nan\n".to_vec()),
         ("a height of 1e300", "a.txt", b"1 2 3 4\n1 2 3 1e300\n".to_vec()),
@@ -68,7 +68,7 @@ fn refused_files_and_surfaces() {
     let surface = |heights: &[f64], columns, pixel: f64| {
         Topography::new(heights.to_vec(), columns, [pixel; 2])
     };
-    said("5 heights in rows of 2", surface(&[0.0; 5], 2, 1.0).unwrap_err().to_string());
+    said("5 heights, 2 columns", surface(&[0.0; 5], 2, 1.0).unwrap_err().to_string());
     said("pixels of 0", surface(&[0.0; 4], 2, 0.0).unwrap_err().to_string());
     let flat = surface(&[0.0; 100], 10, 1e-6).unwrap();
     let coarse = surface(&[0.0; 100], 10, 2e-6).unwrap();
@@ -77,7 +77,7 @@ fn refused_files_and_surfaces() {
     said("a flat surface", flat.statistics(Estimator::Moments).unwrap_err().to_string());
     said("summits of a profile", profile.summits().unwrap_err().to_string());
     said("a plane through a line", line.clone().level(Level::Plane).unwrap_err().to_string());
-    said("half of the points to fill", line.fill().unwrap_err().to_string());
+    said("half to fill", line.fill().unwrap_err().to_string());
     said("a cut-off of 3 m", flat.clone().filter(3.0).unwrap_err().to_string());
     let sum = flat.facing(&coarse, Alignment::AsRead);
     said("other pixels", sum.unwrap_err().to_string());
