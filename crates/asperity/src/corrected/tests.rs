@@ -80,8 +80,8 @@ fn few_contacts_scatter() {
     let relative = (many.upper / many.lower) / (same.upper / same.lower);
     assert!((relative - 1.0).abs() < 0.02, "{many:?} {same:?}");
     for id in ["ke", "at", "gao"] {
-        let refused = corrected(id, &scene).at(At::Load(1e-9)).unwrap_err().to_string();
-        assert!(refused.contains("less than one asperity touches"), "{refused}");
+        let refused = corrected(id, &scene).at(At::Load(1e-9)).unwrap_err();
+        assert!(matches!(refused, ContactError::NoEvidence { .. }), "{refused}");
     }
 }
 
@@ -103,13 +103,8 @@ fn nothing_is_left_uncorrected() {
     let ke = Corrected::new(&ke, &scene, None, &asked).unwrap();
     let row = ke.at(At::Load(1e3)).unwrap();
     assert!((row.value(Quantity::Force).unwrap().value / 1e3 - 1.0).abs() < 1e-9);
-    let refused = row.value(Quantity::Contacts).unwrap_err().to_string();
-    assert!(
-        refused.starts_with("ke-corrected: contacts has no counterpart in boundary elements"),
-        "{refused}"
-    );
-    let refused = row.value(Quantity::Stiffness).unwrap_err().to_string();
-    assert!(refused.contains("use tangent (first loading) or unloading-stiffness"), "{refused}");
+    let of = |quantity| row.value(quantity).unwrap_err().to_string();
+    let (contacts, stiffness) = (of(Quantity::Contacts), of(Quantity::Stiffness));
     // Inclined contacts have no radii.
     let mut inclined = self::scene(3e8);
     inclined.interface.equivalent_shear_modulus = Some(41e9);
@@ -118,21 +113,14 @@ fn nothing_is_left_uncorrected() {
     let row = gao.at(At::Load(1e3)).unwrap();
     assert!(row.value(Quantity::Area).is_ok());
     assert!(row.value(Quantity::UnloadingStiffness).is_err());
-    let refused = ke.at(At::from(2.0)).unwrap_err().to_string();
-    assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
-    let broad = corrected("ke", &self::scene(3e11));
-    let refused = broad.at(At::Load(1e3)).unwrap_err().to_string();
-    assert!(refused.starts_with("no boundary-element solution is close: alpha"));
-}
-
-#[test]
-fn what_is_undetermined_near_the_hardness_has_its_reason() {
-    let corrected = corrected("ke", &scene(3e8));
-    let row = corrected.at(At::Pressure(2.8e9)).unwrap();
-    assert!(row.value(Quantity::Area).is_ok() && row.separation().is_ok());
-    let reason = row.value(Quantity::Tangent).unwrap_err().to_string();
-    let wanted = "the tangent here: it is interpolated up to 0.3 H, and the pressure is 0.4 H";
-    assert!(reason.ends_with(wanted), "{reason}");
+    let place = ke.at(At::from(2.0)).unwrap_err().to_string();
+    let broad = corrected("ke", &self::scene(3e11)).at(At::Load(1e3)).unwrap_err();
+    assert!(matches!(broad, ContactError::NoEvidence { .. }), "{broad}");
+    let heavy = corrected("ke", &scene);
+    let heavy = heavy.at(At::Pressure(2.8e9)).unwrap();
+    assert!(heavy.value(Quantity::Area).is_ok() && heavy.separation().is_ok());
+    let heavy = heavy.value(Quantity::Tangent).unwrap_err().to_string();
+    insta::assert_snapshot!([contacts, stiffness, place, broad.to_string(), heavy].join("\n"));
 }
 
 /// Boundary elements on a surface that had no part in the evidence (256 x 256 pixels, waves of 4.5
@@ -158,9 +146,7 @@ fn nothing_is_stated_that_new_surfaces_refute() {
     let gap = corrected("ke", &surface(2.4e9));
     let separation = |share: f64| gap.at(At::Pressure(share * 2.4e9)).unwrap().separation();
     assert!(separation(0.5).is_ok());
-    let reason = separation(0.7).unwrap_err().to_string();
-    let wanted = "the separation here: it is interpolated up to 0.6 H, and the pressure is 0.7 H";
-    assert!(reason.ends_with(wanted), "{reason}");
+    assert!(separation(0.7).is_err());
 }
 
 /// To the last digit, though values are quotients.
@@ -230,6 +216,4 @@ fn a_corrected_model_has_the_id_by_which_it_was_asked_for() {
     assert_eq!(corrected.id(), "ke-random-corrected");
     let corrected = corrected.named("ke");
     assert_eq!(corrected.id(), "ke-corrected");
-    let refused = corrected.at(At::from(2.0)).unwrap_err().to_string();
-    assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
 }

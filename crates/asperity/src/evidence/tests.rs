@@ -38,7 +38,7 @@ fn the_committed_table_is_complete() {
 #[test]
 fn the_solved_cases_are_listed() {
     let solved = Evidence::committed().unwrap().solved();
-    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, elastic and psi "), "{solved}");
+    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, "), "{solved}");
     assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
 }
 
@@ -93,34 +93,30 @@ fn outside_there_is_no_evidence() {
         let found = evidence.expected(&scene(alpha, index), None, load * unit(), None);
         found.unwrap_err().to_string()
     };
-    for (found, field) in [
-        (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6; solved range 3.1 to 135.1"),
-        (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 135.1"),
-        (refused(8.0, 15.9, 0.01), "plasticity_index = 15.9; solved up to 15.0"),
-        (refused(8.0, 17.0, 0.01), "plasticity_index = 17.0; solved up to 15.0"),
-        (refused(8.0, 2.0, 0.7), "p/(E g) = 0.70; solved up to 0.30"),
-        (refused(3.2, 5.5, 0.3), "p/H = "),
-        (refused(8.0, 2.0, 1e-7), "p/(E g) = 1.0e-7; solved down to 1e-5, and extrapolated"),
-    ] {
-        assert!(
-            found.starts_with(&format!("no boundary-element solution is close: {field}")),
-            "{found}"
-        );
-    }
+    let mut said = vec![
+        refused(1.6, 2.0, 0.01),
+        refused(200.0, 2.0, 0.01),
+        refused(8.0, 15.9, 0.01),
+        refused(8.0, 17.0, 0.01),
+        refused(8.0, 2.0, 0.7),
+        refused(3.2, 5.5, 0.3),
+        refused(8.0, 2.0, 1e-7),
+    ];
     // Ratios are constant under loads below all solved ones.
     let light = evidence.expected(&scene(8.0, 2.0), None, 5e-7 * unit(), None).unwrap();
     assert!(light.extrapolated && (light.pressure / (1e-5 * unit()) - 1.0).abs() < 1e-9);
     let mut exponential = scene(8.0, 2.0);
     exponential.heights = HeightDistribution::Exponential;
     let found = evidence.expected(&exponential, None, 0.01 * unit(), None).unwrap_err();
-    assert!(found.to_string().contains("not Gaussian"), "{found}");
+    said.push(found.to_string());
     // With a shape from a scan there is.
     let shape = SurfaceShape::new(-0.9, [1.0, 1.0]);
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap();
     assert!(found.basis().contains(", psi 2, skewness -0.9; boundary"), "{}", found.basis());
     let shape = SurfaceShape::new(-4.0, [1.0, 1.0]);
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap_err();
-    assert!(found.to_string().contains("skewness = -4.0; solved range -2 to 1"), "{found}");
+    said.push(found.to_string());
+    insta::assert_snapshot!(said.join("\n"));
 }
 
 #[test]
@@ -136,14 +132,12 @@ fn rough_broad_spectra_have_areas_only() {
     for quantity in [Compared::Stiffness, Compared::UnloadingStiffness, Compared::MeanGap] {
         assert!(rough.estimate(quantity).is_none(), "{quantity:?}");
     }
-    assert_eq!(
-        rough.undetermined(Compared::Stiffness),
-        "the Hurst exponent of the scan is 0.40; solved surfaces have 0.8, and stiffness depends on it at a bandwidth of 23"
-    );
+    let reason = rough.undetermined(Compared::Stiffness);
+    assert!(reason.contains("scan is 0.40"), "{reason}");
     for (alpha, hurst) in [(5.0, Some(0.4)), (23.0, Some(0.8)), (23.0, None)] {
         let found = known(alpha, hurst);
         assert!(found.estimate(Compared::Stiffness).is_some(), "{alpha} {hurst:?}");
-        let said = found.basis().ends_with("surfaces, for a Hurst exponent near 0.8");
+        let said = found.basis().ends_with("Hurst exponent near 0.8");
         assert_eq!(said, hurst.is_none(), "{}", found.basis());
     }
 }

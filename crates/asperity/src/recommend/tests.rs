@@ -11,6 +11,11 @@ fn advice(plasticity_index: f64, within: f64) -> Recommendation {
     recommend(&scene, &request, &"ke".parse().unwrap(), within).unwrap()
 }
 
+/// What is said about models: the summary, then a line for each that was compared.
+fn said(advice: &Recommendation) -> String {
+    [advice.summary(), advice.expectations()].concat().join("\n") + "\n"
+}
+
 #[test]
 fn the_simplest_model_that_is_near_enough_is_named() {
     let simplest = |advice: &Recommendation| advice.simplest.as_ref().unwrap().id().to_string();
@@ -24,11 +29,6 @@ fn the_simplest_model_that_is_near_enough_is_named() {
 #[test]
 fn the_error_of_a_model_stands_beside_it() {
     let rough = advice(6.0, 0.05);
-    let text = rough.to_string();
-    assert!(text.contains("gao          equivalent_shear_modulus is missing"), "{text}");
-    assert!(text.contains("ke           force 0 % area 0 %"), "{text}");
-    // β = 0.04 is α = 4; at d = 0 half of the surface would touch.
-    assert!(text.contains("nearest to boundary elements in area are "), "{text}");
     let ke = rough.comparisons.iter().find(|c| c.model.id() == "ke").unwrap();
     assert!(ke.off(Compared::Area).is_some_and(|[off, _]| off.abs() < 1.0), "{ke:?}");
     assert!(ke.off(Compared::Stiffness).is_some(), "{ke:?}");
@@ -50,11 +50,12 @@ fn no_model_is_the_simplest_where_it_does_not_hold() {
     assert!(gw.model.id() == "gw" && gw.largest() < 0.3, "{advice}");
     assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some("yields"));
     assert_eq!(advice.simplest.as_ref().map(|m| m.id()), Some("zmc"), "{advice}");
-    assert!(advice.to_string().contains("; not valid: yielding_share 0."), "{advice}");
+    let valid = ask("ke", &["gw", "zmc"]);
     assert_eq!(ask("ke", &["gw"]).simplest.map(|m| m.id().to_string()).as_deref(), Some("ke"));
     let none = ask("gw", &["gw"]);
     assert!(none.simplest.is_none());
-    assert!(none.to_string().starts_with("no valid model is within 30 % of gw"));
+    let first = [valid, none].map(|one| one.to_string().lines().next().map(str::to_owned));
+    insta::assert_snapshot!(first.map(Option::unwrap).join("\n"));
 }
 
 #[test]
@@ -71,25 +72,12 @@ fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
     let advice = recommend_among(models, &scene, None, &request, &ke, 0.1).unwrap();
     let there: Vec<bool> = advice.evidence.iter().map(|place| place.expected.is_ok()).collect();
     assert_eq!(there, [false, false, true, true, true]);
-    let summary = advice.summary();
-    assert_eq!(summary.len(), 3, "{summary:?}");
-    let apart = "no boundary-element solution is close at 2 places from a pressure of ";
-    assert!(summary[0].starts_with(apart), "{summary:?}");
-    let nearest = "over these 3 places, nearest to boundary elements in area are ";
-    assert!(summary[1].starts_with(nearest), "{summary:?}");
-    let stiffness =
-        "over these 3 places, nearest to boundary elements in stiffness in first loading ";
-    assert!(summary[2].starts_with(stiffness), "{summary:?}");
-    let (_, named) = summary[1].split_once("in area are ").unwrap();
-    assert!(named.contains("ke (") && named.contains("jg ("), "{named}");
-    assert!(!named.contains("random") && !named.contains("persson"), "{named}");
+    assert_eq!(advice.summary().len(), 3, "{advice}");
     // One line for a model.
     let lines = advice.expectations();
-    let [ke, ..] = &lines[..] else { panic!("{advice}") };
-    assert!(ke.starts_with("ke at 3 of 5 places ") && ke.contains(" the area"), "{ke}");
-    assert!(ke.contains("% of Sq (alpha 4.8, psi 2; boundary elements on "), "{ke}");
     assert!(lines.len() <= 2 && lines.iter().all(|line| line.matches("the area").count() == 1));
     assert!(advice.comparisons.iter().all(|comparison| !comparison.off.is_empty()));
+    insta::assert_snapshot!(said(&advice));
 }
 
 #[test]
@@ -103,7 +91,7 @@ fn sentences_are_about_the_quantities_asked_for() {
         [advice.summary(), advice.expectations()].concat().join("\n")
     };
     let named = |text: &str| {
-        ["the area", "stiffness of first loading", "unloading stiffness", "the mean gap"]
+        ["the area", "of first loading", "unloading stiffness", "the mean gap"]
             .map(|quantity| text.contains(quantity))
     };
     let area = text(Quantity::Area);
@@ -129,42 +117,27 @@ fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
         recommend(&scene, &Request::new([asked]).at(places), &ke, 0.05).unwrap()
     };
     let heavy = ask(Quantity::Tangent, &[0.39]);
-    let why = "it is interpolated up to 0.3 H, and the pressure is 0.39 H";
-    let none = "boundary elements have no expected value of the stiffness of first loading";
-    assert_eq!(heavy.summary(), [format!("{none} here: {why}")]);
-    assert!(heavy.expectations().is_empty() && !heavy.to_string().contains("area"), "{heavy}");
+    assert!(heavy.expectations().is_empty(), "{heavy}");
     // Others are ranked where they have a value.
-    let some = ask(Quantity::Tangent, &[0.1, 0.12, 0.39, 0.4]).summary();
-    assert!(some[0].starts_with("over these 2 places, nearest to boundary elements"), "{some:?}");
-    assert!(some[1].starts_with(&format!("{none} at 2 places from a pressure of ")), "{some:?}");
+    let some = ask(Quantity::Tangent, &[0.1, 0.12, 0.39, 0.4]);
     let unloading = ask(Quantity::UnloadingStiffness, &[0.1]);
-    let summary = unloading.summary();
-    let nearest = "nearest to boundary elements in unloading stiffness and conductances are ";
-    assert!(summary.len() == 1 && summary[0].starts_with(nearest), "{summary:?}");
     let ke = unloading.comparisons.iter().find(|c| c.model.id() == "ke").unwrap();
     let found = unloading.evidence[0].ratio("ke", Compared::UnloadingStiffness).unwrap();
     let [off, _] = ke.off(Compared::UnloadingStiffness).unwrap();
     assert!((off - (found.ratio - 1.0)).abs() < 1e-15);
-    let line = format!(
-        "ke           unloading-stiffness 0 %, unloading stiffness and conductances {:+.0} % relative to boundary elements",
-        100.0 * (found.ratio - 1.0)
-    );
-    assert!(unloading.to_string().contains(&line), "{unloading}");
-    let heavy = ask(Quantity::UnloadingStiffness, &[0.39]).summary();
-    assert!(heavy[0].contains("the unloading stiffness and conductances here: "), "{heavy:?}");
+    let heavier = ask(Quantity::UnloadingStiffness, &[0.39]);
+    insta::assert_snapshot!([heavy, some, unloading, heavier].map(|one| said(&one)).join("\n"));
 }
 
 #[test]
 fn a_surface_unlike_the_solved_ones_has_no_evidence() {
     let known = advice(2.0, 0.05);
     assert!(known.evidence.iter().any(|place| place.expected.is_ok()), "{known}");
-    let without = known.clone().without_evidence(&ContactError::NoEvidence {
-        reason: "the heights have a kurtosis of 175".into(),
-    });
-    assert_eq!(
-        without.summary(),
-        ["no boundary-element solution is close: the heights have a kurtosis of 175"]
-    );
+    let without = known
+        .clone()
+        .without_evidence(&ContactError::NoEvidence { reason: "a kurtosis of 175".into() });
+    let [reason] = &without.summary()[..] else { panic!("{without}") };
+    assert!(reason.ends_with("a kurtosis of 175"), "{reason}");
     assert!(without.comparisons.iter().all(|found| found.off.is_empty()));
     let ids = |all: &Recommendation| all.simplest.as_ref().map(|m| m.id().to_string());
     assert_eq!(ids(&without), ids(&known));
@@ -177,25 +150,12 @@ fn scenes_outside_the_solved_range_have_no_evidence() {
     let scene = Scene::new(interface, surface, 3e-5);
     let request = Request::new([Quantity::Area]).at_loads([100.0]);
     let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.1).unwrap();
-    let summary = advice.summary().remove(0);
-    assert!(
-        summary.starts_with(
-            "no boundary-element solution is close: plasticity_index = 30.0; solved up to 15.0"
-        ),
-        "{summary}"
-    );
     assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_empty()));
-    let far = Request::new([Quantity::Force]).at([2.0, 30.0]);
-    let summary = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
-    let apart = "no boundary-element solution is close at a separation of 2 asperity_height_std: plasticity_index";
-    assert!(summary.starts_with(apart), "{summary}");
-    let far = Request::new([Quantity::Force]).at([30.0]);
-    let summary = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
-    assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
-    let light = Request::new([Quantity::Force]).at_loads([1e-9]);
-    let light = recommend(&scene, &light, &"ke".parse().unwrap(), 0.1).unwrap();
-    let summary = light.summary().remove(0);
-    assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
+    let at = |request: &Request| recommend(&scene, request, &"ke".parse().unwrap(), 0.1).unwrap();
+    let force = || Request::new([Quantity::Force]);
+    let each = [force().at([2.0, 30.0]), force().at([30.0]), force().at_loads([1e-9])];
+    let each = each.map(|request| said(&at(&request)));
+    insta::assert_snapshot!(said(&advice) + "\n" + &each.join("\n"));
     let refused = recommend(&scene, &request, &"ke".parse().unwrap(), 5.0).unwrap_err();
-    assert!(refused.to_string().starts_with("within is 5.0: a share above 0"), "{refused}");
+    assert!(matches!(refused, ContactError::OutOfRange { field: "within", .. }), "{refused}");
 }

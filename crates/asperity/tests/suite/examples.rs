@@ -21,7 +21,7 @@ fn the_readme_shows_its_example_and_what_it_prints() {
     let (_, code) = example.split_once("\n\n").expect("a head comment");
     let printed = run("readme");
     let readme = include_str!("../../README.md");
-    assert!(readme.contains(code), "the first code block differs from examples/readme.rs");
+    assert!(readme.contains(code), "examples/readme.rs");
     assert!(readme.contains(&format!("```text\n{printed}```")), "it should show\n{printed}");
 }
 

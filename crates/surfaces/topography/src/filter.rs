@@ -229,9 +229,6 @@ mod tests {
             assert!(error.starts_with("smooth is"), "{error}");
         }
         let fine = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
-        let error = fine.filter(3.0).unwrap_err().to_string();
-        let wanted =
-            "pixels (2.000e-6 m) and at most the size of the surface (1.000e-5 m; 3 looks like um)";
-        assert!(error.contains(wanted), "{error}");
+        assert!(fine.filter(3.0).unwrap_err().to_string().contains("looks like um"));
     }
 }

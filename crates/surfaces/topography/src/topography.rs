@@ -210,8 +210,8 @@ mod tests {
             Topography::new(heights, columns, pixel_size).unwrap_err().to_string()
         };
         assert!(message(vec![], 1, one).starts_with("there are 0 heights"));
-        assert!(message(vec![0.0; 5], 2, one).starts_with("there are 5 heights in rows of 2"));
-        assert!(message(vec![0.0; 4], 0, one).starts_with("there are 4 heights in rows of 0"));
+        assert!(message(vec![0.0; 5], 2, one).starts_with("there are 5 heights"));
+        assert!(message(vec![0.0; 4], 0, one).starts_with("there are 4 heights"));
         assert!(message(vec![0.0; 4], 2, [1.0, 0.0]).starts_with("pixel_size is 0.0"));
         assert!(message(vec![0.0; 4], 2, [f64::NAN, 1.0]).starts_with("pixel_size is NaN"));
         assert!(message(vec![0.0, f64::NEG_INFINITY], 2, one).contains("row 0, column 1"));

@@ -44,7 +44,7 @@ fn heavy_loads_and_free_boundaries_are_refused() {
     let free = solver.clone().boundary(Boundary::Free).solve_light(&[1e-4 * UNIT]).unwrap_err();
     assert!(matches!(free, BemError::NotLight { most: 0, .. }), "{free}");
     let none = solver.solve_light(&[f64::NAN]).unwrap_err().to_string();
-    assert!(none.starts_with("mean pressure is NaN"), "{none}");
+    assert!(none.contains("pressure is NaN"), "{none}");
     let soft = solver.hardness(1e-4 * UNIT).unwrap().solve_light(&[2e-4 * UNIT]).unwrap_err();
     assert!(matches!(soft, BemError::CannotBeCarried { .. }), "{soft}");
 }

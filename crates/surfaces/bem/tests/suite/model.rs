@@ -1,7 +1,9 @@
 //! `bem` as a model: the solver's answers under the names that all models share.
 
 use asperity_bem::{Bem, Continuation, LoadCase};
-use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface};
+use asperity_core::{
+    At, ContactError, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface,
+};
 
 use crate::{MODULUS, UNIT, close, options, paraboloid, rough};
 
@@ -53,12 +55,12 @@ fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
     let contact = bem.compile(&scene(), &request).unwrap();
     let far: At = Separation::metres(1.0).from_surface_mean().into();
     assert!(contact.evaluate(Quantity::Area, far).unwrap().value() <= 0.0);
-    let none = contact.evaluate(Quantity::MeanPressure, far).unwrap_err().to_string();
-    assert!(none.contains("mean-pressure has no value"), "{none}");
-    let not_asked = contact.evaluate(Quantity::Force, far).unwrap_err().to_string();
-    assert!(not_asked.starts_with("force was not requested"), "{not_asked}");
+    let none = contact.evaluate(Quantity::MeanPressure, far);
+    assert!(matches!(none, Err(ContactError::NoValue { .. })), "{none:?}");
+    let not_asked = contact.evaluate(Quantity::Force, far);
+    assert!(matches!(not_asked, Err(ContactError::NotRequested { quantity: Quantity::Force })));
     let heavy = contact.evaluate(Quantity::Area, At::Pressure(UNIT)).unwrap_err().to_string();
-    assert!(heavy.contains("less than the hardness"), "{heavy}");
+    assert!(heavy.contains("hardness"), "{heavy}");
     let contacts = bem.compile(&scene(), &Request::new([Quantity::Contacts])).unwrap_err();
     assert!(contacts.to_string().starts_with("bem cannot give contacts (available: force,"));
     let mut soft = scene();

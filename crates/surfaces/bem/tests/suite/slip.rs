@@ -82,7 +82,7 @@ fn yielding_and_wrong_numbers_are_refused() {
     let given = LoadCase::MeanPressure(0.02 * UNIT);
     let yielded = soft.solve(given).unwrap();
     let text = ContactSlip::new(soft, &yielded, FRICTION, RATIO).unwrap_err().to_string();
-    assert!(text.starts_with("share of the contact at the hardness is 0."), "{text}");
+    assert!(text.contains("hardness is 0."), "{text}");
     let solution = elastic.solve(given).unwrap();
     let slip = |friction, ratio| ContactSlip::new(elastic.clone(), &solution, friction, ratio);
     assert!(matches!(slip(0.0, RATIO), Err(BemError::OutOfRange { field: "friction", .. })));

@@ -161,18 +161,18 @@ fn surfaces_that_waves_cannot_make_are_refused() {
     let made = || RandomSurface::of_wavelengths([50e-6, 50e-6, 5e-6], [100e-6; 2]).unwrap();
     let message = |found: Result<RandomSurface, BemError>| found.unwrap_err().to_string();
     let lengths = |lengths| message(RandomSurface::of_wavelengths(lengths, [1e-4; 2]));
-    assert!(lengths([1e-5, 2e-5, 1e-6]).starts_with("longest wave is 1e-5: longest wave,"));
-    assert!(lengths([1e-5, 1e-5, 0.0]).starts_with("shortest wave is 0: a positive"));
-    assert!(lengths([f64::NAN; 3]).starts_with("shortest wave is NaN"));
+    assert!(lengths([1e-5, 2e-5, 1e-6]).starts_with("longest wave is 1e-5"));
+    assert!(lengths([1e-5, 1e-5, 0.0]).starts_with("shortest wave is 0"));
+    assert!(lengths([f64::NAN; 3]).contains("wave is NaN"));
     assert!(lengths([1e-5, 1e-5, 1e-9]).contains("1/8192 of the size"));
-    assert!(lengths([9e-4, 5e-4, 2e-4]).contains("at least one whole wave"));
-    assert!(message(made().lay(0.5, 0.0)).starts_with("ratio of slopes is 0.5: a number from 1"));
-    assert!(message(made().lay(100.0, 0.0)).contains("that the waves on this size can have"));
-    assert!(message(made().lay(2.0, f64::INFINITY)).starts_with("direction of the lay is inf"));
+    assert!(lengths([9e-4, 5e-4, 2e-4]).contains("one whole wave"));
+    assert!(message(made().lay(0.5, 0.0)).contains("slopes is 0.5"));
+    assert!(message(made().lay(100.0, 0.0)).contains("slopes is 100"));
+    assert!(message(made().lay(2.0, f64::INFINITY)).contains("lay is inf"));
     assert!(message(made().skewness(9.0)).starts_with("skewness is 9"));
     let few = RandomSurface::of_wavelengths([1e-4, 1e-4, 6e-5], [1e-4; 2]).unwrap();
     let few = few.skewness(4.0).unwrap().map([64, 64]).unwrap_err().to_string();
-    assert!(few.starts_with("skewness is 4: a skewness that these waves can have"), "{few}");
-    assert!(made().map([64, 40]).unwrap_err().to_string().contains("more than two pixels"));
+    assert!(few.starts_with("skewness is 4"), "{few}");
+    assert!(made().map([64, 40]).unwrap_err().to_string().contains("two pixels"));
     assert!(made().map([0, 64]).is_err());
 }

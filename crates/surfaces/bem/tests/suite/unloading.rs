@@ -157,9 +157,6 @@ fn slopes_of_loading_are_differences_of_solutions() {
     let BemError::FullContactBeside { pressure, neighbour } = error else { panic!("{error}") };
     close(pressure, solution.mean_pressure, 1e-12);
     assert!(neighbour > pressure && neighbour < hardness, "{neighbour:e} {pressure:e}");
-    let printed =
-        format!("every pixel is in contact at the neighbouring pressure {neighbour:e} Pa");
-    assert!(error.to_string().contains(&printed), "{error}");
     // Under the lightest loads one pixel touches: as stiff as under any other.
     let single = [1e-300, 1e-9].map(|p| {
         let solution = solver.solve(LoadCase::MeanPressure(p)).unwrap();
@@ -182,7 +179,6 @@ fn a_slope_that_is_lost_in_rounding_is_refused() {
     assert!(solution.plastic_area > 0.0 && solution.pixel_area < 0.01, "{}", solution.pixel_area);
     let refused = solver.loading_stiffness(&solution).unwrap_err();
     assert!(matches!(refused, BemError::Slope { .. }), "{refused}");
-    assert!(refused.to_string().contains("the mean gap does not fall"), "{refused}");
 }
 
 /// An elastic contact unloads as it loads: the slope of pressure over mean gap.
@@ -191,7 +187,9 @@ fn an_elastic_contact_has_its_loading_slope() {
     for seed in if is_long() { 1..=3 } else { 1..=1 } {
         let solver = BoundaryElements::new(rough(256, seed), MODULUS).unwrap();
         let solver = solver.tolerance(1e-11).unwrap();
-        for pressure in [1e-3, 3e-3, 1e-2, 0.1].map(|share| share * UNIT) {
+        let shares = [1e-3, 0.1, 3e-3, 1e-2];
+        for share in &shares[..if is_long() { 4 } else { 2 }] {
+            let pressure = share * UNIT;
             let at = |factor: f64| solver.solve(LoadCase::MeanPressure(factor * pressure)).unwrap();
             let (less, here, more) = (at(0.99), at(1.0), at(1.01));
             let slope = 0.02 * pressure / (less.mean_gap - more.mean_gap);

@@ -62,10 +62,7 @@ fn loads_far_above_the_modulus_are_refused() {
     let given = [0.01 * UNIT, 1e100, 0.02 * UNIT].map(LoadCase::MeanPressure);
     let solved = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
     let refused = solver.solve(given[1]).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "mean pressure is 1e100: at most 1e6 times the equivalent modulus was required"
-    );
+    assert!(refused.to_string().starts_with("mean pressure is 1e100: "), "{refused}");
     assert_eq!(solved[1].as_ref().unwrap_err(), &refused);
     for k in [0, 2] {
         close(solved[k].as_ref().unwrap().area, solver.solve(given[k]).unwrap().area, 1e-3);

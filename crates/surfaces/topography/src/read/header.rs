@@ -224,9 +224,9 @@ mod tests {
         assert_eq!(whole.pixel_size, PixelSize::Metres([3.5e-7; 2]));
         let message = |text: String| header(&text).err().unwrap().to_string();
         let rad = message(format!("{head}1 2 3 4\n"));
-        assert!(rad.starts_with("line 2: \"data unit=rad\" was found, a unit of length"), "{rad}");
+        assert!(rad.starts_with("line 2: \"data unit=rad\""), "{rad}");
         let bare = message(format!("{head}height factor=2\n1 2 3 4\n"));
-        assert!(bare.starts_with("line 3: \"height factor=2\" was found, the factor"), "{bare}");
+        assert!(bare.starts_with("line 3: \"height factor=2\""), "{bare}");
         assert!(header("magnification factor=50\n1 2 3 4\n").unwrap().factor.is_none());
         let none = message("pixel size=0 um\n1 2 3 4\n".to_owned());
         assert!(none.starts_with("line 1: \"pixel size=0 um\""), "{none}");

@@ -174,7 +174,7 @@ mod tests {
         assert!(message(&packed(&vec![0; 4 << 20])).contains("at most 1048576 bytes"));
         let whole = packed(text);
         for length in GZIP.len()..whole.len() {
-            assert!(message(&whole[..length]).contains("in the format gzip"), "{length}");
+            assert!(message(&whole[..length]).contains("gzip"), "{length}");
         }
     }
 }

@@ -174,6 +174,6 @@ mod tests {
         assert!(message(&[1.0]).starts_with("x: a single position, 1.0, was found"));
         assert!(message(&[]).contains("no position"));
         assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
-        assert!(message(&[0.0, f64::NAN]).contains("a profile of 2 positions from 0.0"));
+        assert!(message(&[0.0, f64::NAN]).contains("2 positions from 0.0"));
     }
 }

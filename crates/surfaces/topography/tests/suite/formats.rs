@@ -4,7 +4,9 @@
 
 use std::io::Write;
 
-use asperity_topography::{Distance, LengthUnit, ReadOptions, Topography, read, read_bytes};
+use asperity_topography::{
+    Distance, LengthUnit, ReadOptions, Topography, TopographyError, read, read_bytes,
+};
 
 use crate::files::{Sur, X3p, x3p_of};
 
@@ -126,10 +128,7 @@ fn numpy_arrays_are_read() {
         assert!(message("a.npy", array, &ReadOptions::default()).contains("give unit"));
     }
     let archive = message("a.npz", include_bytes!("numpy/archive.npz"), &options);
-    assert!(
-        archive.starts_with("npz file: an archive of arrays (heights.npy, x.npy)"),
-        "{archive}"
-    );
+    assert!(archive.contains("(heights.npy, x.npy)"), "{archive}");
 }
 
 #[test]
@@ -140,8 +139,8 @@ fn x3p_archives_are_read() {
     // Options must agree with the file.
     let options = ReadOptions { unit: Some(LengthUnit::Metre), ..ReadOptions::default() };
     assert!(read_bytes("a.x3p", &surface, &options).is_ok());
-    let unit = message("a.x3p", &surface, &in_um([0.5, 0.25]));
-    assert!(unit.starts_with("unit is um, but m in the file"), "{unit}");
+    let unit = read_bytes("a.x3p", &surface, &in_um([0.5, 0.25]));
+    assert!(matches!(unit, Err(TopographyError::Contradiction { option: "unit", .. })));
     // Whole numbers with a step and an offset, all points valid except one.
     let data = HEIGHTS.iter().flat_map(|z| (*z as i16 - 100).to_le_bytes()).collect();
     let whole = X3p {
@@ -195,10 +194,12 @@ fn errors_name_the_file() {
     let path = folder.join("scan.txt");
     std::fs::File::create(&path).unwrap().write_all(lines(" ").as_bytes()).unwrap();
     check(&read(&path, &in_um([0.5, 0.25])).unwrap(), 1e-6, [5e-7, 2.5e-7]);
-    let error = read(&path, &ReadOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("scan.txt: the file does not state the unit"), "{error}");
-    let error = read(&folder.join("none.txt"), &ReadOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("none.txt: cannot be read"), "{error}");
+    let within = |path: &std::path::Path| match read(path, &ReadOptions::default()) {
+        Err(TopographyError::File { path: named, source }) if named == path => *source,
+        other => panic!("{other:?}"),
+    };
+    assert!(matches!(within(&path), TopographyError::UnitMissing));
+    assert!(matches!(within(&folder.join("none.txt")), TopographyError::Io(_)));
     assert!(read(&folder, &ReadOptions::default()).is_err());
     std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -57,18 +57,18 @@ pub fn waves(n: i32) -> Vec<f64> {
 #[test]
 fn empty_and_foreign_files() {
     for name in ["a.npy", "a.x3p", "a.sur"] {
-        refused(name, b"", "the file is damaged or not in the format");
-        refused(name, b"\x00\x01\x02\x03", "the file is damaged or not in the format");
+        refused(name, b"", "damaged");
+        refused(name, b"\x00\x01\x02\x03", "damaged");
     }
     for name in ["a.txt", "a.csv", "a.xyz", "a", ""] {
         refused(name, b"", "required");
         refused(name, b"\x00\x01\x02\x03", "required");
     }
-    refused("a.bin", b"1 2\n\x00\x01", "the file is binary and of unknown format: text, .npy");
+    refused("a.bin", b"1 2\n\x00\x01", "of unknown format");
     refused("a.txt", b"1 2\n\x02\x03", "read_topography('FILE').to_gwy('FILE.gwy')");
-    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a picture (JPEG): a map of heights was");
-    refused("a.spm", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
-    refused("a.x3p", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
+    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a picture (JPEG)");
+    refused("a.spm", b"\\*File list\r\n\x00", "format Bruker Nanoscope");
+    refused("a.x3p", b"\\*File list\r\n\x00", "format Bruker Nanoscope");
 }
 
 #[test]
@@ -94,8 +94,8 @@ fn hostile_npy() {
     for length in 0..good.len() {
         assert!(read_bytes("a.npy", &good[..length], &lenient()).is_err(), "{length}");
     }
-    refused("a.npy", &npy_of("<f8", "(4294967295, 4294967295)", &[]), "the number of points is");
-    refused("a.npy", &npy_of("<f8", "(18446744073709551615, 2)", &[]), "the number of points is");
+    refused("a.npy", &npy_of("<f8", "(4294967295, 4294967295)", &[]), "number of points");
+    refused("a.npy", &npy_of("<f8", "(18446744073709551615, 2)", &[]), "number of points");
     refused("a.npy", &npy_of("<f8", "(99999999999999999999, 2)", &[]), "whole numbers");
     refused("a.npy", &npy_of("<f8", "(-1, 2)", &[]), "whole numbers");
     refused("a.npy", &npy_of("<f8", "(10000, 10000)", &[0; 64]), "64 bytes");
@@ -124,10 +124,10 @@ fn npz_archives_are_recognised() {
     let array = npy_of("<f8", "(2, 3)", &[0; 48]);
     let archive = archive(&[("height.npy", &array), ("x.npy", &array)]);
     for name in ["a.npz", "a.NPZ", "a.x3p", "a.zip", "a"] {
-        refused(name, &archive, "npz file: an archive of arrays (height.npy, x.npy) was found");
+        refused(name, &archive, "(height.npy, x.npy)");
         refused(name, &archive, "numpy.save(\"scan.npy\", numpy.load(\"scan.npz\")[name])");
     }
-    refused("a.npz", b"PK\x03\x04", "npz file: an archive of arrays (broken)");
+    refused("a.npz", b"PK\x03\x04", "(broken)");
 }
 
 #[test]
@@ -138,11 +138,11 @@ fn options_are_refused_before_a_file_is_read() {
         ..ReadOptions::default()
     };
     for (options, wanted) in [
-        (of(-0.1, 1.0), "max_missing is -0.1: a share"),
-        (of(f64::NAN, 1.0), "max_missing is NaN: a share"),
-        (of(0.1, 0.0), "pixel_size is 0.0: a finite length above 0"),
-        (of(0.1, f64::NAN), "pixel_size is NaN: a finite length above 0"),
-        (of(0.1, f64::INFINITY), "pixel_size is inf: a finite length above 0"),
+        (of(-0.1, 1.0), "max_missing is -0.1"),
+        (of(f64::NAN, 1.0), "max_missing is NaN"),
+        (of(0.1, 0.0), "pixel_size is 0.0"),
+        (of(0.1, f64::NAN), "pixel_size is NaN"),
+        (of(0.1, f64::INFINITY), "pixel_size is inf"),
     ] {
         let message = read_bytes("a.txt", b"", &options).unwrap_err().to_string();
         assert!(message.starts_with(wanted), "{message}");
@@ -158,20 +158,20 @@ fn hostile_sur() {
         assert!(read_bytes("a.sur", &good[..length], &lenient()).is_err(), "{length}");
     }
     let sized = |size| Sur { size, ..Sur::default() }.bytes(&heights);
-    refused("a.sur", &sized([i32::MAX, i32::MAX]), "the number of points is");
-    refused("a.sur", &sized([10_000, 10_000]), "80 bytes after the header");
+    refused("a.sur", &sized([i32::MAX, i32::MAX]), "number of points");
+    refused("a.sur", &sized([10_000, 10_000]), "80 bytes");
     refused("a.sur", &sized([0, 4]), "number of columns: 0");
     refused("a.sur", &sized([5, -4]), "number of rows: -4");
     let comment = Sur { comment: 7, ..Sur::default() }.bytes(&heights);
-    refused("a.sur", &comment[..comment.len() - 1], "bytes after the comments");
+    refused("a.sur", &comment[..comment.len() - 1], "after the comments");
     let with = |at: usize, bytes: &[u8]| {
         let mut broken = good.clone();
         broken[at..at + bytes.len()].copy_from_slice(bytes);
         broken
     };
-    refused("a.sur", &with(12, &[1, 0]), "the order of bytes");
+    refused("a.sur", &with(12, &[1, 0]), "order of bytes");
     refused("a.sur", &with(98, &[0, 32]), "bits of a point: 8192");
-    refused("a.sur", &with(128, &f32::NAN.to_le_bytes()), "height of one step: NaN");
+    refused("a.sur", &with(128, &f32::NAN.to_le_bytes()), "one step: NaN");
     refused("a.sur", &with(120, &f32::INFINITY.to_le_bytes()), "distance of columns: inf");
     refused("a.sur", &with(124, &0f32.to_le_bytes()), "distance of rows: 0");
 }
@@ -186,16 +186,16 @@ fn hostile_compressed_sur() {
         broken
     };
     let refused = |bytes: &[u8], expected: &str| refused("a.sur", bytes, expected);
-    refused(&with(108, &10_000i32.to_le_bytes()), "enough for 160000 unpacked bytes");
-    refused(&with(108, &[0, 0, 1, 0, 0, 0, 1, 0]), "the number of points is");
-    refused(&with(324, &u32::MAX.to_le_bytes()), "bytes after the comments");
-    refused(&with(324, &3u32.to_le_bytes()), "the sizes of all streams");
-    refused(&with(512, &u32::MAX.to_le_bytes()), "the sizes of all streams");
+    refused(&with(108, &10_000i32.to_le_bytes()), "160000 unpacked bytes");
+    refused(&with(108, &[0, 0, 1, 0, 0, 0, 1, 0]), "number of points");
+    refused(&with(324, &u32::MAX.to_le_bytes()), "after the comments");
+    refused(&with(324, &3u32.to_le_bytes()), "of all streams");
+    refused(&with(512, &u32::MAX.to_le_bytes()), "of all streams");
     refused(&with(516, &39u32.to_le_bytes()), "39 bytes unpacked from");
-    refused(&with(516, &u32::MAX.to_le_bytes()), "80 bytes for the points");
+    refused(&with(516, &u32::MAX.to_le_bytes()), "80 bytes");
     refused(&with(520, &u32::MAX.to_le_bytes()), "40 bytes unpacked from 4294967295");
     refused(&with(536, &[0xff; 4]), "40 bytes unpacked from");
-    refused(&with(14, &3u16.to_le_bytes()), "number of objects: 1 of 3 was found");
+    refused(&with(14, &3u16.to_le_bytes()), "objects: 1 of 3");
 }
 
 #[test]
@@ -208,7 +208,7 @@ fn hostile_gwy() {
         let message = read_bytes("a.gwy", bytes, &options).unwrap_err().to_string();
         assert!(message.contains(expected), "{message}");
     };
-    refused(&gwy(&[field(&waves(9)[..19])]), "data: 19 numbers was found, 20, for 5 x 4 points");
+    refused(&gwy(&[field(&waves(9)[..19])]), "data: 19 numbers");
     let with = |text: &[u8], bytes: &[u8]| {
         let at = good.windows(text.len()).position(|part| part == text).unwrap() + text.len();
         let mut broken = good.clone();
@@ -218,29 +218,28 @@ fn hostile_gwy() {
     refused(&with(b"xres\0i", &[0; 4]), "xres: 0 was found, at least 1");
     refused(&with(b"xres\0i", &[0xff; 4]), "xres: -1");
     let big = with(b"xres\0i", &1_000_000_000i32.to_le_bytes());
-    refused(&big, "the number of points is 4000000000");
+    refused(&big, "points is 4000000000");
     refused(&with(b"yreal\0d", &f64::NAN.to_le_bytes()), "yreal: NaN");
-    refused(&with(b"data\0D", &[0xff; 4]), "an item of its container is broken");
-    refused(&with(b"GwySIUnit\0", &[0xff; 4]), "an item of its container is broken");
+    refused(&with(b"data\0D", &[0xff; 4]), "container");
+    refused(&with(b"GwySIUnit\0", &[0xff; 4]), "container");
     refused(&with(b"GwyContainer\0", &[0xff; 4]), "no whole GwyContainer");
-    refused(&with(b"xres\0", b"?"), "an item of its container is broken");
+    refused(&with(b"xres\0", b"?"), "container");
     refused(&gwy(&[]), "no heights among");
     // A false count of objects ends with the bytes.
-    refused(&gwy(&[item("many", b'O', &[0xff; 4])]), "an item of its container is broken");
+    refused(&gwy(&[item("many", b'O', &[0xff; 4])]), "container");
 }
 
 #[test]
 fn hostile_gzip() {
     let options = lenient();
     let message = |bytes: &[u8]| read_bytes("a.txt.gz", bytes, &options).unwrap_err().to_string();
-    assert!(message(&gzip(&vec![b' '; 8 << 20])).contains("100 times the packed size"));
+    assert!(message(&gzip(&vec![b' '; 8 << 20])).contains("100 times"));
     assert!(message(&gzip(&gzip(b"1 2 3 4"))).contains("another gzip file"));
     assert!(message(&gzip(b"")).contains("a row of numbers"));
     let mut flipped = gzip(b"1 2 3 4\n5 6 7 8\n");
     let at = flipped.len() - 6;
     flipped[at] ^= 1;
-    let said = "it is cut short, or its bytes are not those that were packed";
-    assert!(message(&flipped).contains(said));
+    assert!(message(&flipped).contains("gzip"));
 }
 
 #[test]
@@ -254,10 +253,10 @@ fn hostile_x3p() {
         let internal = ["EOCD", "archive", "deflate", "stream", "checksum", "buffer"];
         assert!(internal.iter().all(|word| !error.contains(word)), "{length}: {error}");
     }
-    refused("a.x3p", &good[..good.len() / 2], "the list of its parts, at its end, is missing");
+    refused("a.x3p", &good[..good.len() / 2], "list of its parts");
     let sized = |size| x3p_of(&X3p { data: data.clone(), size, ..X3p::default() });
-    refused("a.x3p", &sized([u64::MAX, u64::MAX]), "the number of points is");
-    refused("a.x3p", &sized([10_000, 10_000]), "bytes for these points");
+    refused("a.x3p", &sized([u64::MAX, u64::MAX]), "number of points");
+    refused("a.x3p", &sized([10_000, 10_000]), "for these points");
     refused("a.x3p", &sized([5, 5]), "200 bytes, by main.xml");
     refused("a.x3p", &sized([5, 3]), "120 bytes, by main.xml");
     refused("a.x3p", &sized([5, 0]), "SizeY: 0");

@@ -12,3 +12,4 @@ mod outliers;
 mod parameters;
 mod scale;
 mod spectra;
+mod wording;

@@ -49,10 +49,10 @@ fn channels_of_gwyddion_files_have_names() {
         assert!(text.contains("1 \"Height\", 2 \"Height back\" was required"), "{text}");
     }
     let text = message("a.txt", b"1 2 3 4\n", &channel("Height"));
-    assert!(text.contains("a file with several channels"), "{text}");
+    assert!(text.contains("several channels"), "{text}");
     let phase = gwy(&[field("/0/data", &height, "deg")]);
     let text = message("a.gwy", &phase, &ReadOptions::default());
-    assert!(text.contains("no heights among channel 0 [deg]"), "{text}");
+    assert!(text.contains("channel 0 [deg]"), "{text}");
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn masked_points_of_gwyddion_files_are_missing() {
     ]);
     let surface = read_bytes("a.gwy", &file, &ReadOptions::default()).unwrap();
     assert!(surface.heights()[7].is_nan() && (surface.missing_share() - 0.05).abs() < 1e-12);
-    assert!(surface.notes()[0].to_string().contains("marks 5.000 % of the points"));
+    assert_eq!(surface.notes()[0].value.to_bits(), 0.05f64.to_bits());
 }
 
 #[test]
@@ -76,17 +76,17 @@ fn surfaces_of_digital_surf_files_have_numbers() {
         let surface = read_bytes("a.sur", &file, &ReadOptions::default()).unwrap();
         assert!((surface.heights()[19] / 4.375e-6 - 1.0).abs() < 1e-6);
         let note = surface.notes()[0].to_string();
-        assert!(note.contains("2 surfaces; \"surface 1 of 2\" is read"), "{note}");
+        assert!(note.contains("\"surface 1 of 2\""), "{note}");
         for name in ["second", "2"] {
             let surface = read_bytes("a.sur", &file, &channel(name)).unwrap();
             assert!((surface.heights()[19] / 8.75e-6 - 1.0).abs() < 1e-6);
         }
         let text = message("a.sur", &of("", streams).bytes(&map()), &ReadOptions::default());
-        assert!(text.contains("number of objects: 1 of 2 was found"), "{text}");
+        assert!(text.contains("objects: 1 of 2"), "{text}");
     }
     let picture = Sur { kind: 12, ..Sur::default() }.bytes(&map());
     let text = message("a.sur", &picture, &ReadOptions::default());
-    assert!(text.contains("object type: 12 was found, a profile (1) or a surface"), "{text}");
+    assert!(text.contains("object type: 12"), "{text}");
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn infinite_heights_and_lists_of_x3p_are_read() {
     assert!((surface.heights()[3] / 4e-6 - 1.0).abs() < 1e-12);
     let short = X3p { list, size: [5, 1], feature: "PRF", ..X3p::default() };
     let text = message("a.x3p", &x3p_of(&short), &channel_free());
-    assert!(text.contains("DataList: 4 points was found, 5, by MatrixDimension"), "{text}");
+    assert!(text.contains("DataList: 4 points"), "{text}");
     // A profile of positions and heights, at unequal distances.
     let data = [0.0, 1.0, 4.0].iter().flat_map(|x| [metres(*x), metres(2.0 * x)]).flatten();
     let profile =
@@ -166,13 +166,13 @@ fn missing_points_of_sdf_have_their_marks() {
     refused(sdf_text("aISO-1.0", [5, 3], &text).as_bytes(), "data: more was found, 15 numbers");
     refused(sdf_text("aISO-1.0", [5, 0], &text).as_bytes(), "NumProfiles: 0");
     let big = sdf_text("aISO-1.0", [1_000_000_000, 1_000_000_000], &text);
-    refused(big.as_bytes(), "the number of points is");
+    refused(big.as_bytes(), "number of points");
     refused(sdf_text("aISO-1.0", [10_000, 10_000], &text).as_bytes(), "bytes was found, 100000000");
     let zscale = text_with("Zscale = 1e-6", "Zscale = nan", &text);
-    refused(zscale.as_bytes(), "Zscale: NaN was found, a finite number above 0");
+    refused(zscale.as_bytes(), "Zscale: NaN");
     let packed = text_with("Compression = 0", "Compression = 1", &text);
-    refused(packed.as_bytes(), "Compression: 1 was found, 0: none was required");
-    refused(&sdf("bISO-2.0", [u32::MAX, u32::MAX], 5, &[0; 8]), "the number of points is");
+    refused(packed.as_bytes(), "Compression: 1");
+    refused(&sdf("bISO-2.0", [u32::MAX, u32::MAX], 5, &[0; 8]), "number of points");
     refused(&sdf("bISO-2.0", [5, 4], 9, &[0; 8]), "DataType: 9");
     refused(&sdf("bISO-3.0", [5, 4], 5, &[0; 8]), "version: 3.0 was found, 1.0 or 2.0");
 }
