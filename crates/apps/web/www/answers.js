@@ -52,7 +52,7 @@ export function compared(advice, chosen = [], add = null) {
   const name = (id) => (chosen.includes(id) ? id : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
   $("compared").tHead.replaceChildren(...(advice ? [element("tr", {}, heading("model"), ...advice.head.map((one) => heading(one)))] : []));
   $("compared").tBodies[0].replaceChildren(...(advice?.rows ?? []).map(({ model, cells }) =>
-    element("tr", { data: { compared: model } }, element("th", { scope: "row" }, name(model)), ...cells.map((text) => element("td", {}, text)))));
+    element("tr", { data: { compared: model }, className: model === advice.model ? "answer" : "" }, element("th", { scope: "row" }, name(model)), ...cells.map((text) => element("td", {}, text)))));
 }
 
 export function load(shown, typed) {
