@@ -55,7 +55,7 @@ impl Recommend<'_> {
         Ok(())
     }
 
-    /// What `asperity recommend` asks at loads unless it is told otherwise: all models, in the area.
+    /// What `asperity recommend` asks at loads by default: all models, in the area.
     #[must_use]
     pub fn at(loads: impl IntoIterator<Item = At>) -> Self {
         let request = Request::new([Quantity::Area])

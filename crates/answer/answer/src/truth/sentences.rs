@@ -27,8 +27,8 @@ impl Truth {
     }
 }
 
-/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load, and
-/// what to do; `None` where they are.
+/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load,
+/// and what to do; `None` where they are.
 #[must_use]
 pub fn unranked(codes: &[Vec<&str>]) -> Option<[&'static str; 2]> {
     let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));

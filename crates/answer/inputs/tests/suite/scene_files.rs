@@ -111,7 +111,7 @@ fn every_way_gives_the_surface_of_the_library() {
     let pair = format!("{pair}[surface.counterface]\nsq = 1e-3\nspd = 1.11e8\nsdq = 7\n");
     let warned = read(&text("", INTERFACE, &pair)).unwrap().warnings;
     let fields: Vec<&str> =
-        warned.iter().filter(|one| one.code == "unit").map(|one| &*one.field).collect();
+        warned.iter().filter(|one| one.code == "likely-unit").map(|one| &*one.field).collect();
     assert_eq!(fields, ["surface.sdq", "surface.counterface.sdq"], "{warned:?}");
 }
 
