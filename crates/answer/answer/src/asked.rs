@@ -128,7 +128,13 @@ impl Asked {
     /// # Errors
     /// Those of [`Corrected::of`], and the reason why no solved surface is like the scan.
     pub fn corrected(&self, file: &SceneFile, id: &str) -> Result<Corrected, ContactError> {
-        let (contact, refused) = (self.contact.clone(), self.refused.clone());
+        let of_film = self.request.quantities.iter().filter(|quantity| quantity.is_of_film());
+        let of_film = of_film.map(|quantity| {
+            let what = format!("`{quantity}`, which follows from the film and is not corrected");
+            (*quantity, ContactError::Unsupported { model: id.into(), what })
+        });
+        let refused = self.refused.iter().cloned().chain(of_film).collect();
+        let contact = self.contact.clone();
         Ok(Corrected::of(&self.model, contact, refused, file.surface_shape()?)?.named(id))
     }
 
@@ -149,7 +155,8 @@ impl Asked {
             }
             other => format!("no {}: {}", names.join(", "), other.marked()),
         };
-        let pairs = self.refused.iter().map(|(quantity, why)| (why, format!("`{quantity}`")));
+        let asked = self.refused.iter().filter(|(one, _)| self.request.quantities.contains(one));
+        let pairs = asked.map(|(quantity, why)| (why, format!("`{quantity}`")));
         grouped(pairs).into_iter().map(text).collect()
     }
 
@@ -223,6 +230,9 @@ impl Asked {
         let of_gas = Evaluation::new(gap_conductance(gas.conductivity, gap, gas.parameter)?, 1e-15);
         match quantity {
             Quantity::JointConductancePerArea => {
+                if let Some((_, why)) = self.refused.iter().find(|(one, _)| *one == CONTACTS) {
+                    return Err(why.clone());
+                }
                 let of_contacts = self.contact.evaluate(CONTACTS, given)?;
                 let sum = of_contacts.value() + of_gas.value();
                 Ok(Evaluation::new(sum, of_contacts.relative_error().max(1e-15)))

@@ -65,6 +65,15 @@ fn what_a_conductance_needs_is_named() {
     let gas = "curve scene.toml --model ke --load 10 --quantity gap-conductance-per-area";
     let run = bench.run(gas);
     assert!(run.code == Some(1) && run.messages.contains("gas_conductivity is missing"));
+    let template = asperity_inputs::template().replace("[options]\n", GAS);
+    bench.write("gas.toml", &template);
+    let joint = "curve gas.toml --model ke --load 10 --quantity joint-conductance-per-area";
+    let run = bench.run(joint);
+    assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity"));
+    assert!(!run.messages.contains("not requested"), "{}", run.messages);
+    let corrected = "curve gas.toml --model ke --load 10 --quantity gap-conductance-per-area,area";
+    let run = bench.run(&format!("{corrected} --corrected"));
+    assert!(run.messages.contains("ke-corrected: ") && !run.messages.contains("not requested"));
     let run =
         bench.run("curve scene.toml --model cmy --load 10 --quantity thermal-conductance-per-area");
     assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity is missing"));
