@@ -37,7 +37,6 @@ __all__ = [
     "bem",
     "check",
     "contact_table",
-    "correlated",
     "fit",
     "gap_conductance",
     "materials",
@@ -122,6 +121,13 @@ class Scene:
     asperity: Final[Asperity]
     asperities: Final[float]
     plasticity_index: Final[float]
+    def flow_factors(
+        self,
+        lambda_ratio: Sequence[float],
+        *,
+        quantities: str | Iterable[str] | None = None,
+        pairs: bool = False,
+    ) -> dict[str, list[float]]: ...
     def models(self) -> list[str]: ...
     def to_toml(self, path: str | PathLike[str] | None = None) -> str: ...
     def check(
@@ -149,9 +155,6 @@ def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
 def quantity(text: str, si: str) -> float: ...
-def correlated(
-    name: str, rows: _Rows, given: tuple[float, float] | None
-) -> tuple[dict[str, Any], list[float], str | None]: ...
 def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
 def contact_table(
     engine: Engine,

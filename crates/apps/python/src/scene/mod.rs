@@ -250,7 +250,7 @@ impl SceneFile {
     /// >>> scene = asperity.Scene.parse(asperity.template())
     /// >>> factors = scene.flow_factors([2.0, 3.0], quantities="pressure-flow-factor-x")
     /// >>> [round(x, 4) for x in factors["pressure-flow-factor-x"]]
-    /// [0.7041, 0.8303]
+    /// [0.7063, 0.8323]
     #[pyo3(signature = (lambda_ratio, *, quantities=None, pairs=false))]
     fn flow_factors(
         &self,
