@@ -216,10 +216,25 @@ impl Asked {
         separation: Separation,
         given: At,
     ) -> Result<Evaluation, ContactError> {
-        if let Some(flow) = self.flow.filter(|_| quantity.is_flow_factor()) {
-            return flow.factor(quantity, self.film_ratio(separation)?);
-        }
         let (unit, scene) = (SeparationUnit::Metres, self.contact.scene());
+        let sigma = scene.surface.asperity_height_std;
+        // That of a separation which follows from a load: F/|dF/dd| is at most some σ_z, and below
+        // the heights at most the distance from them.
+        let depth = separation.measured_in(unit, Datum::AsperityMean, scene)?.value.min(0.0);
+        let error = match given {
+            At::Separation(_) => 0.0,
+            _ => self.request.tolerance.relative() * (3.0 * sigma - depth),
+        };
+        if let Some(flow) = self.flow.filter(|_| quantity.is_flow_factor()) {
+            let film = self.film_ratio(separation)?;
+            let mut found = flow.factor(quantity, film)?;
+            if error > 0.0 {
+                let step = 1e-4;
+                let slope = (flow.factor(quantity, film + step)?.value() - found.value()) / step;
+                found.error += (slope * error / scene.surface_height_std() / found.size).abs();
+            }
+            return Ok(found);
+        }
         let gap = separation.measured_in(unit, Datum::SurfaceMean, scene)?.value;
         let Some(gas) = self.gas.filter(|_| gap > ATOMIC_DISTANCE) else {
             return Err(ContactError::Unsupported {
@@ -227,15 +242,19 @@ impl Asked {
                 what: format!("`{quantity}`: the mean planes are {} m apart", short(gap)),
             });
         };
-        let of_gas = Evaluation::new(gap_conductance(gas.conductivity, gap, gas.parameter)?, 1e-15);
+        let value = gap_conductance(gas.conductivity, gap, gas.parameter)?;
+        let of_gas = Evaluation::new(value, 1e-15 + error / (gap + gas.parameter));
         match quantity {
             Quantity::JointConductancePerArea => {
                 if let Some((_, why)) = self.refused.iter().find(|(one, _)| *one == CONTACTS) {
                     return Err(why.clone());
                 }
-                let of_contacts = self.contact.evaluate(CONTACTS, given)?;
+                // Each row of a load with several separations has its own.
+                let at = if self.all { separation.into() } else { given };
+                let of_contacts = self.contact.evaluate(CONTACTS, at)?;
                 let sum = of_contacts.value() + of_gas.value();
-                Ok(Evaluation::new(sum, of_contacts.relative_error().max(1e-15)))
+                let error = of_contacts.relative_error().max(of_gas.relative_error());
+                Ok(Evaluation::new(sum, error))
             }
             _ => Ok(of_gas),
         }

@@ -57,6 +57,15 @@ fn correlations_and_the_gas_stand_beside_the_models() {
     assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9, "{gas:?} {wanted}");
     assert_eq!(joint[0], Some(contacts[0].unwrap() + gas[0].unwrap()));
     assert!(gas[2..].iter().chain(&joint[2..]).all(Option::is_none), "{gas:?} {joint:?}");
+    // The bound has the error of the separation that carries the load.
+    let of = |tolerance: &str| {
+        let asked = "curve scene.toml --model ke --pressure 1e6 --errors --quantity";
+        bench.data(&format!("{asked} gap-conductance-per-area --tolerance {tolerance}"))
+    };
+    let value = |data: &str| column(data, "gap_conductance_per_area_W_per_m2_per_K")[0];
+    let (loose, fine) = (of("1e-4"), of("1e-12"));
+    let bound = column(&loose, "gap_conductance_per_area_error")[0];
+    assert!((value(&loose) / value(&fine) - 1.0).abs() <= bound && bound < 1e-3, "{loose}");
 }
 
 #[test]
