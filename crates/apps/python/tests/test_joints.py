@@ -270,7 +270,7 @@ def test_correlations_of_conductance_are_those_of_their_formulas() -> None:
     interface = asperity.Interface.between(body, body)
     scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
 
-    def by(model: str, pressure: object) -> np.ndarray:
+    def by(model: str, pressure: Any) -> Any:
         asked = "thermal-conductance-per-area"
         return asperity.model(model).solve(scene, pressure=pressure, quantities=asked)[asked]
 
