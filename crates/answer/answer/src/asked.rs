@@ -228,7 +228,8 @@ impl Asked {
         if let Some(flow) = self.flow.filter(|_| quantity.is_flow_factor()) {
             let film = self.film_ratio(separation)?;
             let mut found = flow.factor(quantity, film)?;
-            if error > 0.0 {
+            // A factor of no size has its limit, which no film changes.
+            if error > 0.0 && found.size > 0.0 {
                 let step = 1e-4;
                 let slope = (flow.factor(quantity, film + step)?.value() - found.value()) / step;
                 found.error += (slope * error / scene.surface_height_std() / found.size).abs();
