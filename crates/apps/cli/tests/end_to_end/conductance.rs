@@ -99,13 +99,3 @@ fn what_a_conductance_needs_is_named() {
     let run = bench.run(gas);
     assert!(run.messages.contains("gap.gas_conductivity"), "{}", run.messages);
 }
-
-#[test]
-fn a_factor_of_flow_that_is_0_at_a_load_has_a_bound() {
-    let bench = Bench::new();
-    // Beyond 7 standard deviations the friction shear factor is 0.
-    let asked = "curve scene.toml --model gw --load 1e-15 --errors";
-    let data = bench.data(&format!("{asked} --quantity friction-shear-factor"));
-    assert_eq!(column(&data, "friction_shear_factor"), [0.0], "{data}");
-    assert!(column(&data, "friction_shear_factor_error")[0] < 1e-9, "{data}");
-}
