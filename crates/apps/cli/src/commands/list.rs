@@ -1,8 +1,8 @@
-//! `asperity list`: models and materials, with their sources, and what findings mean.
+//! `asperity list`: models and materials, with their sources, quantities, and what findings mean.
 
 use anyhow::{Result, ensure};
 use asperity::bem::Bem;
-use asperity::{Body, Citation, Code, Described, Model, nearest_hint, nearest_name};
+use asperity::{Body, Citation, Code, Described, Model, Quantity, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::{BODY, Field, Material, column_of};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -11,7 +11,7 @@ use clap::{Args, ValueEnum};
 use crate::input::args::OutputArgs;
 use crate::output::{self, table::Format};
 
-/// Models or materials, with their sources, or what warnings and notes mean
+/// Models or materials, with their sources, quantities, or what warnings and notes mean
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg
@@ -22,7 +22,7 @@ use crate::output::{self, table::Format};
 pub struct List {
     what: What,
     /// Of models, an id or words of the name, the authors, the year or the variant; of materials, a
-    /// word of the name; of findings, a part of the code
+    /// word of the name; of quantities and findings, a part of the name
     word: Vec<String>,
     #[command(flatten)]
     output: OutputArgs,
@@ -37,6 +37,7 @@ fn format(name: String) -> Result<Format, String> {
 enum What {
     Models,
     Materials,
+    Quantities,
     Findings,
 }
 
@@ -50,6 +51,7 @@ impl List {
             What::Models if is_bibtex => sources(&word)?,
             What::Models => models(&word, narrow)?,
             What::Materials => materials(&word, narrow)?,
+            What::Quantities => quantities(&word)?,
             What::Findings => findings(&word, narrow)?,
         };
         self.output.write(&sheet)?;
@@ -205,6 +207,20 @@ fn materials(word: &str, narrow: bool) -> Result<Sheet> {
         sheet.under(&[&heads]);
         sheet.rows.push(row);
     }
+    Ok(sheet)
+}
+
+fn quantities(word: &str) -> Result<Sheet> {
+    let mut sheet = Sheet::new(&["quantity", "symbol", "unit", "definition"]);
+    let names = Quantity::ALL.map(|quantity| quantity.to_string());
+    let near = || nearest_hint(nearest_name(word, names.iter().map(|name| &**name)));
+    for (quantity, name) in Quantity::ALL.iter().zip(&names) {
+        if name.contains(word.trim()) {
+            let cells = [name, quantity.symbol(), quantity.unit(), quantity.definition()];
+            sheet.add(&cells, [Cell::BLANK; 0]);
+        }
+    }
+    ensure!(!sheet.rows.is_empty(), "no quantity has the name {word:?}{}", near());
     Ok(sheet)
 }
 
