@@ -3,7 +3,9 @@
     pip install surfalize SurfaceTopography; python surface_parameters.py > surface_parameters.csv
 
 Made with surfalize 0.19.2 and SurfaceTopography 1.27.1. Heights in um at (x, y) points; lengths in
-um. Sal and Str of surfalize follow a cubic spline along rays, those of asperity the contour between
+um. The curve of material ratios has a class for each point; its areas end at the class nearest to
+the limit of the core, so that those of asperity, which end at the limit, differ by parts of a
+point's share; they are computed by NumPy (names in lower case). Sal and Str of surfalize follow a cubic spline along rays, those of asperity the contour between
 neighbouring lags: they agree to parts of a point.
 """
 
@@ -13,6 +15,7 @@ import warnings
 import numpy as np
 import SurfaceTopography as st
 import surfalize
+from surfalize.abbottfirestone import AbbottFirestoneCurve
 
 ROWS, COLUMNS, STEP_X, STEP_Y = 128, 160, 0.5, 0.4
 
@@ -45,6 +48,30 @@ for case, stretch in [("broad", 1.0), ("lay", 0.3)]:
         value = float(getattr(surface, name)())
         value = value / 100 if name == "Sdr" else value
         out.append(f"{case},{name},,{value!r}")
+    curve = AbbottFirestoneCurve(surface, nbins=z.size)
+    for name in "k pk vk mr1 mr2 vmp vmc vvc vvv".split():
+        value = float(getattr(curve, name)())
+        value = value / 100 if name.startswith("mr") else value
+        out.append(f"{case},S{name},,{value!r}")
+    # The same areas, ended at the limits.
+    ratios = np.linspace(0, 1, z.size)
+    curved = np.sort((z - z.mean()).ravel())[::-1]
+
+    def area(low, high, level):
+        inside = (ratios > low) & (ratios < high)
+        p = np.concatenate([[low], ratios[inside], [high]])
+        return np.trapezoid(np.interp(p, ratios, curved) - level, p)
+
+    mr1, mr2 = curve.mr1() / 100, curve.mr2() / 100
+    top, bottom = np.interp([mr1, mr2], ratios, curved)
+    out.append(f"{case},pk,,{float(2 * area(0, mr1, top) / mr1)!r}")
+    out.append(f"{case},vk,,{float(-2 * area(mr2, 1, bottom) / (1 - mr2))!r}")
+    z10, z80 = np.interp([0.1, 0.8], ratios, curved)
+    vmp, vvv = area(0, 0.1, z10), -area(0.8, 1, z80)
+    out.append(f"{case},vmp,,{float(vmp)!r}")
+    out.append(f"{case},vmc,,{float(area(0, 0.8, z80) - vmp)!r}")
+    out.append(f"{case},vvc,,{float(-area(0.1, 1, z10) - vvv)!r}")
+    out.append(f"{case},vvv,,{float(vvv)!r}")
 topography = st.Topography(
     periodic().T, (COLUMNS * STEP_X, ROWS * STEP_Y), periodic=True, unit="um"
 )

@@ -1,0 +1,196 @@
+//! The material ratio curve and the functional parameters of ISO 25178-2 and ISO 21920-2.
+
+use crate::{Topography, TopographyError};
+
+/// Width of the secant of least slope, as a material ratio.
+const CORE: f64 = 0.4;
+/// Material ratios that bound the core of the volumes.
+const VOLUMES: [f64; 2] = [0.1, 0.8];
+
+/// The heights above which a share of the surface lies: the share is 0 at the highest point, 1 at
+/// the lowest.
+///
+/// Between the points the curve is linear, as quantiles of NumPy are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaterialRatio {
+    /// Heights about their mean \[m\], falling.
+    heights: Vec<f64>,
+}
+
+/// Functional parameters, of a profile `Rk`, `Rpk` and so on. Heights are in m, volumes in m³/m².
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Functional {
+    /// Sk: height of the core, by the line fitted to the secant of least slope over 40 % of the
+    /// curve.
+    pub sk: f64,
+    /// Spk: reduced height of the peaks above the core.
+    pub spk: f64,
+    /// Svk: reduced depth of the dales below the core.
+    pub svk: f64,
+    /// Smr1: material ratio at the top of the core, from 0 to 1.
+    pub smr1: f64,
+    /// Smr2: material ratio at the bottom of the core, from 0 to 1.
+    pub smr2: f64,
+    /// Vmp: volume of material above the height of a material ratio of 10 %.
+    pub vmp: f64,
+    /// Vmc: volume of material between the heights of 10 and 80 %.
+    pub vmc: f64,
+    /// Vvc: volume of voids between the heights of 10 and 80 %.
+    pub vvc: f64,
+    /// Vvv: volume of voids below the height of 80 %.
+    pub vvv: f64,
+}
+
+impl Topography {
+    /// The material ratio curve of the measured points, about their mean.
+    ///
+    /// # Errors
+    /// [`TopographyError::Flat`] when all heights are equal.
+    pub fn material_ratio(&self) -> Result<MaterialRatio, TopographyError> {
+        let mean = self.mean();
+        let measured = self.heights().iter().filter(|z| !z.is_nan());
+        let mut heights: Vec<f64> = measured.map(|z| z - mean).collect();
+        heights.sort_unstable_by(|a, b| b.total_cmp(a));
+        if heights.first() <= heights.last() {
+            return Err(TopographyError::Flat { points: heights.len() });
+        }
+        Ok(MaterialRatio { heights })
+    }
+}
+
+impl MaterialRatio {
+    fn intervals(&self) -> f64 {
+        (self.heights.len() - 1) as f64
+    }
+
+    /// The interval of a share and the place in it.
+    fn place(&self, share: f64) -> (usize, f64) {
+        let at = share.clamp(0.0, 1.0) * self.intervals();
+        let interval = (at as usize).min(self.heights.len() - 2);
+        (interval, at - interval as f64)
+    }
+
+    /// The height above the mean \[m\] above which this share of the surface lies.
+    #[must_use]
+    pub fn height(&self, share: f64) -> f64 {
+        let (k, t) = self.place(share);
+        self.heights[k] + t * (self.heights[k + 1] - self.heights[k])
+    }
+
+    /// The share of the surface above this height above the mean \[m\].
+    #[must_use]
+    pub fn share(&self, height: f64) -> f64 {
+        let below = self.heights.partition_point(|z| *z > height);
+        match below.checked_sub(1) {
+            None => 0.0,
+            Some(_) if below == self.heights.len() => 1.0,
+            Some(k) => {
+                let [above, below] = [self.heights[k], self.heights[below]];
+                (k as f64 + (above - height) / (above - below)) / self.intervals()
+            }
+        }
+    }
+
+    /// The volume of material above the height of a share, and that of voids below it \[m\], from
+    /// the distances of points to this height.
+    fn volumes(&self, share: f64, height: f64) -> [f64; 2] {
+        let (k, t) = self.place(share);
+        let (above, below) = self.heights.split_at(k + 1);
+        let distance = |z: &f64| (z - height).abs();
+        let trapezium = |pair: &[f64]| 0.5 * (distance(&pair[0]) + distance(&pair[1]));
+        let triangle = |z: Option<&f64>, part: f64| z.map_or(0.0, |z| 0.5 * part * distance(z));
+        let material = above.windows(2).map(trapezium).sum::<f64>() + triangle(above.last(), t);
+        let voids = below.windows(2).map(trapezium).sum::<f64>() + triangle(below.first(), 1.0 - t);
+        [material, voids].map(|area| area / self.intervals())
+    }
+
+    /// The line of the core: its heights at the shares 0 and 1. Least squares over the points of
+    /// the window of 40 % in which the curve falls least; of several, the first.
+    fn core(&self) -> [f64; 2] {
+        let step = 1.0 / self.intervals();
+        let last = ((1.0 - CORE) / step).floor() as usize;
+        let fall = |k: usize| self.heights[k] - self.height(k as f64 * step + CORE);
+        let falls = (0..=last).map(|k| (k, fall(k)));
+        let (first, _) = falls
+            .fold((0, f64::INFINITY), |least, next| if next.1 < least.1 { next } else { least });
+        let n = (CORE / step + 1e-9).floor() as usize + 1;
+        let points = &self.heights[first..(first + n).min(self.heights.len())];
+        let n = points.len() as f64;
+        let (middle, mean) = (0.5 * (n - 1.0), points.iter().sum::<f64>() / n);
+        let product = |(k, z): (usize, &f64)| (k as f64 - middle) * (z - mean);
+        let square = n * (n * n - 1.0) / 12.0;
+        let products = points.iter().enumerate().map(product).sum::<f64>();
+        let slope = if square > 0.0 { products / square / step } else { 0.0 };
+        let top = mean - slope * (first as f64 + middle) * step;
+        [top, top + slope]
+    }
+
+    /// The functional parameters.
+    #[must_use]
+    pub fn functional(&self) -> Functional {
+        let [top, bottom] = self.core();
+        let [smr1, smr2] = [top, bottom].map(|height| self.share(height));
+        // Triangles of the same areas above and below the core.
+        let triangle = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
+        let [[vmp, above], [material, vvv]] =
+            VOLUMES.map(|share| self.volumes(share, self.height(share)));
+        Functional {
+            sk: top - bottom,
+            spk: triangle(self.volumes(smr1, top)[0], smr1),
+            svk: triangle(self.volumes(smr2, bottom)[1], 1.0 - smr2),
+            smr1,
+            smr2,
+            vmp,
+            vmc: material - vmp,
+            vvc: above - vvv,
+            vvv,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(heights: Vec<f64>) -> MaterialRatio {
+        let columns = heights.len();
+        Topography::new(heights, columns, [1e-6; 2]).unwrap().material_ratio().unwrap()
+    }
+
+    #[test]
+    fn a_straight_curve_is_all_core() {
+        let found = curve((0..1001).map(|k| f64::from((k * 5) % 1001) * 1e-9).collect());
+        let Functional { sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv } = found.functional();
+        let close = |found: f64, right: f64| {
+            assert!((found - right).abs() < 1e-12 * (1.0 + right), "{found} {right}");
+        };
+        for (found, right) in [(sk, 1e-6), (spk, 0.0), (svk, 0.0)] {
+            close(found / 1e-6, right / 1e-6);
+        }
+        close(smr1, 0.0);
+        close(smr2, 1.0);
+        // Triangles of a unit square cut at .1 and .8.
+        let volumes = [(vmp, 0.005), (vmc, 0.315), (vvc, 0.385), (vvv, 0.02)];
+        volumes.into_iter().for_each(|(found, right)| close(found / 1e-6, right));
+        close(found.share(found.height(0.37)), 0.37);
+    }
+
+    #[test]
+    fn a_plateau_with_grooves_has_deep_dales() {
+        // 9 of 10 points within 0.1 um, the others down to -4 um.
+        let height = |k: u32| match k % 10 {
+            0 => -4e-6 * f64::from(k) / 1000.0,
+            _ => 1e-7 * f64::from(k) / 1000.0,
+        };
+        let found = curve((0..1000).map(height).collect()).functional();
+        assert!((found.sk / 1.1e-7 - 1.0).abs() < 0.02, "{found:?}");
+        assert!(found.svk > 30.0 * found.spk && (found.smr2 - 0.9).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn flat_surfaces_are_refused() {
+        let flat = Topography::new(vec![1.0; 9], 3, [1.0; 2]).unwrap();
+        assert!(flat.material_ratio().is_err());
+    }
+}
