@@ -1,0 +1,262 @@
+//! The deflection of the half spaces under pressures on a regular grid, to spectral accuracy.
+//!
+//! The kernel, 1/(π E r) or (2/(π E)) ln(L/|x|), is cut off at the diagonal of the grid, beyond
+//! which no two points lie, transformed exactly, and brought back to the offsets of the grid: the
+//! method of Vico, Greengard and Ferrando (2016) \[recalled\].
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use asperity_fft::{
+    Complex64, ComplexToReal, Fft, RealToComplex, forward, inverse, real_forward, real_inverse,
+};
+
+/// Nodes and weights of the Gauss-Legendre rule with 8 points on -1 to 1, right half.
+const GAUSS: [[f64; 2]; 4] = [
+    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
+    [0.525_532_409_916_329, 0.313_706_645_877_887_3],
+    [0.796_666_477_413_626_7, 0.222_381_034_453_374_48],
+    [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
+];
+
+/// The integral of a function from 0, between multiples of 1 by a rule of Gauss.
+struct Primitive {
+    of: fn(f64) -> f64,
+    at_whole: Vec<f64>,
+}
+
+impl Primitive {
+    /// For arguments up to `largest`; the function varies slowly over a length of 1.
+    fn new(of: fn(f64) -> f64, largest: f64) -> Self {
+        let mut at_whole = vec![0.0];
+        let mut sum = 0.0;
+        for k in 0..largest as usize + 1 {
+            sum += gauss(of, k as f64, k as f64 + 1.0);
+            at_whole.push(sum);
+        }
+        Self { of, at_whole }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        let whole = (x as usize).min(self.at_whole.len() - 1);
+        self.at_whole[whole] + gauss(self.of, whole as f64, x)
+    }
+}
+
+fn gauss(of: fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let pair =
+        |[node, weight]: [f64; 2]| weight * (of(middle - half * node) + of(middle + half * node));
+    half * GAUSS.into_iter().map(pair).sum::<f64>()
+}
+
+/// sin(x)/x.
+fn sinc(x: f64) -> f64 {
+    if x.abs() < 1e-8 { 1.0 } else { x.sin() / x }
+}
+
+/// The product with the kernel, on a grid of n points a side, or of n points of a line.
+pub(crate) struct Deflection {
+    n: [usize; 2],
+    /// The transform of the kernel on twice the grid, over the number of its points.
+    spectrum: Vec<f64>,
+    rows: Arc<dyn RealToComplex<f64>>,
+    back: Arc<dyn ComplexToReal<f64>>,
+    columns: [Arc<dyn Fft<f64>>; 2],
+    /// Products so far.
+    pub(crate) products: usize,
+    complex: Vec<Complex64>,
+    column: Vec<Complex64>,
+    row: Vec<f64>,
+}
+
+/// An even number of points at least `n` with small prime factors.
+pub(crate) fn quick(n: usize) -> usize {
+    let is_quick = |n: &usize| {
+        let mut rest = *n;
+        for factor in [2, 3, 5] {
+            while rest.is_multiple_of(factor) {
+                rest /= factor;
+            }
+        }
+        rest == 1
+    };
+    (n.max(2)..).filter(|n| n.is_multiple_of(2)).find(is_quick).unwrap_or(n)
+}
+
+impl Deflection {
+    /// Of a grid of n x n points with these distances \[m\].
+    pub(crate) fn of_area(n: usize, [dx, dy]: [f64; 2], modulus: f64) -> Self {
+        let [width, height] = [n as f64 * dx, n as f64 * dy];
+        let cut = width.hypot(height);
+        let [nx, ny] = [dx, dy].map(|step| quick(n + (cut / step).ceil() as usize + 1));
+        let [qx, qy] = [2.0 * PI / (nx as f64 * dx), 2.0 * PI / (ny as f64 * dy)];
+        let largest = cut * (0.5 * qx * nx as f64).hypot(0.5 * qy * ny as f64);
+        let bessel = Primitive::new(libm::j0, largest);
+        let density = |i: usize, j: usize| {
+            let q = (qx * i as f64).hypot(qy * j.min(ny - j) as f64);
+            2.0 / modulus * if q > 0.0 { bessel.at(q * cut) / q } else { cut }
+        };
+        let table = back_to_offsets([nx, ny], [n, n], density);
+        Self::new([n, n], &table)
+    }
+
+    /// Of a line of n points, per length, with ln(L/|x|) and L = `reference` \[m\].
+    pub(crate) fn of_line(n: usize, dx: f64, modulus: f64, reference: f64) -> Self {
+        let cut = n as f64 * dx;
+        let nx = quick(2 * n + 2);
+        let qx = 2.0 * PI / (nx as f64 * dx);
+        let sine = Primitive::new(sinc, PI * cut / dx);
+        let logarithm = (reference / cut).ln();
+        let density = |i: usize, _: usize| {
+            let x = qx * i as f64 * cut;
+            let whole = if i == 0 { 1.0 } else { sine.at(x) / x };
+            4.0 * cut / (PI * modulus) * (logarithm * sinc(x) + whole)
+        };
+        let table = back_to_offsets([nx, 1], [n, 1], density);
+        Self::new([n, 1], &table)
+    }
+
+    /// From the deflections at offsets up to n, row by row.
+    fn new(n: [usize; 2], table: &[f64]) -> Self {
+        let size = n.map(|n| if n == 1 { 1 } else { 2 * n });
+        let half = size[0] / 2 + 1;
+        let rows = real_forward(size[0]);
+        let (back, columns) = (real_inverse(size[0]), [forward(size[1]), inverse(size[1])]);
+        let complex = vec![Complex64::default(); half * size[1]];
+        let (column, row) = (vec![Complex64::default(); size[1]], vec![0.0; size[0]]);
+        let spectrum = vec![];
+        let mut made = Self { n, spectrum, rows, back, columns, products: 0, complex, column, row };
+        for j in 0..size[1] {
+            for i in 0..size[0] {
+                let [i_off, j_off] = [i.min(size[0] - i), j.min(size[1] - j)];
+                made.row[i] = table[j_off * (n[0] + 1) + i_off];
+            }
+            made.forward_row(j);
+        }
+        made.along_columns(0);
+        let points = (size[0] * size[1]) as f64;
+        made.spectrum = made.complex.iter().map(|value| value.re / points).collect();
+        made
+    }
+
+    fn half(&self) -> usize {
+        self.row.len() / 2 + 1
+    }
+
+    fn forward_row(&mut self, j: usize) {
+        let half = self.half();
+        let into = &mut self.complex[j * half..(j + 1) * half];
+        // Lengths are those of the plan.
+        let _ = self.rows.process(&mut self.row, into);
+    }
+
+    fn along_columns(&mut self, direction: usize) {
+        let (half, rows) = (self.half(), self.column.len());
+        if rows == 1 {
+            return;
+        }
+        for i in 0..half {
+            for j in 0..rows {
+                self.column[j] = self.complex[j * half + i];
+            }
+            self.columns[direction].process(&mut self.column);
+            for j in 0..rows {
+                self.complex[j * half + i] = self.column[j];
+            }
+        }
+    }
+
+    /// The deflections \[m\] under these pressures \[Pa\].
+    pub(crate) fn product(&mut self, pressures: &[f64], deflections: &mut [f64]) {
+        self.products += 1;
+        let ([nx, ny], half) = (self.n, self.half());
+        self.complex.fill(Complex64::default());
+        for (j, pressures) in pressures.chunks(nx).enumerate() {
+            self.row[..nx].copy_from_slice(pressures);
+            self.row[nx..].fill(0.0);
+            self.forward_row(j);
+        }
+        self.along_columns(0);
+        for (value, factor) in self.complex.iter_mut().zip(&self.spectrum) {
+            *value *= *factor;
+        }
+        self.along_columns(1);
+        for (j, deflections) in deflections.chunks_mut(nx).enumerate().take(ny) {
+            let from = &mut self.complex[j * half..(j + 1) * half];
+            // Ends of real rows are real.
+            from[0].im = 0.0;
+            from[half - 1].im = 0.0;
+            let _ = self.back.process(from, &mut self.row);
+            deflections.copy_from_slice(&self.row[..nx]);
+        }
+    }
+}
+
+/// The kernel at offsets 0 to n along both axes, from its transform on a larger grid, which is
+/// even along both.
+fn back_to_offsets(
+    [nx, ny]: [usize; 2],
+    n: [usize; 2],
+    density: impl Fn(usize, usize) -> f64,
+) -> Vec<f64> {
+    let half = nx / 2 + 1;
+    let (row_back, column_back) = (real_inverse(nx), inverse(ny));
+    let mut column = vec![Complex64::default(); ny];
+    let kept = if ny == 1 { 1 } else { n[1] + 1 };
+    let mut complex = vec![Complex64::default(); half * kept];
+    for i in 0..half {
+        for (j, value) in column.iter_mut().enumerate() {
+            *value = Complex64::new(if j <= ny / 2 { density(i, j) } else { 0.0 }, 0.0);
+        }
+        for j in ny / 2 + 1..ny {
+            column[j] = column[ny - j];
+        }
+        column_back.process(&mut column);
+        for j in 0..kept {
+            complex[j * half + i] = Complex64::new(column[j].re, 0.0);
+        }
+    }
+    let mut row = vec![0.0; nx];
+    let mut table = vec![];
+    for j in 0..kept {
+        let _ = row_back.process(&mut complex[j * half..(j + 1) * half], &mut row);
+        table.extend(row[..=n[0]].iter().map(|value| value / (nx * ny) as f64));
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gaussian_pressure_on_an_area_has_its_closed_deflection() {
+        // Under p₀ exp(-r²/s²) the centre sinks by √π p₀ s/E.
+        let (n, s) = (64, 1.0);
+        let step = [14.0 * s / n as f64, 18.0 * s / n as f64];
+        let pressure = |k: usize| {
+            let [x, y] = [(k % n, step[0]), (k / n, step[1])].map(|(i, h)| (i as f64 - 32.0) * h);
+            (-(x * x + y * y) / (s * s)).exp()
+        };
+        let pressures: Vec<f64> = (0..n * n).map(pressure).collect();
+        let mut found = vec![0.0; n * n];
+        Deflection::of_area(n, step, 2.0).product(&pressures, &mut found);
+        let right = 0.5 * PI.sqrt() * s;
+        assert!((found[32 * n + 32] / right - 1.0).abs() < 1e-12, "{}", found[32 * n + 32]);
+    }
+
+    #[test]
+    fn a_gaussian_pressure_on_a_line_has_its_closed_deflection() {
+        // (2/(π E)) ∫ exp(-x²/s²) ln(L/|x|) dx = (2 s/(√π E)) (ln(L/s) + γ/2 + ln 2).
+        let (n, s) = (64, 1.0_f64);
+        let step = 14.0 * s / n as f64;
+        let pressures: Vec<f64> =
+            (0..n).map(|i| (-((i as f64 - 32.0) * step / s).powi(2)).exp()).collect();
+        let mut found = vec![0.0; n];
+        Deflection::of_line(n, step, 2.0, 30.0).product(&pressures, &mut found);
+        let euler = 0.577_215_664_901_532_9;
+        let right = s / PI.sqrt() * ((30.0 / s).ln() + 0.5 * euler + 2.0_f64.ln());
+        assert!((found[32] / right - 1.0).abs() < 1e-12, "{} {right}", found[32]);
+    }
+}

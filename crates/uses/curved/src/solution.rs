@@ -1,0 +1,198 @@
+//! Numbers of a solved contact.
+
+use std::f64::consts::PI;
+
+use asperity_core::{ContactError, Quantity};
+
+use crate::solve::State;
+use crate::{Curved, Grid, Hertz, Shape, Work};
+
+/// A solved contact of curved bodies.
+pub struct Solution<'c> {
+    of: &'c Curved,
+    hertz: Hertz,
+    load: f64,
+    state: State,
+}
+
+impl std::fmt::Debug for Solution<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { hertz, load, .. } = self;
+        f.debug_struct("Solution").field("load", load).field("hertz", hertz).finish_non_exhaustive()
+    }
+}
+
+impl<'c> Solution<'c> {
+    pub(crate) fn new(of: &'c Curved, hertz: Hertz, load: f64, state: State) -> Self {
+        Self { of, hertz, load, state }
+    }
+
+    /// Of a line, its length; 1 of a point.
+    fn length(&self) -> f64 {
+        match self.of.shape {
+            Shape::Point { .. } => 1.0,
+            Shape::Line { length, .. } => length,
+        }
+    }
+
+    /// The load \[N\].
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// The contact of the same smooth bodies at this load.
+    #[must_use]
+    pub fn hertz(&self) -> &Hertz {
+        &self.hertz
+    }
+
+    /// The work of the solution.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        Work { products: self.state.kernel.products, ..self.state.work }
+    }
+
+    /// Approach of the bodies \[m\] from where their undeformed surfaces touch, the rough one at the
+    /// mean of its asperity heights; `None` of a line without a reference length.
+    #[must_use]
+    pub fn approach(&self) -> Option<f64> {
+        match self.of.shape {
+            Shape::Point { .. } => Some(-self.state.offset),
+            Shape::Line { length, reference_length, .. } => {
+                let depth = 2.0 * self.load / length / (PI * self.of.layer.modulus);
+                let added = |l: f64| depth * (l / self.state.grid.reference()).ln();
+                reference_length.map(|l| added(l) - self.state.offset)
+            }
+        }
+    }
+
+    /// Approach beyond that of smooth bodies at the same load \[m\].
+    #[must_use]
+    pub fn approach_beyond_hertz(&self) -> f64 {
+        match self.of.shape {
+            Shape::Point { .. } => -self.state.offset - self.hertz.approach.unwrap_or(f64::NAN),
+            Shape::Line { length, .. } => {
+                // Of both with the length of the grid.
+                let depth = 2.0 * self.load / length / (PI * self.of.layer.modulus);
+                let smooth = (2.0 * self.state.grid.reference() / self.hertz.axes[0]).ln() + 0.5;
+                -self.state.offset - depth * smooth
+            }
+        }
+    }
+
+    /// Peak pressure \[Pa\].
+    #[must_use]
+    pub fn peak_pressure(&self) -> f64 {
+        self.state.peak()
+    }
+
+    /// Pressures \[Pa\] on the grid, row by row.
+    #[must_use]
+    pub fn pressures(&self) -> &[f64] {
+        &self.state.pressures
+    }
+
+    /// Separations \[m\] on the grid, from the mean of the asperity heights.
+    #[must_use]
+    pub fn separations(&self) -> &[f64] {
+        &self.state.separations
+    }
+
+    /// Points along x and y, and their distances \[m\]; of a line one row, with the distance 1. The
+    /// middle of the patch is at half of both numbers of points, rounded down.
+    #[must_use]
+    pub fn grid(&self) -> ([usize; 2], [f64; 2]) {
+        (self.state.grid.n, self.state.grid.steps)
+    }
+
+    /// Separation in the middle of the patch \[m\], from the mean of the asperity heights.
+    #[must_use]
+    pub fn central_separation(&self) -> f64 {
+        self.state.separations[self.state.grid.centre()]
+    }
+
+    /// Half axes of the patch along x and y \[m\], √(5⟨x²⟩) with the pressure as weight (of a line
+    /// 2√⟨x²⟩ and half the length): those of Hertz for smooth bodies.
+    #[must_use]
+    pub fn axes(&self) -> [f64; 2] {
+        let total: f64 = self.state.pressures.iter().sum();
+        let mean = |axis: usize| {
+            let square = |(k, p): (usize, &f64)| p * self.state.grid.place(k, axis).powi(2);
+            self.state.pressures.iter().enumerate().map(square).sum::<f64>() / total
+        };
+        match self.of.shape {
+            Shape::Line { length, .. } => [2.0 * mean(0).sqrt(), 0.5 * length],
+            Shape::Point { .. } => [0, 1].map(|axis| (5.0 * mean(axis)).sqrt()),
+        }
+    }
+
+    /// Effective radius of Greenwood and Tripp \[m\], (3π/4) ∫ p r dr/∫ p dr; `None` unless the
+    /// patch is a circle.
+    #[must_use]
+    pub fn effective_radius(&self) -> Option<f64> {
+        let Grid { n: [n, _], steps: [step, _] } = self.state.grid;
+        match self.of.shape {
+            Shape::Point { radius_x, radius_y } if (radius_x / radius_y - 1.0).abs() < 1e-12 => {
+                let row = &self.state.pressures[n / 2 * n..n / 2 * n + n];
+                let along = 0.5 * step * row.iter().sum::<f64>();
+                Some(0.75 * PI * self.state.force() / (2.0 * PI) / along)
+            }
+            _ => None,
+        }
+    }
+
+    /// The sum of a quantity over the patch: real area \[m²\], contacts.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`] for a quantity that was not asked for.
+    pub fn sum(&self, quantity: Quantity) -> Result<f64, ContactError> {
+        Ok(self.field(quantity)?.iter().sum::<f64>() * self.state.weight * self.length())
+    }
+
+    /// The area fraction in the middle of the patch.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`] if the area was not asked for.
+    pub fn central_area_fraction(&self) -> Result<f64, ContactError> {
+        self.of.layer.at(Quantity::Area, self.central_separation())
+    }
+
+    fn field(&self, quantity: Quantity) -> Result<Vec<f64>, ContactError> {
+        if !self.of.asked.contains(&quantity) {
+            return Err(ContactError::NotRequested { quantity });
+        }
+        let mut values = vec![0.0; self.state.separations.len()];
+        self.of.layer.fill([quantity], &self.state.separations, [&mut values])?;
+        Ok(values)
+    }
+
+    /// dF over d(approach) in further loading \[N/m\]; of a line with its reference length, or that
+    /// of the grid without one.
+    pub fn tangent(&mut self) -> f64 {
+        let own = self.state.stiffness(self.of.tolerance);
+        self.with_reference(own)
+    }
+
+    /// From a stiffness with the reference length of the grid, of a line per length.
+    fn with_reference(&self, stiffness: f64) -> f64 {
+        let Shape::Line { reference_length: Some(l), .. } = self.of.shape else {
+            return stiffness * self.length();
+        };
+        let added = 2.0 / (PI * self.of.layer.modulus) * (l / self.state.grid.reference()).ln();
+        self.length() / (1.0 / stiffness + added)
+    }
+
+    /// dF over d(approach) of small vibrations \[N/m\]: the asperities respond with their unloading
+    /// stiffness.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`] if the unloading stiffness was not asked for.
+    pub fn unloading_stiffness(&mut self) -> Result<f64, ContactError> {
+        let values = self.field(Quantity::UnloadingStiffness)?;
+        let loading = std::mem::replace(&mut self.state.slopes, values);
+        let own = self.state.stiffness(self.of.tolerance);
+        self.state.slopes = loading;
+        Ok(self.with_reference(own))
+    }
+}
