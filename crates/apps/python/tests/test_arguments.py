@@ -71,7 +71,7 @@ def test_a_contact_table_is_saved(scene: asperity.Scene, tmp_path: Path) -> None
 
 
 def test_files_that_do_not_exist_are_not_found(tmp_path: Path) -> None:
-    for read in (asperity.read, asperity.topography, asperity.Scene.from_toml):
+    for read in (asperity.read, asperity.Scene.from_toml):
         with pytest.raises(FileNotFoundError, match="nothing.*: no such file"):
             read(wrong(tmp_path / "nothing.x3p"))
 

@@ -54,8 +54,8 @@ def test_two_surfaces_and_measured_heights_make_scenes(tmp_path: Path) -> None:
     one, two = (asperity.Topography(waves(phase), 2e-6, "m").level() for phase in (0.0, 0.4))
     both = one.against(two)
     moments = [scan.statistics(level="none") for scan in (one, two)]
-    added = (sum(m[key] for m in moments) for key in ("m0", "m2", "m4"))
-    assert both == asperity.Surface.from_moments(*added)
+    added = {key: sum(m[key] for m in moments) for key in ("m0", "m2", "m4")}
+    assert both == asperity.Surface.of(**added)
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
     density = one.summit_density()
     assert np.trapezoid(density[1], density[0]) == pytest.approx(1.0)

@@ -96,8 +96,11 @@ def test_a_plasticity_index_determines_the_surface(scene: asperity.Scene) -> Non
     result = asperity.sweep(scene, inputs, "gw")
     interface = scene.replace(hardness=1e9).interface
     old = scene.surface
-    surface = asperity.Surface.from_plasticity_index(
-        4.0, old.roughness_parameter, old.asperity_height_std, interface
+    surface = asperity.Surface.of(
+        plasticity_index=4.0,
+        roughness_parameter=old.roughness_parameter,
+        asperity_height_std=old.asperity_height_std,
+        interface=interface,
     )
     alone = asperity.Scene(interface, surface, scene.nominal_area)
     wanted = asperity.model("gw").solve(alone, 1.0).force
