@@ -99,7 +99,7 @@ def test_a_boundary_is_declared_or_found() -> None:
     given["level"] = "none"
     with pytest.warns(asperity.ContactWarning, match="^periodic-part: ") as recorded:
         assert asperity.bem(open_edges, **given)["boundary"] == ["periodic-part"]
-    assert len(recorded) == 1
+    assert sum(str(one.message).startswith("periodic-part") for one in recorded) == 1
     for boundary in get_args(asperity._bem.Boundary):
         assert asperity.bem(open_edges, boundary=boundary, **given)["boundary"] == [boundary]
 
@@ -138,7 +138,7 @@ def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
 
 
 class Own:
-    """The laws of Greenwood & Williamson."""
+    """Greenwood & Williamson."""
 
     force_monotone = True
 

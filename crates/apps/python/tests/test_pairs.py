@@ -77,7 +77,7 @@ def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:
 
 
 class Facing(Plain):
-    """Hertz' law between two rough surfaces."""
+    """Hertz between two surfaces."""
 
     asperities = "pairs"
 

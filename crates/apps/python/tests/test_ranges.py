@@ -31,7 +31,7 @@ def test_keys_are_kept_and_single_numbers_refused() -> None:
         lambda: ground.plasticity_index,
         lambda: asperity.recommend(ground, pressure=1e6),
     ):
-        with pytest.raises(ValueError, match=r"within ranges only|no model"):
+        with pytest.raises(ValueError, match=r"ranges"):
             ask()
     with pytest.raises(ValueError, match="finish is missing"):
         asperity.Scene(PAIR, {"ra": "0.8 um"}, nominal_area=1e-4)

@@ -134,18 +134,18 @@ def test_a_sweep_varies_the_numbers_that_gave_the_scene() -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"sq": 1e-6}, "sq is not an input of this scene: one of .*; sq needs a scene that is given by it"),
+        ({"sq": 1e-6}, "^sq "),
         (
             {"equivalent_modulus": 1e11, "youngs_modulus": 1e11},
-            "equivalent_modulus is given beside youngs_modulus, which determines it",
+            "^equivalent_modulus .*youngs_modulus",
         ),
         (
             {"hardness": 1e9, "body1_hardness": 1e9},
-            "hardness is that of all bodies and is given beside body1_hardness",
+            "^hardness .*body1_hardness",
         ),
         (
             {"m0": 1e-12, "asperity_radius": 1e-4},
-            "asperity_radius is given beside m0, which describes the surface in another way",
+            "^asperity_radius .*m0",
         ),
         ({"m0": -1.0}, "m0 is -1"),
         ({"body1_youngs_modulus": -1.0}, "youngs_modulus is -1"),
@@ -162,5 +162,5 @@ def test_numbers_that_do_not_fit_the_scene_are_refused(
 def test_a_scene_without_bodies_says_that_youngs_modulus_needs_them() -> None:
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
     scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
-    with pytest.raises(ValueError, match="needs a scene that is given by it$"):
+    with pytest.raises(ValueError, match="^youngs_modulus "):
         scene.vary(youngs_modulus=np.array([1e11, 2e11]))

@@ -94,7 +94,8 @@ def recommend(
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
-    >>> smooth = asperity.Surface("6 um", "7e4 1/mm2", "0.1 um")
+    >>> numbers = {"plasticity_index": 0.3, "roughness_parameter": 0.04}
+    >>> smooth = asperity.Surface.of(**numbers, asperity_height_std=1e-7, interface=interface)
     >>> scene = asperity.Scene(interface, smooth, nominal_area=1e-4)
     >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
     'gw'
