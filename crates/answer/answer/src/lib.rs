@@ -3,6 +3,7 @@
 mod asked;
 mod bem;
 mod blanks;
+mod check;
 mod corrected;
 mod error;
 mod export;
@@ -26,6 +27,7 @@ mod watch;
 pub use asked::{Asked, Line};
 pub use bem::{FLOWS, Press, Pressed, half_grid};
 pub use blanks::Blanks;
+pub use check::check_sheet;
 pub use error::AnswerError;
 pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;

@@ -1,6 +1,6 @@
 //! The models that a scene allows.
 
-use asperity::joints::conductance::{Correlated, Correlation};
+use asperity::joints::{Correlated, Correlation};
 use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 

@@ -4,9 +4,9 @@
 use crate::canvas::{Canvas, Rect, Type};
 use crate::panel::Plot;
 use crate::series::{Point, Series};
-use crate::style::{BLACK, Colour, Curve, GREY};
+use crate::style::{AREA, BAND, BLACK, Colour, Curve, EDGE, GREY};
 use crate::text::{CAPITAL, width};
-use crate::trace::simplified;
+use crate::trace::draw_line;
 
 /// Sizes of letters, keys and the gap between columns, and those of a narrow picture.
 const USUAL: [f64; 3] = [13.3, 53.0, 17.0];
@@ -16,11 +16,6 @@ const NARROW_WIDTH: f64 = 700.0;
 const KEY_GAP: f64 = 8.0;
 const PAD: f64 = 7.5;
 const ROW: f64 = 18.5;
-/// Opacity of an area, and of a band, which lies over others.
-pub(crate) const AREA: f64 = 0.4;
-pub(crate) const BAND: f64 = 0.18;
-/// Width of the edges of a band.
-pub(crate) const EDGE: f64 = 0.7;
 /// What bands are.
 const ENDS: &str = "lower to upper end";
 
@@ -141,12 +136,5 @@ impl<'a> Legend<'a> {
             let baseline = (x + self.key + KEY_GAP, y + 0.5 * CAPITAL * self.size);
             canvas.text(entry.label, baseline, Type::new(self.size, BLACK, "start"));
         }
-    }
-}
-
-/// Draws a polyline with the dash of a curve.
-pub(crate) fn draw_line(canvas: &Canvas, points: &[Point], curve: &Curve) {
-    if curve.line {
-        canvas.line(&simplified(points), curve.colour(), curve.width(), curve.dash());
     }
 }

@@ -8,13 +8,12 @@ use crate::clip;
 use crate::direct;
 use crate::error::PlotError;
 use crate::figure::{Figure, Legend, Panel, Strip};
-use crate::legend::{AREA, BAND, EDGE, draw_line};
 use crate::ruler::Ruler;
 use crate::series::{self, Area, CsvTable, Point, Series};
 use crate::size::{LABEL, LEAST, SMALL, TICK, TITLE_GAP, labels_that_fit};
-use crate::style::{BLACK, DARK_GREY, GREY};
+use crate::style::{AREA, BAND, BLACK, DARK_GREY, EDGE, GREY};
 use crate::text::{CAPITAL, LINE, power_of_ten, widest, width};
-use crate::trace::{marker_places, simplified};
+use crate::trace::{draw_line, marker_places, simplified};
 
 const GRID: RGBColor = RGBColor(222, 222, 222);
 const FINE_GRID: RGBColor = RGBColor(242, 242, 242);

@@ -1,6 +1,11 @@
 //! The look of a curve: colour, dash and marker. Curves must be distinct in colour, in grey and by
 //! shape alone, so each number has its own of all three.
 
+/// Opacity of an area, and of a band, which lies over others.
+pub(crate) const AREA: f64 = 0.4;
+pub(crate) const BAND: f64 = 0.18;
+/// Width of the edges of a band.
+pub(crate) const EDGE: f64 = 0.7;
 /// The look of one curve of the csv, and its name in the legend.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]

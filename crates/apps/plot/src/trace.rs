@@ -1,8 +1,9 @@
 //! A curve in pixels: fewer points, samples, and places for markers.
 
-use crate::canvas::{MARKER, Rect};
+use crate::canvas::{Canvas, MARKER, Rect};
 use crate::clip::between;
 use crate::series::Point;
+use crate::style::Curve;
 
 fn distance(a: Point, b: Point) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
@@ -99,6 +100,13 @@ fn stride(count: usize) -> usize {
     }
     let ideal = (count as f64 * 0.382).round().max(1.0) as usize;
     (ideal..=count).find(|step| common_divisor(*step, count) == 1).unwrap_or(1)
+}
+
+/// Draws a polyline with the dash of a curve.
+pub(crate) fn draw_line(canvas: &Canvas, points: &[Point], curve: &Curve) {
+    if curve.line {
+        canvas.line(&simplified(points), curve.colour(), curve.width(), curve.dash());
+    }
 }
 
 #[cfg(test)]

@@ -42,7 +42,7 @@ mod _asperity {
         records::{checked, derived, interface_of, material, materials},
         records::{moments_of_both, numbers_of, surface_of},
         scene::{SceneFile, template},
-        tables::{contact_table, gap_conductance},
+        tables::contact_table,
         topography::Topography,
     };
 }

@@ -133,14 +133,13 @@ pub(crate) fn instance<T: Record>(name: &str, given: &Object<'_>) -> PyResult<T>
     if given.is_instance(&class::<T>(given.py())?)? {
         return read(given.getattr("__dict__")?.cast()?);
     }
-    let advice = match given.get_type().name()?.to_str()? {
-        "Body" if T::CLASS == "Interface" => {
-            ": Interface.between(first, second) makes one from two bodies"
-        }
+    let found = type_of(given);
+    let advice = match (&*found, T::CLASS) {
+        ("Body", "Interface") => ": Interface.between(first, second) makes one from two bodies",
         _ => "",
     };
-    let (wanted, found) = (article(T::CLASS), with_article(given));
-    Err(PyTypeError::new_err(format!("{name} must be {wanted} {}, not {found}{advice}", T::CLASS)))
+    let wanted = T::CLASS;
+    Err(PyTypeError::new_err(format!("{name} is of type {found}: {wanted} was required{advice}")))
 }
 
 /// The bodies from which an interface is made.
@@ -158,29 +157,38 @@ pub(crate) fn surface_keys(surface: &Object<'_>) -> PyResult<BTreeMap<String, f6
 /// The numbers from which a surface follows.
 fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
     let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
-    Ok(origin.map(|origin| three(&origin)).transpose()?.and_then(|(roughness, _)| roughness))
+    origin.map_or(Ok(None), |origin| roughness_of(&origin))
 }
 
-/// Three named numbers of a surface as a roughness, if they are one, and by themselves.
-fn three(given: &Bound<'_, PyDict>) -> PyResult<(Option<Roughness>, [f64; 3])> {
-    let keys: [String; 3] = given.keys().extract()?;
-    let mut numbers = [0.0; 3];
-    for (found, (key, value)) in numbers.iter_mut().zip(keys.iter().zip(given.values())) {
-        *found = number("Surface", key, &value)?;
+/// The numbers of a surface that follows from its interface.
+const INDEX: [&str; 3] = ["plasticity_index", "roughness_parameter", "asperity_height_std"];
+/// The descriptions of a surface by three numbers of its own.
+const WAYS: [Way; 5] =
+    [Way::SurfaceStd, Way::MeanSlope, Way::Moments, Way::Iso25178, Way::Gradient];
+
+/// The named numbers of a surface as a roughness, if they are one.
+fn roughness_of(given: &Bound<'_, PyDict>) -> PyResult<Option<Roughness>> {
+    let is_of = |way: &Way| given.len() == 3 && way.keys().iter().all(|k| has(given, k));
+    let Some(way) = WAYS.into_iter().find(is_of) else { return Ok(None) };
+    Ok(Some(Roughness { way, numbers: named(given, way.keys())? }))
+}
+
+fn has(given: &Bound<'_, PyDict>, name: &str) -> bool {
+    given.contains(name).unwrap_or(false)
+}
+
+/// The numbers of these names.
+fn named(given: &Bound<'_, PyDict>, names: &[&str; 3]) -> PyResult<[f64; 3]> {
+    let mut numbers = [f64::NAN; 3];
+    for (found, name) in numbers.iter_mut().zip(names) {
+        *found = number("Surface", name, &given.as_any().get_item(name)?)?;
     }
-    let way = Way::of(keys.each_ref().map(|key| &**key));
-    Ok((way.map(|way| Roughness { way, numbers }), numbers))
+    Ok(numbers)
 }
 
-/// The name of an object's type with its article.
-pub(crate) fn with_article(given: &Object<'_>) -> String {
-    let name = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
-    format!("{} {name}", article(&name))
-}
-
-fn article(noun: &str) -> &'static str {
-    let vowel = noun.to_ascii_lowercase().starts_with(['a', 'e', 'i', 'o', 'u']);
-    if vowel { "an" } else { "a" }
+/// The name of an object's type.
+pub(crate) fn type_of(given: &Object<'_>) -> String {
+    given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string())
 }
 
 /// Name and unit of a number, whether it is required, and its text in the documentation.
@@ -246,16 +254,23 @@ pub(crate) fn surface_of<'py>(
     given: &Bound<'py, PyDict>,
     interface: Option<&Object<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
-    let (py, (roughness, three)) = (given.py(), three(given)?);
-    let Some(roughness) = roughness else {
-        let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
-        let interface = interface.unwrap_or_else(Interface::BLANK);
-        let [index, parameter, std] = three;
-        let found = Surface::from_plasticity_index(index, parameter, std, &interface);
-        return Ok((numbers(py, &found.map_err(refused)?)?, None));
-    };
-    let found = roughness.surface().map_err(refused)?;
-    Ok((numbers(py, &found)?, Some(by_key(py, roughness)?)))
+    let py = given.py();
+    if let Some(roughness) = roughness_of(given)? {
+        let found = roughness.surface().map_err(refused)?;
+        return Ok((numbers(py, &found)?, Some(by_key(py, roughness)?)));
+    }
+    if given.len() != 3 || !INDEX.iter().all(|name| has(given, name)) {
+        let ways = WAYS.iter().map(|way| way.keys()).chain([&INDEX]).map(|keys| keys.join(", "));
+        let (names, ways) = (given.keys(), ways.collect::<Vec<_>>().join("; "));
+        return Err(PyTypeError::new_err(format!(
+            "Surface.of: {names} describe no surface: the numbers of one of these were required: {ways}"
+        )));
+    }
+    let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
+    let interface = interface.unwrap_or_else(Interface::BLANK);
+    let [index, parameter, std] = named(given, &INDEX)?;
+    let found = Surface::from_plasticity_index(index, parameter, std, &interface);
+    Ok((numbers(py, &found.map_err(refused)?)?, None))
 }
 
 /// The sums of the spectral moments of two surfaces.

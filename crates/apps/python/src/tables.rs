@@ -1,6 +1,5 @@
-//! Contact tables for finite-element codes, and correlations of thermal contact conductance.
+//! Contact tables for finite-element codes, and sheets as tables of the package.
 
-use asperity::joints::conductance;
 use asperity::{AsWritten, Dialect, Severity};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
@@ -90,10 +89,4 @@ pub(crate) fn contact_table<'py>(
     let of_films = "format is \"film\": solve(film=...) returns these columns";
     let [of_pressure, of_tangent] = found.errors.ok_or_else(|| value_error(of_films))?;
     Ok((columns(py, &sheet)?, of_pressure, of_tangent, found.text))
-}
-
-/// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.
-#[pyfunction]
-pub(crate) fn gap_conductance(conductivity: f64, gap: f64, gas_parameter: f64) -> PyResult<f64> {
-    conductance::gap_conductance(conductivity, gap, gas_parameter).map_err(value_error)
 }

@@ -54,7 +54,7 @@ impl Topography {
         Ok(Self(made.map_err(value_error)?.with_periodic(periodic)))
     }
 
-    /// A scan from a file, as ``asperity.read`` without filling.
+    /// A scan from a file in one of the formats that need no other package; see ``asperity.read``.
     #[staticmethod]
     #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1, channel=None))]
     fn read(

@@ -26,5 +26,10 @@ def soft_steel() -> asperity.Scene:
         hardness=1.12e9,
         equivalent_shear_modulus=41e9,
     )
-    surface = asperity.Surface.from_plasticity_index(2.0, 0.04, 1e-6, interface)
+    surface = asperity.Surface.of(
+        plasticity_index=2.0,
+        roughness_parameter=0.04,
+        asperity_height_std=1e-6,
+        interface=interface,
+    )
     return asperity.Scene(interface, surface, nominal_area=3e-5)

@@ -28,22 +28,22 @@ def warning_texts(scene: asperity.Scene | asperity.Scenes, model: str = "ke", **
 
 
 def test_numbers_and_findings_of_a_scene_and_of_a_load(scene: asperity.Scene) -> None:
-    check = scene.check()
+    check = asperity.check(scene)
     assert check.findings == ()
     assert check.numbers["plasticity_index"] == pytest.approx(scene.plasticity_index)
-    at_load = scene.check(load=100.0)
+    at_load = asperity.check(scene, load=100.0)
     assert at_load.numbers["load"] == pytest.approx(100.0)
     area = asperity.model("ke").solve(scene, load=100.0, quantities="area").area
     assert at_load.numbers["area"] == pytest.approx(float(area), rel=1e-5)
     assert set(check.numbers) < set(at_load.numbers)
-    (yields,) = scene.check("gw", load=100.0).findings
+    (yields,) = asperity.check(scene, "gw", load=100.0).findings
     assert (yields.code, yields.severity) == ("yields", "warning")
-    assert yields.usual == (0.0, 0.02) and "use ke or jg" in str(yields)
-    assert scene.check(asperity.model("gw"), pressure=1e6).findings[0].code == "yields"
-    with pytest.raises(TypeError, match="at most one of separation, load and pressure"):
-        scene.check(load=1.0, pressure=1.0)
+    assert yields.usual == (0.0, 0.02) and yields.field
+    assert asperity.check(scene, asperity.model("gw"), pressure=1e6).findings[0].code == "yields"
+    with pytest.raises(TypeError, match="separation, load and pressure"):
+        asperity.check(scene, load=1.0, pressure=1.0)
     with pytest.raises(ValueError, match="load is 1e30 N"):
-        scene.check(load=1e30)
+        asperity.check(scene, load=1e30)
 
 
 def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
@@ -54,7 +54,7 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
     many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
     text, *others = warning_texts(many, separation=3.0)
     assert text.startswith("unusual-size: 2 of 3 scenes: ")
-    assert all("times the nominal area" in other for other in others)
+    assert all(other.startswith("area-above-nominal: ") for other in others)
     both = warning_texts([scene, in_micrometres], separation=[3.0, 3.0])  # type: ignore[arg-type]
     assert sum("like um" in text for text in both) == 1
 
@@ -80,7 +80,7 @@ def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
     soft = scene.replace(equivalent_modulus=116.0)
     places: list[dict[str, Any]] = [{"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}]
     for place in places:
-        check = soft.check(**place)
+        check = asperity.check(soft, **place)
         assert check.findings[0].severity == "refusal"
         assert any("116 looks like GPa" in str(finding) for finding in check.findings), place
         assert check.numbers["equivalent_modulus"] == 116.0
@@ -100,26 +100,26 @@ def test_one_cause_has_one_warning_and_other_causes_their_own(scene: asperity.Sc
         warnings.simplefilter("always")
         asperity.model("gw").solve([odd, odd], [-40.0, -40.0], quantities=["area"])
     texts = [str(warning.message) for warning in seen]
-    assert any("nominal_area is 5 m2" in text for text in texts), texts
-    assert any("times the nominal area" in text for text in texts), texts
+    codes = {text.split(":")[0] for text in texts}
+    assert {"unusual-size", "area-above-nominal"} <= codes, texts
 
 
 def test_rubber_needs_no_hardness() -> None:
     interface = asperity.Interface(2.7e6, 0.5)
     rubber = asperity.Scene(interface, asperity.Surface(1e-4, 4e8, 1e-6), 1e-4)
     assert rubber.models() == ["gw"]
-    assert "plasticity_index" not in rubber.check().numbers
-    assert rubber.check(load=0.1).numbers["area_fraction"] < 0.1
+    assert "plasticity_index" not in asperity.check(rubber).numbers
+    assert asperity.check(rubber, load=0.1).numbers["area_fraction"] < 0.1
     assert warning_texts(rubber, "gw", load=0.1) == []
 
 
 def test_warnings_name_the_worst_value_and_where(scene: asperity.Scene) -> None:
     (few,) = warning_texts(scene, load=[10.0, 1e-3, 1.0])
-    assert "asperities touch at a load of 0.001 N: " in few
-    there = scene.check(load=1e-3).numbers["contacts"]
+    assert few.startswith("few-contacts: ") and "0.001 N" in few
+    there = asperity.check(scene, load=1e-3).numbers["contacts"]
     assert float(few.split()[3]) == pytest.approx(there, rel=1e-3)
     (crowded,) = warning_texts(scene, load=[1e3, 3e5])
-    assert "ke: " in crowded and "at a load of 300000 N: " in crowded
+    assert "ke: " in crowded and "300000 N" in crowded
 
 
 def test_accepted_codes_are_silent_and_unknown_ones_refused(scene: asperity.Scene) -> None:
@@ -152,9 +152,9 @@ def test_accepted_codes_are_silent_in_other_answers(scene: asperity.Scene) -> No
 
 
 def test_arguments_that_are_no_numbers_are_named(scene: asperity.Scene) -> None:
-    with pytest.raises(TypeError, match=r"Body: youngs_modulus is \[.*\]: give a number in Pa"):
+    with pytest.raises(TypeError, match=r"^Body: youngs_modulus is \["):
         asperity.Body([2e11], 0.3)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="Surface: asperity_density is None: give a number in 1/m"):
+    with pytest.raises(TypeError, match="^Surface: asperity_density is None: "):
         asperity.Surface(1e-4, None, 1e-6)  # type: ignore[arg-type]
     ke = asperity.model("ke")
     for given in ({"load": True}, {"pressure": True}, {"separation": True}, {"load": [True]}):
@@ -163,9 +163,9 @@ def test_arguments_that_are_no_numbers_are_named(scene: asperity.Scene) -> None:
     joint = ke.unloading(scene, load=100.0)
     with pytest.raises(TypeError, match="bool"):
         joint.force(True)
-    with pytest.raises(ValueError, match="friction is 20.0: .* at most 10"):
+    with pytest.raises(ValueError, match="^friction is 20.0: "):
         joint.slip(friction=20.0)
-    with pytest.raises(ValueError, match="ignores adhesion: use dmt or jkr-separation"):
+    with pytest.raises(ValueError, match="^gw .*jkr-separation"):
         asperity.model("gw").pull_off(scene)
 
 

@@ -28,6 +28,16 @@ def test_floats_give_floats_and_arrays_give_arrays(scene: asperity.Scene) -> Non
     assert contact.quantities == ("force", "tangent") and contact.scene == scene
 
 
+def test_a_prepared_contact_has_the_same_digits(scene: asperity.Scene) -> None:
+    ready, lazy = (asperity.model("ke").compile(scene, separation_unit="m") for _ in range(2))
+    ready.prepare("-1 um", 5e-6)
+    gaps = np.linspace(-1e-6, 5e-6, 41)
+    np.testing.assert_array_equal(ready.force(gaps), lazy.force(gaps))
+    assert ready.force_and_tangent(2e-6) == lazy.force_and_tangent(2e-6)
+    with pytest.raises(ValueError, match="^to is "):
+        ready.prepare(5e-6, 0.0)
+
+
 @pytest.mark.parametrize("unit", ["asperity_height_std", "m"])
 def test_it_is_what_solve_says_in_the_same_unit(scene: asperity.Scene, unit: str) -> None:
     for name in ("gw", "zmc", "ke", "jg"):

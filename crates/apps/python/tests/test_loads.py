@@ -111,14 +111,14 @@ def test_what_fails_of_one_quantity_does_not_take_the_others_with_it() -> None:
     )
     ke = asperity.model("ke")
     for scenes in (scene, [scene]):
-        with pytest.warns(asperity.ContactWarning, match="no asperity touches at "):
+        with pytest.warns(asperity.ContactWarning, match="no asperity touches"):
             curve = ke.solve(
                 scenes, [0.5, 3.0], ["force", "ln-force", "mean-pressure"], errors="mask"
             )
         assert curve.force[1] == 0.0 and not np.ma.getmaskarray(curve.force).any()
         assert np.ma.getmaskarray(curve.mean_pressure).tolist() == [False, True]
-        assert "no asperity is in contact there" in curve.failures[1]
-        with pytest.raises(ValueError, match="ln-force has no value at a separation of 3 "):
+        assert "no asperity" in curve.failures[1]
+        with pytest.raises(ValueError, match="ln-force has no"):
             ke.solve(scenes, [0.5, 3.0], ["force", "ln-force"])
 
 
@@ -208,7 +208,7 @@ def test_texts_may_say_their_unit(scene: asperity.Scene) -> None:
     )
     for text in ("5 MPa", "5 N/mm2"):
         assert ke.separation_at(scene, pressure=text) == ke.separation_at(scene, pressure=5e6)
-    with pytest.raises(TypeError, match="is not a number in N"):
+    with pytest.raises(TypeError, match="number in N"):
         ke.solve(scene, load="2 mm")
     with pytest.raises(TypeError, match="1.0 has no unit"):
         ke.solve(scene, load=[1.0, "2 kN"])  # type: ignore[arg-type]

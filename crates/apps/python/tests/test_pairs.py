@@ -21,7 +21,7 @@ def force(scene: asperity.Scene, model: str, separation: float) -> float:
 def test_greenwood_tripp_is_gw_of_pairs() -> None:
     assert force(SCENE, "gt", 1.0) == force(SCENE, "gw-pairs", 1.0)
     # The asperities of one surface, by moments or by their own numbers.
-    one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+    one = asperity.Surface.of(m0=1e-12, m2=1e-4, m4=5e4)
     numbers = (one.asperity_radius, one.asperity_density, one.asperity_height_std)
     scenes = [asperity.Scene(INTERFACE, of, 3e-5) for of in (one, asperity.Surface(*numbers))]
     found, wanted = (force(scene, "ke-pairs", 1.0) for scene in scenes)
@@ -77,7 +77,7 @@ def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:
 
 
 class Facing(Plain):
-    """Hertz' law between two rough surfaces."""
+    """Hertz between two surfaces."""
 
     asperities = "pairs"
 

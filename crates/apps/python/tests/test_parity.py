@@ -37,7 +37,7 @@ def test_a_scan_is_read_levelled_filtered_and_smoothed(tmp_path: Path) -> None:
     smooth = scan.smooth(1e-5)
     assert isinstance(smooth, asperity.Topography)
     assert smooth.surface().asperity_radius > 1.05 * scan.surface().asperity_radius
-    with pytest.raises(ValueError, match="the file does not state the unit of the heights"):
+    with pytest.raises(ValueError, match="unit of"):
         asperity.read(tmp_path / "scan.txt")
     # Too much is missing, as the program has it.
     holes = waves(0.0)
@@ -54,8 +54,8 @@ def test_two_surfaces_and_measured_heights_make_scenes(tmp_path: Path) -> None:
     one, two = (asperity.Topography(waves(phase), 2e-6, "m").level() for phase in (0.0, 0.4))
     both = one.against(two)
     moments = [scan.statistics(level="none") for scan in (one, two)]
-    added = (sum(m[key] for m in moments) for key in ("m0", "m2", "m4"))
-    assert both == asperity.Surface.from_moments(*added)
+    added = {key: sum(m[key] for m in moments) for key in ("m0", "m2", "m4")}
+    assert both == asperity.Surface.of(**added)
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
     density = one.summit_density()
     assert np.trapezoid(density[1], density[0]) == pytest.approx(1.0)
@@ -128,5 +128,5 @@ def test_curves_are_drawn(scene: asperity.Scene) -> None:
     assert curve.plot(axes, "tangent", color="k") is axes and len(axes.get_lines()) == 2
     many = asperity.model("ke").solve(scene.vary(hardness=[[1e9], [2e9]]), [0.0, 1.0, 2.0])
     assert len(many.plot().get_lines()) == 2
-    with pytest.raises(KeyError, match="force was not requested"):
+    with pytest.raises(KeyError, match="force was"):
         curve.plot(quantity="force")

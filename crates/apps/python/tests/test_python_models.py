@@ -220,11 +220,11 @@ def test_the_check_finds_undeclared_kinks_and_wrong_areas(scene: asperity.Scene)
         place = float(finding.split("(w = ")[1].split(" m)")[0])
         assert any(place == pytest.approx(k * critical, rel=2e-3) for k in (1.0, 6.0, 68.0, 110.0))
     assert kinks
-    assert any(finding.startswith("the law of area ") for finding in findings)
+    assert any("law of area" in finding for finding in findings)
 
 
 class Scalars:
-    """Laws for a single interference, without arrays."""
+    """Laws without arrays."""
 
     def __init__(self, one: asperity.Asperity) -> None:
         self.one = one
@@ -242,14 +242,14 @@ def test_the_check_finds_laws_without_arrays(scene: asperity.Scene) -> None:
     findings = asperity.model(Scalars).check(scene)
     assert [finding.split(":")[0] for finding in findings] == ["force", "area"]
     for finding in findings:
-        assert "truth value of an array" in finding
-        assert "a law must accept an array of interferences" in finding
+        assert "ValueError" in finding
+        assert "array of interferences" in finding
     assert asperity.model("ke").check(scene) == []
     assert asperity.model("jg").check(scene) == []
 
 
 class Broken:
-    """A model with the fault ``what``."""
+    """With the fault ``what``."""
 
     what: Any = None
 
@@ -277,10 +277,10 @@ class Broken:
     [
         ("init", LookupError, "no such asperity"),
         ("kinks", (TypeError, ValueError), None),
-        ("scalar", ValueError, r"Broken.force\(w\) has shape \(\) for \d+ interferences"),
-        ("shape", ValueError, r"has shape \(\d+,\) for \d+ interferences"),
-        ("nan", ValueError, r"Broken.force\(w\) is nan at w = .* m: a finite number was required"),
-        ("text", ValueError, r"Broken.force\(w\) has values of type <U1: real numbers were required"),
+        ("scalar", ValueError, r"Broken.force\(w\) has shape \(\)"),
+        ("shape", ValueError, r"has shape \(\d+,\)"),
+        ("nan", ValueError, r"Broken.force\(w\) is nan"),
+        ("text", ValueError, r"Broken.force\(w\) .*<U1"),
         (ZeroDivisionError("mine"), ZeroDivisionError, "mine"),
     ],
 )
@@ -298,7 +298,7 @@ def test_exceptions_of_laws_are_raised_by_the_call(
 
 def test_objects_that_are_no_models_are_refused() -> None:
     for thing in (3, object, type("NoArea", (), {}), np.sin):
-        with pytest.raises(ValueError, match="is no model: an id, or a class with"):
+        with pytest.raises(ValueError, match="is no model"):
             asperity.model(thing)  # type: ignore[arg-type]
 
 

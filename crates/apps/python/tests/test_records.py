@@ -41,7 +41,7 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
     scene = asperity.Scene(pair, surface, "100 mm2")
     assert scene.nominal_area == 1e-4
     assert scene.replace(hardness="3 GPa").interface.hardness == 3e9
-    assert scene.check(load="2 kN").numbers == scene.check(load=2000.0).numbers
+    assert asperity.check(scene, load="2 kN").numbers == asperity.check(scene, load=2000.0).numbers
     scenes = scene.vary(hardness=["1 GPa", "2 GPa"], nominal_area="1 cm2")
     assert [scenes[k].interface.hardness for k in range(2)] == [1e9, 2e9]
     text = """
@@ -57,39 +57,44 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
         spc = "5 1/mm"
     """
     by_file = asperity.Scene.parse(text)
-    assert by_file.surface == asperity.Surface.from_iso25178("1.1 um", "200 1/mm2", "5 1/mm")
-    assert by_file.surface == asperity.Surface.from_iso25178(sq=1.1e-6, spd=2e8, spc=5e3)
+    assert by_file.surface == asperity.Surface.of(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
+    assert by_file.surface == asperity.Surface.of(sq=1.1e-6, spd=2e8, spc=5e3)
     by_gradient = asperity.Scene.parse(text.replace('spc = "5 1/mm"', "sdq = 0.058"))
-    assert by_gradient.surface == asperity.Surface.from_gradient("1.1 um", "200 1/mm2", 0.058)
+    assert by_gradient.surface == asperity.Surface.of(sq="1.1 um", spd="200 1/mm2", sdq=0.058)
     assert "sdq = 5.8e-2" in by_gradient.to_toml()
     body = asperity.Body("69 GPa", 0.33, hardness="770 MPa")
     assert by_file.interface == asperity.Interface.against_rigid(body)
     # The peaks are the asperities, and sq is that of the surface: std below sq.
     assert by_file.surface.asperity_radius == 2e-4 and by_file.surface.asperity_density == 2e8
-    assert by_file.surface == asperity.Surface.from_surface_std("0.2 mm", 2e8, "1.1 um")
+    of_std = {"asperity_radius": "0.2 mm", "surface_height_std": "1.1 um"}
+    assert by_file.surface == asperity.Surface.of(**of_std, asperity_density=2e8)
     assert by_file.surface.asperity_height_std < 1.1e-6
+
+
+INDEX = {"plasticity_index": 2.0, "roughness_parameter": 0.04, "asperity_height_std": 1e-6}
 
 
 @pytest.mark.parametrize(
     ("call", "kind", "message"),
     [
+        (lambda: asperity.Surface.of(m0=1e-12, m2=0.1, spd=1e9), TypeError, "Surface.of: "),
         (lambda: asperity.Body("210", 0.3), TypeError, "Body: youngs_modulus: \"210\" has no unit"),
         (lambda: asperity.Body("210 mm", 0.3), TypeError, "Body: youngs_modulus: \"210 mm\" is no"),
         (lambda: asperity.Body("69 Gpa", 0.3), TypeError, 'the nearest is "69GPa"'),
-        (lambda: asperity.Body(1e9, wrong("0.3")), TypeError, "Body: poissons_ratio is '0.3': give a number"),
-        (lambda: asperity.Body(True, 0.3), TypeError, "youngs_modulus is True: give a number in Pa"),
+        (lambda: asperity.Body(1e9, wrong("0.3")), TypeError, "Body: poissons_ratio is '0.3': "),
+        (lambda: asperity.Body(True, 0.3), TypeError, "youngs_modulus is True: "),
         (lambda: asperity.Body("-2 GPa", 0.3), ValueError, "youngs_modulus is -2000000000.0: "),
-        (lambda: asperity.Surface.from_iso25178(1e-6, 2e8, "-5 1/mm"), ValueError, "spc is -5000.0: "),
-        (lambda: asperity.Interface.between(STEEL, wrong(None)), TypeError, "second must be a Body, not a NoneType"),
+        (lambda: asperity.Surface.of(sq=1e-6, spd=2e8, spc="-5 1/mm"), ValueError, "spc is -5000.0: "),
+        (lambda: asperity.Interface.between(STEEL, wrong(None)), TypeError, "is of type NoneType"),
         (
             lambda: asperity.Scene(wrong(STEEL), asperity.Surface(1e-4, 1e8, 1e-6), 1e-4),
             TypeError,
-            "interface must be an Interface, not a Body: Interface.between",
+            "is of type Body",
         ),
         (
-            lambda: asperity.Surface.from_plasticity_index(2.0, 0.04, 1e-6, wrong(1e9)),
+            lambda: asperity.Surface.of(**INDEX, interface=wrong(1e9)),
             TypeError,
-            "interface must be an Interface, not a float",
+            "is of type float",
         ),
         (
             lambda: asperity.Scene(

@@ -53,7 +53,7 @@ def test_a_million_rows_need_little_above_their_results(what: str) -> None:
 
 
 def interrupted_after(seconds: float, call: Any) -> float:
-    """The time that a call runs on after Ctrl-C [s]."""
+    """Time after Ctrl-C [s]."""
     sent: list[float] = []
 
     def send() -> None:
@@ -68,7 +68,7 @@ def interrupted_after(seconds: float, call: Any) -> float:
     return time.monotonic() - sent[0]
 
 
-@pytest.mark.skipif(os.name == "nt", reason="Windows has other signals")
+@pytest.mark.skipif(os.name == "nt", reason="other signals")
 @pytest.mark.parametrize("what", ["one scene", "many scenes", "angles", "loads", "crossings"])
 def test_ctrl_c_ends_a_call_soon(what: str, scene: asperity.Scene) -> None:
     # Seconds to minutes without an interrupt.

@@ -29,7 +29,7 @@ def numbers(section: str) -> str:
 
 
 def test_the_stub_of_records_has_the_numbers_of_scene_files() -> None:
-    """With ASPERITY_BLESS=1 in the environment it is written."""
+    """ASPERITY_BLESS=1 writes it."""
     stub = Path(_records.__file__).with_suffix(".pyi")
     text = stub.read_text()
     for name in ("Body", "Interface", "Surface"):

@@ -58,9 +58,9 @@ def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
     assert filled.heights[60, 100] == pytest.approx(1e-6 * np.mean(beside), rel=1e-8)
     assert filled.missing_share == 0.0
     with pytest.warns(asperity.ContactWarning):
-        assert asperity.bem(filled, interface=steel, pressure=1e8).area_fraction > 0.0
+        assert asperity.bem(filled, interface=steel, pressure=1e8)["area_fraction"] > 0.0
     np.save(tmp_path / "scan.npy", holed)
-    read = asperity.read(tmp_path / "scan.npy", unit="um", pixel_size=1.0, fill_missing=True)
+    read = asperity.read(tmp_path / "scan.npy", unit="um", pixel_size=1.0).fill()
     np.testing.assert_allclose(read.heights, filled.heights, rtol=1e-12)
     holed[:10] = np.nan
     with pytest.raises(ValueError, match="missing points"):
@@ -86,18 +86,18 @@ def test_unreadable_surfaces_are_refused() -> None:
     with pytest.raises(ValueError, match="level is .cubic."):
         asperity.Topography(HEIGHTS, 1.0, "um").statistics(level="cubic")
     with pytest.raises(TypeError, match="^ndarray"):
-        asperity.topography(HEIGHTS)
+        asperity.read(HEIGHTS)
 
 
 def test_surfaces_of_surface_topography() -> None:
     theirs: Any = pytest.importorskip("SurfaceTopography", reason="SurfaceTopography is optional")
     # The first axis is x.
     surface = theirs.Topography(HEIGHTS.T, (192.0, 256.0), unit="um", periodic=True)
-    mine = asperity.topography(surface)
+    mine = asperity.read(surface)
     assert mine.shape == (128, 192)
     np.testing.assert_allclose(mine.pixel_size, (1e-6, 2e-6))
     np.testing.assert_allclose(mine.heights, HEIGHTS * 1e-6)
-    ours = asperity.topography(
+    ours = asperity.read(
         theirs.Topography(HEIGHTS.T, (192.0, 128.0), unit="um", periodic=True)
     )
     found = ours.statistics(level="none")
@@ -106,28 +106,28 @@ def test_surfaces_of_surface_topography() -> None:
     holes = np.ma.masked_greater(HEIGHTS.T, 1.0)
     masked = theirs.Topography(holes, (192.0, 128.0))
     with pytest.raises(ValueError, match="unit is missing"):
-        asperity.topography(masked)
-    mine = asperity.topography(masked, unit="nm")
+        asperity.read(masked)
+    mine = asperity.read(masked, unit="nm")
     assert mine.missing_share == pytest.approx(np.ma.getmaskarray(holes).mean())
 
     scan = theirs.UniformLineScan(HEIGHTS[0], 192.0, unit="um")
-    mine = asperity.topography(scan)
+    mine = asperity.read(scan)
     assert mine.shape == (1, 192) and mine.pixel_size == pytest.approx((1e-6, 1e-6))
     with pytest.raises(ValueError, match="unit is 'nm'"):
-        asperity.topography(scan, unit="nm")
+        asperity.read(scan, unit="nm")
 
 
 def test_surfaces_of_surfalize() -> None:
     theirs: Any = pytest.importorskip("surfalize", reason="surfalize is optional")
     surface = theirs.Surface(HEIGHTS, 1.0, 1.0)
-    mine = asperity.topography(surface)
+    mine = asperity.read(surface)
     np.testing.assert_allclose(mine.heights, HEIGHTS * 1e-6)
     assert mine.pixel_size == (1e-6, 1e-6)
     assert mine.statistics(level="none")["sq"] == pytest.approx(1e-6 * surface.Sq(), rel=1e-9)
     with pytest.raises(ValueError, match="unit is 'nm'"):
-        asperity.topography(surface, unit="nm")
+        asperity.read(surface, unit="nm")
     profile = theirs.Profile(HEIGHTS[0], 1.0)
-    assert asperity.topography(profile).shape == (1, 192)
+    assert asperity.read(profile).shape == (1, 192)
 
 
 def test_outliers_are_reported_first_and_replaced() -> None:
@@ -199,12 +199,12 @@ def test_a_surface_is_drawn_and_written(tmp_path: Path) -> None:
 
 
 def test_two_surfaces_add_as_moments_and_aligned_scans_as_heights() -> None:
-    one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
-    two = asperity.Surface.from_moments(4e-13, 2e-5, 3e4)
-    assert one.against(two) == asperity.Surface.from_moments(1.4e-12, 1.2e-4, 8e4)
-    peaks = asperity.Surface.from_iso25178("0.4 um", "300 1/mm2", "4 1/mm")
+    one = asperity.Surface.of(m0=1e-12, m2=1e-4, m4=5e4)
+    two = asperity.Surface.of(m0=4e-13, m2=2e-5, m4=3e4)
+    assert one.against(two) == asperity.Surface.of(m0=1.4e-12, m2=1.2e-4, m4=8e4)
+    peaks = asperity.Surface.of(sq="0.4 um", spd="300 1/mm2", spc="4 1/mm")
     m4 = 9 * np.pi / 64 * 4e3**2
-    same = asperity.Surface.from_moments(1.6e-13, m4 / (6 * np.sqrt(3) * np.pi * 3e8), m4)
+    same = asperity.Surface.of(m0=1.6e-13, m2=m4 / (6 * np.sqrt(3) * np.pi * 3e8), m4=m4)
     assert one.against(peaks).asperity_radius == pytest.approx(one.against(same).asperity_radius)
     z = np.arange(20.0).reshape(4, 5) ** 2
     flat, other = (asperity.Topography(h, "10 nm", "nm") for h in (z, np.ones((4, 5)) * np.arange(5)))

@@ -30,21 +30,17 @@ m2 = 0.02
 m4 = 6e9
 """
 
-WAYS: list[tuple[Any, dict[str, float]]] = [
-    (asperity.Surface.from_moments, {"m0": 1e-12, "m2": 1e-4, "m4": 5e4}),
-    (asperity.Surface.from_iso25178, {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3}),
-    (asperity.Surface.from_gradient, {"sq": 1.1e-6, "spd": 2e8, "sdq": 0.058}),
-    (
-        asperity.Surface.from_surface_std,
-        {"asperity_radius": 2e-4, "asperity_density": 2e8, "surface_height_std": 1.1e-6},
-    ),
+WAYS: list[dict[str, float]] = [
+    {"m0": 1e-12, "m2": 1e-4, "m4": 5e4},
+    {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3},
+    {"sdq": 0.058, "sq": 1.1e-6, "spd": 2e8},
+    {"asperity_radius": 2e-4, "asperity_density": 2e8, "surface_height_std": 1.1e-6},
 ]
 
 
-@pytest.mark.parametrize(("make", "numbers"), WAYS)
-def test_the_surface_is_made_again_from_its_own_numbers(
-    make: Any, numbers: dict[str, float]
-) -> None:
+@pytest.mark.parametrize("numbers", WAYS)
+def test_the_surface_is_made_again_from_its_own_numbers(numbers: dict[str, float]) -> None:
+    make = asperity.Surface.of
     scene = asperity.Scene(PAIR, make(**numbers), 1e-4)
     for name, value in numbers.items():
         wanted = make(**{**numbers, name: 1.1 * value})
@@ -138,18 +134,18 @@ def test_a_sweep_varies_the_numbers_that_gave_the_scene() -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"sq": 1e-6}, "sq is not an input of this scene: one of .*; sq needs a scene that is given by it"),
+        ({"sq": 1e-6}, "^sq "),
         (
             {"equivalent_modulus": 1e11, "youngs_modulus": 1e11},
-            "equivalent_modulus is given beside youngs_modulus, which determines it",
+            "^equivalent_modulus .*youngs_modulus",
         ),
         (
             {"hardness": 1e9, "body1_hardness": 1e9},
-            "hardness is that of all bodies and is given beside body1_hardness",
+            "^hardness .*body1_hardness",
         ),
         (
             {"m0": 1e-12, "asperity_radius": 1e-4},
-            "asperity_radius is given beside m0, which describes the surface in another way",
+            "^asperity_radius .*m0",
         ),
         ({"m0": -1.0}, "m0 is -1"),
         ({"body1_youngs_modulus": -1.0}, "youngs_modulus is -1"),
@@ -158,7 +154,7 @@ def test_a_sweep_varies_the_numbers_that_gave_the_scene() -> None:
 def test_numbers_that_do_not_fit_the_scene_are_refused(
     given: dict[str, float], message: str
 ) -> None:
-    scene = asperity.Scene(PAIR, asperity.Surface.from_moments(1e-12, 1e-4, 5e4), 1e-4)
+    scene = asperity.Scene(PAIR, asperity.Surface.of(m0=1e-12, m2=1e-4, m4=5e4), 1e-4)
     with pytest.raises(ValueError, match=message):
         scene.replace(**given)
 
@@ -166,5 +162,5 @@ def test_numbers_that_do_not_fit_the_scene_are_refused(
 def test_a_scene_without_bodies_says_that_youngs_modulus_needs_them() -> None:
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
     scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
-    with pytest.raises(ValueError, match="needs a scene that is given by it$"):
+    with pytest.raises(ValueError, match="^youngs_modulus "):
         scene.vary(youngs_modulus=np.array([1e11, 2e11]))

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use options::{Configurable, Rearranged};
 
-use crate::joints::conductance::{Correlated, Correlation};
+use crate::joints::{Correlated, Correlation};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
     Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,

@@ -8,8 +8,6 @@ use asperity_core::ContactError;
 use serde::de::value::{self, StrDeserializer};
 use serde::de::{DeserializeOwned, IntoDeserializer};
 
-use crate::{LengthUnit, Level};
-
 /// The command that converts a file of another format.
 const CONVERSION: &str = "SurfaceTopography (PyPI) converts many formats: python3 -c \"import SurfaceTopography as s; s.read_topography('FILE').to_gwy('FILE.gwy')\"";
 
@@ -99,7 +97,7 @@ pub enum TopographyError {
         /// The value given, in the unit.
         value: f64,
         /// The unit.
-        unit: LengthUnit,
+        unit: String,
         /// The value in metres.
         metres: f64,
     },
@@ -202,7 +200,7 @@ pub enum TopographyError {
     )]
     Level {
         /// The form to be fitted.
-        level: Level,
+        level: String,
         /// The number of points with a height.
         points: usize,
     },

@@ -101,7 +101,10 @@ impl Topography {
         }
         let eigen = SymmetricEigen::new(normal);
         if eigen.eigenvalues.min() <= DETERMINED * eigen.eigenvalues.max() {
-            return Err(TopographyError::Level { level, points: self.measured() });
+            return Err(TopographyError::Level {
+                level: level.to_string(),
+                points: self.measured(),
+            });
         }
         let weights = eigen.eigenvectors.tr_mul(&right).component_div(&eigen.eigenvalues);
         let fit = eigen.eigenvectors * weights;

@@ -2,6 +2,7 @@
 
 mod autocorrelation;
 mod curves;
+mod despike;
 mod error;
 mod fill;
 mod filter;
@@ -22,6 +23,7 @@ mod statistics;
 mod summits;
 mod topography;
 mod unit;
+mod unusual;
 mod warning;
 mod write;
 

@@ -3,7 +3,7 @@
 use asperity_core::{Finding, Surface};
 
 use crate::outliers::MATTERS;
-use crate::{Level, Moments, Outliers, Statistics, Texture, TopographyError};
+use crate::{Level, Moments, Outliers, Texture, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -55,13 +55,6 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
         .fact("the two estimators cannot be compared")
         .advice(reason.to_string())
 }
-
-/// Range of rms slopes of scans, from polished to blasted surfaces.
-const SLOPE: [f64; 2] = [5e-4, 1.0];
-/// Kurtosis above which a few points dominate: exponential heights have 9, honed ones up to 20.
-const FAT: f64 = 30.0;
-/// Sq \[m\] of surfaces, from cleaved mica to the texture of asphalt.
-const SQ: [f64; 2] = [3e-11, 2e-3];
 
 /// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
 /// and of every second one.
@@ -142,39 +135,6 @@ pub(crate) fn anisotropic(moments: &Moments) -> Option<Finding> {
         ))
         .advice("models assume isotropic asperities; compare with boundary elements (bem)");
     (ratio > APART).then_some(found)
-}
-
-impl Statistics {
-    /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
-    #[must_use]
-    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
-        let slope = (2.0 * self.m2).sqrt();
-        let found = Finding::warning("unusual-size", "measured_slope", slope)
-            .implausible(slope > SLOPE[1])
-            .usual(SLOPE)
-            .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
-        (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
-    }
-
-    /// An unusual Sq of a scan whose slopes are usual: of a height and a pixel size in one wrong
-    /// unit.
-    #[must_use]
-    pub fn unusual_height(&self) -> Option<Finding> {
-        let found = Finding::warning("unusual-size", "sq", self.sq).unit("m").usual(SQ);
-        let found = found.advice("check `unit`, in which heights and `pixel_size` are read");
-        (!(SQ[0]..=SQ[1]).contains(&self.sq)).then_some(found)
-    }
-
-    /// A kurtosis that a few points far from the others make, where these are no outliers of
-    /// single points.
-    #[must_use]
-    pub fn unusual_kurtosis(&self) -> Option<Finding> {
-        let found = Finding::warning("not-gaussian", "sku", self.sku).usual([0.0, FAT]);
-        let found = found.advice(
-            "a few points far from the others dominate `sq` and `sku`, in groups that `despike` leaves as features; mark them as missing in the file",
-        );
-        (self.sku > FAT && !self.outliers.matter()).then_some(found)
-    }
 }
 
 impl Level {

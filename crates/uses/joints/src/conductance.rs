@@ -23,8 +23,6 @@ use std::ops::RangeInclusive;
 use asperity_core::{ContactError, ProfileMoments, positive};
 use serde::{Deserialize, Serialize};
 
-pub use crate::correlation::{Correlated, Correlation};
-
 /// The combined roughness of a gap, input of the correlations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct GapRoughness {

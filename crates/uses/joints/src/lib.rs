@@ -89,6 +89,7 @@ mod unloading;
 mod work;
 
 pub use asperity_laws::restitution;
+pub use correlation::{Correlated, Correlation};
 pub use energy_gain::EnergyGain;
 pub use joint::Joint;
 pub use path::{Path, Point};

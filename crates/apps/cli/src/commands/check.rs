@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::{At, Check as CheckedScene};
-use asperity_answer::{Cell, Sheet};
+use asperity_answer::check_sheet;
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id};
@@ -61,29 +61,15 @@ impl Check {
             None => (scene.file.check(None)?, None),
         };
         checked.extend(scene.file.warnings.clone());
-        if self.output.format() == Format::Json {
-            self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;
-        } else {
-            self.output.write(&numbers(&checked))?;
+        let json = serde_json::to_string_pretty(&checked)? + "\n";
+        let sheet = check_sheet(checked);
+        match self.output.format() {
+            Format::Json => self.output.write_text(&json)?,
+            _ => self.output.write(&sheet)?,
         }
-        output::show(&checked.findings);
+        output::show(&sheet.findings);
         let converted = scene.file.converted.iter().map(|(key, text)| format!("{key}: {text}"));
         output::print_results(&converted.collect::<Vec<_>>());
         refused.map_or(Ok(()), Err)
     }
-}
-
-fn numbers(checked: &CheckedScene) -> Sheet {
-    let has_ends = checked.numbers.iter().any(|number| number.ends.is_some());
-    let ends = if has_ends { &["lower", "upper"][..] } else { &[] };
-    let mut sheet = Sheet::default();
-    sheet.under(&[&["name", "value"], ends, &["unit", "meaning"]]);
-    sheet.rows.extend(checked.numbers.iter().map(|number| {
-        let mut row = vec![number.name.into(), Cell::Number(number.value)];
-        let end = |k: usize| Cell::from(number.ends.map(|ends| ends[k]));
-        row.extend((0..ends.len()).map(end));
-        row.extend([number.unit.into(), (*number.meaning).into()]);
-        row
-    }));
-    sheet
 }

@@ -21,10 +21,9 @@ True
 
 from importlib.metadata import version as _version
 
-from asperity._advice import Check as Check
 from asperity._advice import Plan as Plan
-from asperity._advice import PlanStep as PlanStep
 from asperity._advice import Recommendation as Recommendation
+from asperity._advice import check as check
 from asperity._advice import plan as plan
 from asperity._advice import recommend as recommend
 from asperity._arguments import Scenes as Scenes
@@ -40,8 +39,10 @@ from asperity._asperity import UnsupportedFormat as UnsupportedFormat
 from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
+from asperity._bem import BemSlip as BemSlip
 from asperity._bem import BemUnloading as BemUnloading
 from asperity._bem import bem as bem
+from asperity._bem import bem_slip as bem_slip
 from asperity._bem import bem_unloading as bem_unloading
 from asperity._bem import truth as truth
 from asperity._curve import Curve as Curve
@@ -61,18 +62,14 @@ from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface
 from asperity._records import Surface as Surface
-from asperity._slip_scan import BemSlip as BemSlip
-from asperity._slip_scan import bem_slip as bem_slip
 from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
-from asperity._surfaces import topography as topography
 from asperity._sweep import sample as sample
 from asperity._sweep import sweep as sweep
 from asperity._table import Finding as Finding
 from asperity._table import Table as Table
 from asperity._tables import ContactTable as ContactTable
 from asperity._tables import export as export
-from asperity._tables import gap_conductance as gap_conductance
 
 __version__ = _version("asperity")
 

@@ -9,65 +9,18 @@ from typing import Any
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Rows, one_scene, place, record
-from asperity._asperity import Engine, Scene
+from asperity._arguments import LOADS, Rows, one_scene, place
+from asperity._asperity import Scene
 from asperity._model import Model, as_model, as_models
-from asperity._table import Finding, Table
-
-#: Name, value, ends of its range, unit and meaning.
-Number = tuple[str, float, "tuple[float, float] | None", str, str]
-
-
-@dataclass(frozen=True)
-class Check:
-    """Derived numbers and findings of a scene and, at a load, of a model; ``print`` it."""
-
-    #: Numbers by their names, in SI units; those on a surface that is known within ranges also have
-    #: the ends of theirs, as ``area_lower`` and ``area_upper``.
-    numbers: dict[str, float]
-    #: Unusual numbers, most severe first.
-    findings: tuple[Finding, ...]
-    text: str = field(repr=False)
-
-    @staticmethod
-    def _of(numbers: list[Number], findings: list[dict[str, Any]]) -> Check:
-        found = tuple(record(Finding, one) for one in findings)
-        width = max(len(name) for name, *_ in numbers)
-        lines, named = [], {}
-        for name, value, ends, unit, meaning in numbers:
-            named[name] = value
-            between = ""
-            if ends is not None:
-                named[f"{name}_lower"], named[f"{name}_upper"] = ends
-                between = f"({ends[0]:.6g} to {ends[1]:.6g}) "
-            lines.append(f"{name:<{width}}  {value:<12.6g} {between}{unit:<5} {meaning}".rstrip())
-        return Check(named, found, "\n".join([*lines, *map(str, found)]))
-
-    def __str__(self) -> str:
-        return self.text
-
-
-@dataclass(frozen=True)
-class PlanStep:
-    """One integral of a plan."""
-
-    #: The integrated law: the force's for the tangent.
-    law: str
-    #: The quantities it yields.
-    quantities: tuple[str, ...]
-    #: The method of integration.
-    method: str
-    #: Fewest and most terms of a value, for values that are sums; else None.
-    terms: tuple[int, int] | None
-    #: Samples of the law.
-    samples: int
-
+from asperity._table import Table
 
 @dataclass(frozen=True)
 class Plan:
     """The integrals of a request; ``print`` it."""
 
-    steps: tuple[PlanStep, ...]
+    #: Of each integral the ``law``, the force's for the tangent, the ``quantities`` it yields, its
+    #: ``method``, the fewest and most ``terms`` of a value that is a sum, and ``samples`` of the law.
+    steps: tuple[dict[str, Any], ...]
     text: str = field(repr=False)
 
     def __str__(self) -> str:
@@ -116,8 +69,7 @@ def plan(
     """
     rows = Rows(one_scene(scene, "plan"), *place(separation_unit, separation=separation, load=load, pressure=pressure))
     text, found = _asperity.plan((as_model(model), rows, quantities, rtol))
-    steps = tuple(record(PlanStep, step) for step in found["steps"])
-    return Plan(steps, text.rstrip("\n"))
+    return Plan(tuple(found["steps"]), text.rstrip("\n"))
 
 
 def recommend(
@@ -142,7 +94,8 @@ def recommend(
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
-    >>> smooth = asperity.Surface.from_plasticity_index(0.3, 0.04, 1e-7, interface)
+    >>> numbers = {"plasticity_index": 0.3, "roughness_parameter": 0.04}
+    >>> smooth = asperity.Surface.of(**numbers, asperity_height_std=1e-7, interface=interface)
     >>> scene = asperity.Scene(interface, smooth, nominal_area=1e-4)
     >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
     'gw'
@@ -158,24 +111,32 @@ def recommend(
     return Recommendation(*_asperity.recommend((against, rows, quantities, rtol), within, engines))
 
 
-
 def check(
     scene: Scene,
-    model: str | Engine | None = None,
+    model: str | Model | None = None,
     separation: float | str | None = None,
     *,
     load: float | str | None = None,
     pressure: float | str | None = None,
     separation_unit: str = "asperity_height_std",
-) -> Check:
-    """The result of ``Scene.check``."""
-    given = [number for number in (separation, load, pressure) if number is not None]
-    if len(given) > 1:
-        raise TypeError("at most one of separation, load and pressure was expected")
-    if not given:
-        return Check._of(*_asperity.check(scene))
-    axis, number = place(
-        separation_unit, separation=separation, load=load, pressure=pressure
-    )
-    engine = model if isinstance(model, Engine) else Engine(model or scene._usual_reference(), {})
-    return Check._of(*_asperity.check(scene, (engine, axis, number)))
+) -> Table:
+    """Derived numbers of the scene, and findings about unusual ones, with the unit that would
+    explain them. At a separation, load [N] or pressure [Pa] also the numbers of the contact, and
+    findings about the range of the model: by default "ke", or "gw" without a hardness. A surface
+    that is known within ranges has columns for the ends of theirs, ``lower`` and ``upper``.
+
+    >>> import asperity
+    >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
+    >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+    >>> found = asperity.check(asperity.Scene(interface, surface, nominal_area=3e-5))
+    >>> finding = found.findings[0]
+    >>> finding.severity, finding.field, finding.message.split(": ")[-1]
+    ('warning', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
+    >>> round(found.numbers["roughness_parameter"], 4)
+    0.0396
+    """
+    where = {"separation": separation, "load": load, "pressure": pressure}
+    if all(number is None for number in where.values()):
+        return Table(*_asperity.check(scene))
+    axis, number = place(separation_unit, **where)
+    return Table(*_asperity.check(scene, (as_model(model or scene._usual_reference()), axis, number)))

@@ -19,7 +19,6 @@ import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
 from asperity._arguments import Scenes
-from asperity._advice import Check
 from asperity._records import Asperity, Body, Interface, Surface
 
 __all__ = [
@@ -38,7 +37,6 @@ __all__ = [
     "check",
     "contact_table",
     "fit",
-    "gap_conductance",
     "materials",
     "column_of",
     "model_ids",
@@ -130,15 +128,6 @@ class Scene:
     ) -> dict[str, list[float]]: ...
     def models(self) -> list[str]: ...
     def to_toml(self, path: str | PathLike[str] | None = None) -> str: ...
-    def check(
-        self,
-        model: str | Engine | None = None,
-        separation: float | str | None = None,
-        *,
-        load: float | str | None = None,
-        pressure: float | str | None = None,
-        separation_unit: str = "asperity_height_std",
-    ) -> Check: ...
     def _arguments(self) -> _Fields: ...
     def _corners(self) -> tuple[Scene, list[Scene], list[str]]: ...
     def _inputs_in_si(self, given: dict[str, Any]) -> dict[str, Any]: ...
@@ -146,16 +135,11 @@ class Scene:
     def __eq__(self, other: object, /) -> bool: ...
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
-def check(
-    scene: Scene, place: tuple[Engine, str, _Float] | None = None
-) -> tuple[
-    list[tuple[str, float, tuple[float, float] | None, str, str]], list[_Fields]
-]: ...
+def check(scene: Scene, place: tuple[Engine, str, _Float] | None = None) -> _Table: ...
 def pull_off(
     engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
 def quantity(text: str, si: str) -> float: ...
-def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
 def contact_table(
     engine: Engine,
     scene: Scene,
@@ -225,9 +209,7 @@ class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
     id: Final[str]
     name: Final[str]
-    source: Final[str]
     variant: Final[str]
-    _authors: Final[str]
     _citation: Final[tuple[str, int, str, str]]
     def bibtex(self) -> str: ...
     def _law(
@@ -262,6 +244,7 @@ class Contact:
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
     ) -> Any: ...
+    def prepare(self, low: float | str, high: float | str) -> None: ...
     model: Final[str]
     scene: Final[Scene]
     quantities: Final[tuple[str, ...]]
@@ -386,19 +369,19 @@ def recommend(asked: _Asked, within: _Float, engines: Sequence[Engine] | None) -
 def bem(
     pressed: _Pressed,
     given: tuple[str, Sequence[_Float]],
-    maps_and_mask: tuple[bool, bool],
+    keep: bool,
     quantities: str | Iterable[str] | None,
     leak: tuple[_Float, _Float] | None,
-) -> tuple[_Fields, list[_Floats] | None, list[int]]: ...
+) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
     pressed: _Pressed,
     given: tuple[str, Sequence[_Float]],
     retreats: Sequence[_Float] | None,
     points: int,
-) -> _Fields: ...
+) -> tuple[_Fields, float, str]: ...
 def bem_slip(
     pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
-) -> tuple[_Fields, list[int]]: ...
+) -> tuple[_Table, _Floats, list[int]]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],

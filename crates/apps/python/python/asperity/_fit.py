@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -50,58 +50,33 @@ class Fit:
     #: The free parameters by name.
     parameters: dict[str, Estimate]
     #: Correlation of the parameters, in their order; NaN for those that the data do not fix.
-    correlation: Floats
+    correlation: Floats = field(repr=False)
     #: Condition number of the residuals' derivatives; None if a combination has no effect.
     condition: float | None
     #: Doubts about the fit, each with its parameter (``not-converged``, ``limits`` at a bound,
     #: ``undetermined``), and results outside the range of the model.
-    findings: tuple[Finding, ...]
+    findings: tuple[Finding, ...] = field(repr=False)
     #: Row and column of the data, and the measured value, the fitted one and the residual of each.
-    residuals: tuple[dict[str, Any], ...]
+    residuals: tuple[dict[str, Any], ...] = field(repr=False)
     #: The scene with the fitted numbers.
-    scene: Scene
+    scene: Scene = field(repr=False)
 
     def __getitem__(self, name: str) -> float:
         """The value of a parameter."""
         return self.parameters[name].value
 
 
-@dataclass(frozen=True)
-class Fits:
+class Fits(tuple[Fit, ...]):
     """Models fitted to the same measurements.
 
     Models are ordered by BIC, lowest first, or by rms where one of them has no BIC; those whose law
     does not hold where data were measured come last.
     """
 
-    #: The fitted models.
-    models: tuple[Fit, ...]
-
     @property
     def best(self) -> Fit:
-        """The first model: that of the lowest BIC, or rms where one has no BIC."""
-        return self.models[0]
-
-    def __getitem__(self, model: str) -> Fit:
-        for fit in self.models:
-            if fit.model == model:
-                return fit
-        known = ", ".join(fit.model for fit in self.models)
-        raise KeyError(f"{model} was not fitted: one of {known} was required")
-
-    def __iter__(self) -> Iterator[Fit]:
-        return iter(self.models)
-
-    def __len__(self) -> int:
-        return len(self.models)
-
-    def __repr__(self) -> str:
-        shown = []
-        for fit in self.models:
-            values = (f"{name}={found.value:.4g}" for name, found in fit.parameters.items())
-            rms = "" if fit.rms is None else f" (rms {fit.rms:.2g})"
-            shown.append(f"{fit.model}: {', '.join(values)}{rms}")
-        return f"<asperity.Fits {'; '.join(shown)}>"
+        """The first model."""
+        return self[0]
 
 
 def fit(
@@ -153,7 +128,7 @@ def fit(
     if not engines:
         raise ValueError("model is empty: at least one model was required")
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
-    return Fits(tuple(_fit(one, scene) for one in found))
+    return Fits(_fit(one, scene) for one in found)
 
 
 def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:

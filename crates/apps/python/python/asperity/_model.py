@@ -136,6 +136,9 @@ class Citation(NamedTuple):
     #: Of the equations: seen (read in text that quotes the paper), derived, or recalled.
     provenance: str
 
+    def __str__(self) -> str:
+        return f"{self.authors} ({self.year})" if self.year else self.authors
+
 
 class Model(Engine):
     """A model of rough contact; ``asperity.model`` makes one.
@@ -438,7 +441,7 @@ class Model(Engine):
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
-        return f"<asperity.Model {self.id!r}{given}: {self._authors}>"
+        return f"<asperity.Model {self.id!r}{given}: {self.citation()}>"
 
 
 def as_model(model: str | Model) -> Model:

@@ -130,7 +130,7 @@ class Surface(Record):
     """Asperities of one radius on a nominally flat surface.
 
     Numbers are in SI units, or texts with their unit, as "0.2 mm" or "200 1/mm2". For the standard
-    deviation of the surface heights use ``from_surface_std``.
+    deviation of the surface heights use ``of``.
 
     Parameters
     ----------
@@ -147,89 +147,45 @@ class Surface(Record):
     """
 
     @staticmethod
-    def _following(interface=None, **numbers):
-        return Surface._made(*_asperity.surface_of(numbers, interface))
+    def of(*, interface=None, **numbers):
+        """The surface that follows from the three numbers of one of these descriptions, by the keys
+        of a scene file:
 
-    @staticmethod
-    def from_plasticity_index(plasticity_index, roughness_parameter, asperity_height_std, interface):
-        """From the plasticity index, the roughness parameter (density times radius times
-        height_std), the standard deviation of the asperity heights [m] and the interface."""
-        return Surface._following(
-            interface,
-            plasticity_index=plasticity_index,
-            roughness_parameter=roughness_parameter,
-            asperity_height_std=asperity_height_std,
-        )
-
-    @staticmethod
-    def from_moments(m0, m2, m4):
-        """From the spectral moments of profiles of an isotropic Gaussian surface: averages of z^2
-        [m^2], z'^2 and z''^2 [1/m^2]."""
-        return Surface._following(m0=m0, m2=m2, m4=m4)
-
-    @staticmethod
-    def from_iso25178(sq, spd, spc):
-        """From the parameters of ISO 25178 that instruments report: the standard deviation of the
-        surface heights Sq [m], the density of peaks Spd [1/m^2] and their mean curvature Spc
-        [1/m]. The peaks are the asperities.
+        - ``asperity_radius``, ``asperity_density``, ``surface_height_std``: the standard deviation
+          of the surface heights in the place of that of the asperity heights.
+        - ``plasticity_index``, ``roughness_parameter`` (density times radius times height_std),
+          ``asperity_height_std``, with the ``interface``.
+        - ``m0`` [m^2], ``m2``, ``m4`` [1/m^2]: the spectral moments of profiles of an isotropic
+          Gaussian surface, averages of z^2, z'^2 and z''^2.
+        - ``sq``, ``spd``, ``spc``, which instruments report (ISO 25178): the standard deviation of
+          the surface heights [m], the density of peaks [1/m^2] and their mean curvature [1/m]; the
+          peaks are the asperities.
+        - ``sq``, ``spd``, ``sdq``: the rms gradient of an isotropic Gaussian surface instead of Spc.
+        - ``surface_height_std``, ``mean_slope``, ``asperity_density``: the mean absolute slope of
+          profiles of such a surface, which correlations of conductance use.
 
         >>> import asperity
-        >>> surface = asperity.Surface.from_iso25178(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
+        >>> surface = asperity.Surface.of(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
         >>> surface.asperity_radius, surface.asperity_density
         (0.0002, 200000000.0)
-        """
-        return Surface._following(sq=sq, spd=spd, spc=spc)
-
-    @staticmethod
-    def from_surface_std(asperity_radius, asperity_density, surface_height_std):
-        """From radius [m], density [1/m^2] and the standard deviation of the surface heights [m]."""
-        return Surface._following(
-            asperity_radius=asperity_radius,
-            asperity_density=asperity_density,
-            surface_height_std=surface_height_std,
-        )
-
-    @staticmethod
-    def from_mean_slope(surface_height_std, mean_slope, asperity_density):
-        """From the standard deviation of the surface heights [m] and the mean absolute slope of
-        profiles of an isotropic Gaussian surface, which correlations of conductance use, and
-        the density of the summits [1/m^2].
-
-        >>> import asperity
-        >>> surface = asperity.Surface.from_mean_slope("1 um", 0.1, "4000 1/mm2")
-        >>> round(surface.asperity_radius, 9)
-        1.4675e-05
-        """
-        return Surface._following(
-            surface_height_std=surface_height_std,
-            mean_slope=mean_slope,
-            asperity_density=asperity_density,
-        )
-
-    @staticmethod
-    def from_gradient(sq, spd, sdq):
-        """From parameters of ISO 25178, with the rms gradient Sdq of an isotropic Gaussian surface
-        instead of Spc: Sq [m], Spd [1/m^2] and Sdq, without a unit.
-
-        >>> import asperity
-        >>> surface = asperity.Surface.from_gradient("1 um", "4000 1/mm2", 0.18)
-        >>> round(surface.asperity_radius, 9)
+        >>> smooth = asperity.Surface.of(sq="1 um", spd="4000 1/mm2", sdq=0.18)
+        >>> round(smooth.asperity_radius, 9)
         1.4451e-05
         """
-        return Surface._following(sq=sq, spd=spd, sdq=sdq)
+        return Surface._made(*_asperity.surface_of(numbers, interface))
 
     def against(self, other):
         """The surface whose gap to a flat is that between this surface and an independent one:
-        moments of profiles add. They are those given to ``from_moments``, or those of an
+        moments of profiles add. They are the given m0, m2 and m4, or those of an
         isotropic Gaussian surface with these asperities (and this Sq).
 
         >>> import asperity
-        >>> one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
-        >>> two = asperity.Surface.from_iso25178("0.4 um", "300 1/mm2", "4 1/mm")
+        >>> one = asperity.Surface.of(m0=1e-12, m2=1e-4, m4=5e4)
+        >>> two = asperity.Surface.of(sq="0.4 um", spd="300 1/mm2", spc="4 1/mm")
         >>> round(one.against(two).asperity_height_std, 9)
         1.037e-06
         """
-        return Surface._following(**_asperity.moments_of_both(self, other))
+        return Surface.of(**_asperity.moments_of_both(self, other))
 
     @property
     def roughness_parameter(self):

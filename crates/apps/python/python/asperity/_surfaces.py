@@ -25,55 +25,43 @@ class Picture(str):
 
 
 def read(
-    path: str | PathLike[str],
+    surface: Any,
     unit: str | None = None,
     pixel_size: float | str | tuple[float | str, float | str] | None = None,
     max_missing: float = 0.1,
-    fill_missing: bool = False,
     channel: str | None = None,
 ) -> Topography:
-    """A scan from a file: text (matrix, XYZ points, profile), NumPy .npy, X3P, Digital Surf SUR,
-    Gwyddion .gwy or SDF, each also inside gzip.
+    """A scan from a file, or a surface of SurfaceTopography or surfalize as a scan.
 
-    ``unit`` and ``pixel_size``, in that unit or as "10 nm", are required for files without them. A larger share of
-    missing points than ``max_missing`` is an error; ``fill_missing`` fills missing points, up to 5 %
-    of all, by ``Topography.fill``. ``channel`` is the name or number of a surface in a file of
-    several. Files of other formats raise ``UnsupportedFormat``: ``topography`` reads many of them.
-    """
-    found = Topography.read(path, unit, pixel_size, max_missing, channel)
-    return found.fill() if fill_missing else found
+    Files are text (matrix, XYZ points, profile), NumPy .npy, X3P, Digital Surf SUR, Gwyddion .gwy or
+    SDF, each also inside gzip. One in another format is read by SurfaceTopography, if that is
+    installed (the extra ``formats``), and otherwise raises ``UnsupportedFormat``.
 
-
-def topography(
-    surface: Any, unit: str | None = None, channel: str | None = None
-) -> Topography:
-    """A measured surface from a file, or from an object of SurfaceTopography or surfalize.
-
-    A file in a format that ``read`` does not know is read by SurfaceTopography, if that is
-    installed (the extra ``formats``). ``unit`` is that of objects and files without one;
-    ``channel`` is the name or number of a surface in a file of several. Other packages are imported
-    for such files only. A line scan with points at unequal distances is interpolated linearly.
+    ``unit`` and ``pixel_size``, in that unit or as "10 nm", are required where the source has none. A
+    larger share of missing points than ``max_missing`` is an error; ``Topography.fill`` fills them.
+    ``channel`` is the name or number of a surface in a file of several. A line scan with points at
+    unequal distances is interpolated linearly.
     """
     if isinstance(surface, str | PathLike):
-        return _from_file(fspath(surface), unit, channel)
+        path = fspath(surface)
+        try:
+            return Topography.read(path, unit, pixel_size, max_missing, channel)
+        except UnsupportedFormat as error:
+            return _by_surface_topography(path, unit, channel, error)
     home = type(surface).__module__.partition(".")[0]
-    if channel is not None:
-        raise ValueError(f"channel is {channel!r}: a file with several surfaces was required")
     if home == "SurfaceTopography":
         return _from_surface_topography(surface, unit)
     if home == "surfalize":
         return _from_surfalize(surface, unit)
     raise TypeError(
-        f"{type(surface).__name__} is no surface of SurfaceTopography or surfalize: for heights in an "
-        "array use asperity.Topography(heights, dx, unit)"
+        f"{type(surface).__name__} is no path, nor a surface of SurfaceTopography or surfalize: for "
+        "heights in an array use asperity.Topography(heights, dx, unit)"
     )
 
 
-def _from_file(path: str, unit: str | None, channel: str | None) -> Topography:
-    try:
-        return read(path, unit, channel=channel)
-    except UnsupportedFormat as error:
-        unsupported = error
+def _by_surface_topography(
+    path: str, unit: str | None, channel: str | None, unsupported: UnsupportedFormat
+) -> Topography:
     try:
         import SurfaceTopography as other
     except ImportError:

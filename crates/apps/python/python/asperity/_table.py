@@ -54,6 +54,11 @@ class Table:
     def __getitem__(self, head: str) -> Any:
         return self.columns[head]
 
+    @property
+    def numbers(self) -> dict[str, float]:
+        """The column ``value`` by the column ``name``, as of a check."""
+        return dict(zip(self["name"], self["value"].tolist(), strict=True))
+
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
 

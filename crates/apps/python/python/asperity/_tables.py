@@ -1,4 +1,4 @@
-"""Contact tables for finite-element codes, and the conductance of a gas."""
+"""Contact tables for finite-element codes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from asperity._arguments import (
     Floats,
     Rows,
     SceneLike,
-    in_si,
     one_number,
     one_scene,
     place,
@@ -101,21 +100,3 @@ def export(
     columns, pressure_error, tangent_error, text = found
     clearance, pressures, tangent = columns.values()
     return ContactTable(clearance, pressures, tangent, pressure_error, tangent_error, text)
-
-
-def gap_conductance(
-    conductivity: float, gap: float | str, gas_parameter: float | str = 0.0
-) -> float:
-    """Conductance over the nominal area [W/(m^2 K)] of a gas beside the contacts: its conductivity
-    [W/(m K)] over the sum of the mean gap and the gas parameter [m], its temperature-jump distance
-    (about 0.37 um for air at 1 bar).
-
-    The mean gap is the separation from the mean plane of the surface. Lengths may be texts with a
-    unit.
-
-    >>> import asperity
-    >>> round(asperity.gap_conductance(0.026, "3 um", "0.37 um"), 1)
-    7715.1
-    """
-    lengths = in_si(gap, "m"), in_si(gas_parameter, "m")
-    return _asperity.gap_conductance(conductivity, *lengths)

@@ -4,7 +4,7 @@ use asperity::{
     At, Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Scene,
     Severity,
 };
-use asperity_answer::{Beside, Inquiry, Recommend, Sheet};
+use asperity_answer::{Beside, Inquiry, Recommend, Sheet, check_sheet};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
@@ -16,11 +16,6 @@ use crate::model::engine::{Engine, Engines, answered, models_among};
 use crate::scene::SceneFile;
 use crate::tables::{Table, table, warn_of};
 
-/// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
-type CheckResult<'py> = (Vec<CheckedNumber>, Object<'py>);
-/// Name, value, ends, unit and meaning.
-type CheckedNumber = (String, f64, Option<[f64; 2]>, String, String);
-
 /// Derived numbers and findings of a scene and, at a place, of a model's answer.
 #[pyfunction]
 #[pyo3(signature = (scene, place=None))]
@@ -28,7 +23,7 @@ pub(crate) fn check<'py>(
     py: Python<'py>,
     scene: &SceneFile,
     place: Option<(PyRef<'py, Engine>, Axis, f64)>,
-) -> PyResult<CheckResult<'py>> {
+) -> PyResult<Table<'py>> {
     let file = &scene.0;
     let checked = match place {
         None => file.check(None).map_err(refused)?,
@@ -41,11 +36,7 @@ pub(crate) fn check<'py>(
             }
         }
     };
-    let Check { numbers, findings, .. } = checked;
-    let number = |n: asperity::DerivedNumber| {
-        (n.name.into(), n.value, n.ends, n.unit.into(), n.meaning.into())
-    };
-    Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+    table(py, &check_sheet(checked))
 }
 
 /// The check of the scene alone, if its warnings explain the refusal.

@@ -1,10 +1,8 @@
 //! Contacts of a scan under loads and on its way back, and models compared with them.
 
-use std::collections::BTreeMap;
-
 use asperity::bem::{BemError, Leak};
-use asperity::{AsWritten, ContactModel, Dialect, Findings, Quantity, Request, linspace};
-use asperity_answer::{self as answer, Press, Sheet, Watch, compared, truth_of};
+use asperity::linspace;
+use asperity_answer::{Press, Sheet, Watch, compared, truth_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,22 +10,13 @@ use pyo3::types::PyDict;
 use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
 use crate::ask::asked::arrays;
 use crate::ask::long::run_interruptible;
-use crate::convert::{Quantities, refused, value_error, warn_unless};
-use crate::model::engine::{Engines, answered, models_among};
+use crate::convert::{Quantities, refused, value_error};
+use crate::model::engine::{Engines, answered, models_among, without};
 use crate::scene::SceneFile;
 use crate::tables::{Table, table, warn_of};
 
-/// The fields of the package's class, but for the maps; pressures and gaps of all pixels, if kept;
-/// rows and columns.
-type Contacts<'py> = (Bound<'py, PyDict>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
-
-/// The name of a field: that of its quantity, or of its column without the unit.
-fn field(head: &str) -> String {
-    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
-    let units = ["_N", "_m", "_m3_per_s"];
-    let own = || units.iter().find_map(|unit| head.strip_suffix(unit)).unwrap_or(head).into();
-    quantity.map_or_else(own, |quantity| quantity.to_string().replace('-', "_"))
-}
+/// The package's `Table`; pressures and gaps of all pixels, if kept; rows, columns of the scan.
+type Contacts<'py> = (Table<'py>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
 /// Solves contacts at mean pressures, loads or mean gaps.
 #[pyfunction]
@@ -35,72 +24,37 @@ pub(crate) fn bem<'py>(
     py: Python<'py>,
     pressed: Arguments<'py>,
     given: (String, Vec<f64>),
-    maps_and_mask: (bool, bool),
+    keep: bool,
     quantities: Option<Quantities>,
     leak: Option<(f64, f64)>,
 ) -> PyResult<Contacts<'py>> {
-    let (maps, mask) = maps_and_mask;
     let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
     let leak = leak.map_err(value_error)?;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let Pressed { bem, file } = Pressed::new(pressed)?;
-    let scene = &file.scene;
-    let elements = bem.elements(&scene.interface).map_err(refused)?;
-    let (area, pixels) = (scene.nominal_area, bem.map().heights().len());
-    // Refuses what boundary elements or the interface lack before anything is solved.
-    let request = Request::new(quantities.iter().copied());
-    bem.compile(scene, &request).map_err(refused)?;
-    let all = load_cases(given, area);
-    let press = Press { leak, ..Press::new(&file, &bem, &all, &quantities) };
-    let heads = press.heads();
-    let missing = |numbers: usize| vec![f64::NAN; numbers * all.len()];
-    let mut maps = maps.then(|| [missing(pixels), missing(pixels)]);
-    let mut columns: Vec<Vec<f64>> = vec![missing(1); heads.len()];
-    let (mut notes, mut failed, mut failures) = (Findings::default(), None, BTreeMap::new());
-    run_interruptible(py, |stop| {
-        let mut fail = |index, reason: String| match mask {
-            true => drop(failures.insert(index, reason)),
-            false => {
-                // This error is raised, so the other contacts are not needed.
-                stop.stop();
-                failed.get_or_insert(value_error(reason));
-            }
-        };
-        press.each(
-            &elements,
-            |_| stop.step(""),
-            |index, solved| match solved {
-                Ok(answer::Pressed { cells, notes: of_one, solution }) => {
-                    for (column, cell) in columns.iter_mut().zip(&cells) {
-                        column[index] = cell.number().unwrap_or(f64::NAN);
-                        let reason = cell.reason().map(|reason| AsWritten.say(reason));
-                        reason.into_iter().for_each(|reason| fail(index, reason));
-                    }
-                    let kept = maps.iter_mut().flatten();
-                    for (all, map) in kept.zip([&solution.pressures, &solution.gaps]) {
-                        all[index * pixels..][..pixels].copy_from_slice(map);
-                    }
-                    notes.extend(of_one);
-                }
-                Err(error) => fail(index, error.to_string()),
-            },
-        );
-    })?;
-    if let Some(error) = failed {
-        return Err(error);
+    let all = load_cases(given, file.scene.nominal_area);
+    let press = Press { name: "bem", leak, keep, ..Press::new(&file, &bem, &all, &quantities) };
+    let mut sheet = Sheet::default();
+    let solved = run_interruptible(py, |stop| press.solve(&mut sheet, stop))?;
+    let mut solved = solved.map_err(|error| without(&sheet, error))?.into_iter();
+    warn_of(py, &file, &sheet)?;
+    let pixels = bem.map().heights().len();
+    let missing = || vec![f64::NAN; pixels];
+    let mut maps = [vec![], vec![]];
+    for row in sheet.rows.iter().filter(|_| keep) {
+        // A load without a solution has blanks.
+        let is_solved = row[2].number().is_some();
+        let solution = is_solved.then(|| solved.next()).flatten();
+        let of = solution.map_or_else(|| [missing(), missing()], |s| [s.pressures, s.gaps]);
+        maps.iter_mut().zip(of).for_each(|(maps, map)| maps.extend(map));
     }
-    notes.extend(leak.iter().flat_map(Leak::findings));
-    notes.iter().try_for_each(|note| warn_unless(py, &file.accept, note, 1))?;
-    let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
-    fields.set_item("failures", failures)?;
-    fields.set_item("boundary", bem.continuation().name())?;
-    fields.set_item("nominal_area", area)?;
-    let maps = maps.map(|maps| maps.map(|map| PyArray1::from_vec(py, map)));
-    Ok((fields, maps, bem.map().shape()))
+    let maps = keep.then(|| maps.map(|map| PyArray1::from_vec(py, map)));
+    Ok((table(py, &sheet)?, maps, bem.map().shape()))
 }
 
 /// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
-/// given, or `points` of them to the end of contact. The fields of the package's class.
+/// given, or `points` of them to the end of contact. The columns, the retreat of the last contact
+/// and what lies beyond the edges.
 #[pyfunction]
 pub(crate) fn bem_unloading<'py>(
     py: Python<'py>,
@@ -108,7 +62,7 @@ pub(crate) fn bem_unloading<'py>(
     given: (String, Vec<f64>),
     retreats: Option<Vec<f64>>,
     points: usize,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, f64, &'static str)> {
     let Pressed { bem, file } = Pressed::new(pressed)?;
     let scene = &file.scene;
     let elements = bem.elements(&scene.interface).map_err(refused)?;
@@ -132,19 +86,15 @@ pub(crate) fn bem_unloading<'py>(
     });
     let open = found.iter().map(|contact| contact.mean_open_gap.unwrap_or(f64::NAN));
     let columns = [
-        ("retreat", retreats),
-        ("load", found.iter().map(|contact| contact.mean_pressure * area).collect()),
-        ("pressure", found.iter().map(|contact| contact.mean_pressure).collect()),
+        ("retreat_m", retreats),
+        ("load_N", found.iter().map(|contact| contact.mean_pressure * area).collect()),
+        ("pressure_Pa", found.iter().map(|contact| contact.mean_pressure).collect()),
         ("area_fraction", found.iter().map(|contact| contact.area).collect()),
-        ("mean_gap", found.iter().map(|contact| contact.mean_gap).collect()),
-        ("mean_open_gap", open.collect()),
-        ("stiffness", stiffness.collect::<PyResult<_>>()?),
+        ("mean_gap_m", found.iter().map(|contact| contact.mean_gap).collect()),
+        ("mean_open_gap_m", open.collect()),
+        ("stiffness_N_per_m", stiffness.collect::<PyResult<_>>()?),
     ];
-    let fields = arrays(py, columns)?;
-    fields.set_item("last_contact", end)?;
-    fields.set_item("boundary", bem.continuation().name())?;
-    fields.set_item("nominal_area", area)?;
-    Ok(fields)
+    Ok((arrays(py, columns)?, end, bem.continuation().name()))
 }
 
 /// Models of a scene, or these, compared with boundary elements on its scan.

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::convert::{Object, value_error, warn_unless};
-use crate::records::{instance, with_article};
+use crate::records::{instance, type_of};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
@@ -35,8 +35,8 @@ impl Pressed {
             };
         }
         let Ok(topography) = surface.cast::<Topography>() else {
-            let found = with_article(&surface);
-            let reason = format!("surface must be a Topography or a Scene, not {found}");
+            let found = type_of(&surface);
+            let reason = format!("surface is of type {found}: Topography or Scene was required");
             return Err(PyTypeError::new_err(reason));
         };
         let Some(interface) = interface else {

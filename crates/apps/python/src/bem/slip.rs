@@ -6,17 +6,18 @@ use asperity::{Model, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, Subject};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use super::scan::{Arguments, Pressed};
 use crate::ask::long::run_interruptible;
 use crate::convert::axis::Axis;
 use crate::convert::value_error;
-use crate::tables::{columns, warn_of};
+use crate::tables::{Table, table, warn_of};
+
+/// The package's `Table`, the state of each pixel, rows and columns of the scan.
+type Cycle<'py> = (Table<'py>, Bound<'py, PyArray1<f64>>, [usize; 2]);
 
 /// The loop of a cycle of this amplitude \[m\] on a scan under a load or pressure, and
-/// whether each pixel slips (1) or sticks (2) at the amplitude. The fields of the package's class,
-/// rows and columns.
+/// whether each pixel slips (1) or sticks (2) at the amplitude.
 #[pyfunction]
 pub(crate) fn bem_slip<'py>(
     py: Python<'py>,
@@ -24,7 +25,7 @@ pub(crate) fn bem_slip<'py>(
     given: (Axis, f64),
     friction: f64,
     cycle: (f64, usize),
-) -> PyResult<(Bound<'py, PyDict>, [usize; 2])> {
+) -> PyResult<Cycle<'py>> {
     let Pressed { bem, file } = Pressed::new(pressed)?;
     let (pixels, model) = (bem.map().shape(), Model::new(bem));
     let ((axis, number), (amplitude, points)) = (given, cycle);
@@ -36,7 +37,5 @@ pub(crate) fn bem_slip<'py>(
         run_interruptible(py, |stop| slip.answer(&[at], &cycle, points, &mut sheet, stop))?;
     let states = states.map_err(value_error)?;
     warn_of(py, &file, &sheet)?;
-    let fields = columns(py, &sheet)?;
-    fields.set_item("states", PyArray1::from_vec(py, states))?;
-    Ok((fields, pixels))
+    Ok((table(py, &sheet)?, PyArray1::from_vec(py, states), pixels))
 }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
 use crate::ask::over::Given;
-use crate::convert::axis::Axis;
+use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::{floats, scalar};
 use crate::convert::{Object, value_error};
 use crate::model::engine::Engine;
@@ -37,6 +37,7 @@ pub(crate) struct JointTable {
     /// The unit of the separations: "asperity_height_std" or "m".
     #[pyo3(get)]
     separation_unit: String,
+    unit: SeparationUnit,
     /// The length of that unit [m].
     metres: f64,
     /// Height of the scene's plane above the mean of the asperity heights [m].
@@ -59,14 +60,15 @@ impl JointTable {
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
-        let unit: Axis = separation_unit.extract()?;
+        let axis: Axis = separation_unit.extract()?;
+        let unit = if axis == METRES { SeparationUnit::Metres } else { SeparationUnit::Sigma };
         for end in [ends.0, ends.1] {
-            unit.warn_of_unit(py, "separation", &[end], &file, 1)?;
+            axis.warn_of_unit(py, "separation", &[end], &file, 1)?;
         }
         let named = model.get().on(&file)?;
         let (metres, plane, table) = model.get().run(py, || {
             let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
-            let metres = unit.metres(joint.scene());
+            let metres = axis.metres(joint.scene());
             // The zero of the scene's separations.
             let zero = file.separation(0.0, SeparationUnit::Metres);
             let plane =
@@ -76,7 +78,7 @@ impl JointTable {
         })?;
         let law = law.to_string();
         let separation_unit = separation_unit.extract()?;
-        Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
+        Ok(Self { model, scene, law, ends, tolerance, separation_unit, unit, metres, plane, table })
     }
 
     /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose
@@ -162,7 +164,9 @@ impl JointTable {
         let refused = |error| match error {
             ContactError::BelowTable { field, .. } => {
                 let value = if field == "closest" { closest } else { separation };
-                let [separation, deepest] = [value, self.ends.0].map(|value| self.given(value));
+                let (unit, from) = (self.unit, self.scene.get().0.separation_from);
+                let given = |value| Separation { value, unit, from };
+                let [separation, deepest] = [value, self.ends.0].map(given);
                 ContactError::BelowTable { field, separation, deepest }
             }
             error => error,
@@ -170,17 +174,6 @@ impl JointTable {
         let reply = self.table.at(self.above_mean(separation), self.above_mean(closest));
         let reply = reply.map_err(refused)?;
         Ok([reply.force, reply.stiffness, closest.min(separation)])
-    }
-
-    /// A separation in the table's unit, from the scene's plane.
-    fn given(&self, value: f64) -> Separation {
-        let unit = if self.separation_unit == "m" {
-            SeparationUnit::Metres
-        } else {
-            SeparationUnit::Sigma
-        };
-        let from = self.scene.get().0.separation_from;
-        Separation { value, unit, from }
     }
 
     /// A separation from the mean of the asperity heights [m].

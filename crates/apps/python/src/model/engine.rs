@@ -61,18 +61,6 @@ impl Engine {
         Ok(self.alone()?.map_or(Bem::SOURCE.name.into(), |model| model.name().into()))
     }
 
-    /// Authors, year and title of the paper, and the provenance of its equations: seen (read in the
-    /// paper), derived, or recalled (from memory, or through another paper).
-    #[getter]
-    fn source(&self) -> PyResult<String> {
-        let Citation { title, provenance, .. } = self.citation()?;
-        Ok(match self.0 {
-            Kind::Python { .. } => format!("{}, {}", self.name()?, self.authors()?),
-            _ if title.is_empty() => format!("{} [{provenance}]", self.authors()?),
-            _ => format!("{}, {title} [{provenance}]", self.authors()?),
-        })
-    }
-
     /// The entry of the paper for a BibTeX file; empty for a model written in Python.
     ///
     /// >>> import asperity
@@ -99,16 +87,6 @@ impl Engine {
     fn cited(&self) -> PyResult<(&'static str, u16, &'static str, String)> {
         let Citation { authors, year, title, provenance, .. } = self.citation()?;
         Ok((authors, year, title, provenance.to_string()))
-    }
-
-    /// Authors and year.
-    #[getter(_authors)]
-    fn authors(&self) -> PyResult<String> {
-        let Citation { authors, year, .. } = self.citation()?;
-        Ok(match self.0 {
-            Kind::Python { .. } => "written in Python".into(),
-            Kind::Named { .. } => format!("{authors} ({year})"),
-        })
     }
 
     /// How a variant differs from the model before the dash of its id; empty for others.
@@ -316,7 +294,14 @@ pub(crate) fn answered(
     let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == "no-value");
     let mut engines = engines.iter().flatten().filter(|_| lacks);
     let raised = engines.find_map(|engine| engine.get().raised());
-    raised.map_or_else(|| found.map_err(value_error), Err)
+    raised.map_or_else(|| found.map_err(|error| without(sheet, error)), Err)
+}
+
+/// The error of an answer, with the reasons why its sheet has no values.
+pub(crate) fn without(sheet: &Sheet, error: AnswerError) -> PyErr {
+    let missing = sheet.findings.iter().filter(|one| one.code == "no-value");
+    let reasons = missing.map(ToString::to_string).collect::<Vec<_>>();
+    value_error([error.to_string()].into_iter().chain(reasons).collect::<Vec<_>>().join(": "))
 }
 
 /// The ids of all models.

@@ -290,29 +290,6 @@ impl SceneFile {
         text.map_err(value_error)
     }
 
-    /// Derived numbers of the scene, and findings about unusual ones, with the unit that would
-    /// explain them. At a separation, load [N] or pressure [Pa] also the numbers of the contact,
-    /// and findings about the range of the model: by default "ke", or "gw" without a hardness.
-    ///
-    /// >>> import asperity
-    /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
-    /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
-    /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
-    /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
-    /// ('warning', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
-    #[pyo3(
-        signature = (*args, **kwargs),
-        text_signature = "(self, model=None, separation=None, *, load=None, pressure=None, separation_unit='asperity_height_std')"
-    )]
-    fn check<'py>(
-        slf: &Bound<'py, Self>,
-        args: Bound<'py, PyTuple>,
-        kwargs: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Object<'py>> {
-        let check = slf.py().import("asperity._advice")?.getattr("check")?;
-        check.call_method1("__get__", (slf,))?.call(args, kwargs)
-    }
-
     /// The arguments of this scene, in the order of the signature.
     fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arguments = PyDict::new(py);

@@ -86,7 +86,7 @@ impl Scan {
         let mut bare = options.pixel_size.into_iter().flatten().filter(|size| size.unit.is_none());
         if let Some(tiny) = bare.find(|size| size.value * unit < ATOM) {
             let (value, metres) = (tiny.value, tiny.value * unit);
-            return Err(TopographyError::TinyPixel { value, unit: named, metres });
+            return Err(TopographyError::TinyPixel { value, unit: named.to_string(), metres });
         }
         let Self { mut heights, columns, notes, .. } = self;
         for height in &mut heights {

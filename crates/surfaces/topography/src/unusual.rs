@@ -1,0 +1,45 @@
+//! Unusual statistics of a scan, most often of a wrong unit.
+
+use asperity_core::Finding;
+
+use crate::Statistics;
+
+/// Range of rms slopes of scans, from polished to blasted surfaces.
+const SLOPE: [f64; 2] = [5e-4, 1.0];
+/// Kurtosis above which a few points dominate: exponential heights have 9, honed ones up to 20.
+const FAT: f64 = 30.0;
+/// Sq \[m\] of surfaces, from cleaved mica to the texture of asphalt.
+const SQ: [f64; 2] = [3e-11, 2e-3];
+
+impl Statistics {
+    /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
+    #[must_use]
+    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
+        let slope = (2.0 * self.m2).sqrt();
+        let found = Finding::warning("unusual-size", "measured_slope", slope)
+            .implausible(slope > SLOPE[1])
+            .usual(SLOPE)
+            .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
+        (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
+    }
+
+    /// An unusual Sq of a scan whose slopes are usual: of a height and a pixel size in one wrong
+    /// unit.
+    #[must_use]
+    pub fn unusual_height(&self) -> Option<Finding> {
+        let found = Finding::warning("unusual-size", "sq", self.sq).unit("m").usual(SQ);
+        let found = found.advice("check `unit`, in which heights and `pixel_size` are read");
+        (!(SQ[0]..=SQ[1]).contains(&self.sq)).then_some(found)
+    }
+
+    /// A kurtosis that a few points far from the others make, where these are no outliers of
+    /// single points.
+    #[must_use]
+    pub fn unusual_kurtosis(&self) -> Option<Finding> {
+        let found = Finding::warning("not-gaussian", "sku", self.sku).usual([0.0, FAT]);
+        let found = found.advice(
+            "a few points far from the others dominate `sq` and `sku`, in groups that `despike` leaves as features; mark them as missing in the file",
+        );
+        (self.sku > FAT && !self.outliers.matter()).then_some(found)
+    }
+}
