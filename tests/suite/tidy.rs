@@ -9,7 +9,7 @@ const LINES: usize = 500;
 const COLUMNS: usize = 100;
 
 /// All Rust files of the workspace.
-fn rust_files() -> Vec<PathBuf> {
+pub fn rust_files() -> Vec<PathBuf> {
     let mut found = vec![];
     let mut folders: Vec<PathBuf> =
         ["crates", "tests", "xtask"].iter().map(|name| root().join(name)).collect();
@@ -30,7 +30,7 @@ fn rust_files() -> Vec<PathBuf> {
     found
 }
 
-fn root() -> &'static Path {
+pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
 }
 

@@ -122,20 +122,19 @@ impl Asked {
         [found, file.accepted(notes.into_iter().chain(of_flow).collect())]
     }
 
-    /// The model over its expected ratio to boundary elements, under the id by which it was asked
-    /// for.
+    /// The model over its expected ratio to boundary elements.
     ///
     /// # Errors
     /// Those of [`Corrected::of`], and the reason why no solved surface is like the scan.
-    pub fn corrected(&self, file: &SceneFile, id: &str) -> Result<Corrected, ContactError> {
+    pub fn corrected(&self, file: &SceneFile) -> Result<Corrected, ContactError> {
         let of_film = self.request.quantities.iter().filter(|quantity| quantity.is_of_film());
         let of_film = of_film.map(|quantity| {
             let what = format!("`{quantity}`, which follows from the film and is not corrected");
-            (*quantity, ContactError::Unsupported { model: id.into(), what })
+            (*quantity, ContactError::Unsupported { model: self.model.id().into(), what })
         });
         let refused = self.refused.iter().cloned().chain(of_film).collect();
         let contact = self.contact.clone();
-        Ok(Corrected::of(&self.model, contact, refused, file.surface_shape()?)?.named(id))
+        Corrected::of(&self.model, contact, refused, file.surface_shape()?)
     }
 
     /// The quantities that the model does not have, those of one reason together.

@@ -22,7 +22,7 @@ impl Inquiry<'_> {
     ) {
         let id = format!("{own}-corrected");
         let (rows, places) = (self.request.at.len(), self.place_heads().len());
-        let corrected = asked.corrected(self.file, own);
+        let corrected = asked.corrected(self.file);
         let (mut blanks, mut lighter, mut least) = (Blanks::default(), vec![], 0);
         let length = |separation: Option<Separation>, unit| {
             Cell::from(separation.and_then(|s| measured(self.file, &self.file.scene, s, unit).ok()))

@@ -1,12 +1,12 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
 use asperity::recommended::JKR;
-use asperity::{At, ContactError, Described, Evaluation, Findings, Quantity, Request};
+use asperity::{At, ContactError, Described, Evaluation, Findings, Model, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
 use crate::blanks::Blanks;
-use crate::models::{NamedModel, grouped, once, reason_alone};
+use crate::models::{grouped, once, reason_alone};
 use crate::sheet::warning;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -19,7 +19,7 @@ pub struct Inquiry<'s> {
     /// The scene.
     pub file: &'s SceneFile,
     /// The models, in the order of the rows.
-    pub models: Vec<NamedModel>,
+    pub models: Vec<Model>,
     /// Quantities, separations or loads, tolerance.
     pub request: Request,
     /// The columns beside each quantity.
@@ -42,7 +42,7 @@ pub enum Beside {
     /// A bound on its error: relative, but a difference for logarithms and shares.
     Errors,
     /// The deviation from this model, row by row in the order of places.
-    Deviations(NamedModel),
+    Deviations(Model),
     /// The ends of an interval, in rows that are corrected by solved surfaces.
     Intervals,
 }
@@ -50,7 +50,7 @@ pub enum Beside {
 impl<'s> Inquiry<'s> {
     /// An inquiry without further columns.
     #[must_use]
-    pub fn new(file: &'s SceneFile, models: Vec<NamedModel>, request: Request) -> Self {
+    pub fn new(file: &'s SceneFile, models: Vec<Model>, request: Request) -> Self {
         let beside = Beside::Nothing;
         let (all, films, at_defaults) = (false, false, false);
         Self { file, models, request, beside, all, films, at_defaults }
@@ -70,7 +70,7 @@ impl<'s> Inquiry<'s> {
             Beside::Deviations(reference) => Some(reference),
             _ => None,
         };
-        let models = self.models.iter().chain(reference).map(|(_, model)| model);
+        let models = self.models.iter().chain(reference);
         sheet.extend(self.file.accepted(self.file.other_joint(models).into_iter().collect()));
         if let Some(reference) = reference {
             self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
@@ -83,7 +83,7 @@ impl<'s> Inquiry<'s> {
                 sheet.rows.push(self.row(place, &line, wanted));
             })?;
             if matches!(self.beside, Beside::Intervals) {
-                self.add_corrected(&model.0, &asked, first, sheet, &mut found);
+                self.add_corrected(model.id(), &asked, first, sheet, &mut found);
             }
         }
         // All models of one place together.
@@ -159,12 +159,13 @@ impl<'s> Inquiry<'s> {
     /// Passes on the lines of one model, each with the cells of its place.
     fn ask(
         &self,
-        (id, model): &NamedModel,
+        model: &Model,
         found: &mut Found,
         sheet: &mut Sheet,
         watch: &dyn Watch,
         mut deliver: impl FnMut(&mut Sheet, Vec<Cell>, Line),
     ) -> Result<Asked, AnswerError> {
+        let id = model.id();
         watch.progress(id);
         let corrected = matches!(self.beside, Beside::Intervals);
         let asked = Asked::new(self.file, model, &self.request, (self.all, corrected));
@@ -176,7 +177,7 @@ impl<'s> Inquiry<'s> {
             error => error,
         };
         let asked = asked.map_err(placed)?;
-        found.lacking.extend(asked.refusals().into_iter().map(|reason| (reason, id.clone())));
+        found.lacking.extend(asked.refusals().into_iter().map(|reason| (reason, id.into())));
         // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
         let [of_places, notes] =
@@ -219,9 +220,9 @@ impl<'s> Inquiry<'s> {
         }
         let tension = |at: &At| at.load(&self.file.scene).is_some_and(|load| load < 0.0);
         if self.request.at.iter().any(tension) && !adhesive {
-            found.without_tension.push(id.clone());
+            found.without_tension.push(id.into());
         }
-        found.lacking.extend(blanks.texts(rows).map(|text| (text, id.clone())));
+        found.lacking.extend(blanks.texts(rows).map(|text| (text, id.into())));
         Ok(asked)
     }
 

@@ -33,7 +33,7 @@ pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
 pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
 pub use models::{
-    ALL_MODELS, NamedModel, models, once, one_model, one_or_usual, scene_findings, use_asperities,
+    ALL_MODELS, models, once, one_model, one_or_usual, scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use pull_off::pull_off;

@@ -13,30 +13,18 @@ use crate::{AnswerError, Sheet};
 /// The name in a list of models that stands for all that the scene allows.
 pub const ALL_MODELS: &str = "all";
 
-/// A model under its id.
-pub type NamedModel = (String, Model);
-
-/// A model with the scene's options.
-///
-/// # Errors
-/// Those of [`SceneFile::model`].
-pub(crate) fn named_model(file: &SceneFile, id: &str) -> Result<NamedModel, AnswerError> {
-    let model = file.model(id)?;
-    Ok((model.id().to_string(), model))
-}
-
 /// The one model of an answer, the usual one unless another is named; an error if the scene has
 /// not what it needs.
 ///
 /// # Errors
 /// An unknown name, and the reason why the scene refuses the model.
-pub fn one_model(file: &SceneFile, id: Option<&str>) -> Result<NamedModel, AnswerError> {
-    let named = named_model(file, id.unwrap_or(usual_reference(&file.scene)))?;
+pub fn one_model(file: &SceneFile, id: Option<&str>) -> Result<Model, AnswerError> {
+    let model = file.model(id.unwrap_or(usual_reference(&file.scene)))?;
     // Other models report what they lack with their answers.
-    let averaged = named.1.asperity_model().is_some();
-    match averaged.then(|| file.refusal(&named.1)).flatten() {
+    let averaged = model.asperity_model().is_some();
+    match averaged.then(|| file.refusal(&model)).flatten() {
         Some(reason) => Err(reason.into()),
-        None => Ok(named),
+        None => Ok(model),
     }
 }
 
@@ -49,18 +37,18 @@ pub fn one_or_usual(
     name: &str,
     id: Option<&str>,
     sheet: &mut Sheet,
-) -> Result<NamedModel, AnswerError> {
-    let named = one_model(file, id)?;
+) -> Result<Model, AnswerError> {
+    let model = one_model(file, id)?;
     let elastic = file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
     if id.is_none() && elastic {
         let text = format!(
             "the default model is {}, which ignores yielding, as hardness is missing; {YIELDING} need it",
-            named.0
+            model.id()
         );
         let found = Finding::note("default-model", "hardness", f64::NAN).fact(text);
         sheet.findings.push(found.from_origin(name));
     }
-    Ok(named)
+    Ok(model)
 }
 
 /// The models given, of which some may be refused where they are compiled, or all of those
@@ -74,10 +62,9 @@ pub fn models(
     allowed: fn(&SceneFile) -> (Vec<Model>, Vec<LeftOut>),
     quantities: &[Quantity],
     sheet: &mut Sheet,
-) -> Result<Vec<NamedModel>, AnswerError> {
-    let models: Vec<NamedModel> = if by_name(requested) {
-        let models = once(requested).into_iter();
-        models.map(|id| named_model(file, &id)).collect::<Result<_, _>>()?
+) -> Result<Vec<Model>, AnswerError> {
+    let models: Vec<Model> = if by_name(requested) {
+        once(requested).iter().map(|id| file.model(id)).collect::<Result<_, _>>()?
     } else {
         let (mut models, mut left_out) = allowed(file);
         let request = Request::new(quantities.iter().copied());
@@ -92,12 +79,12 @@ pub fn models(
         for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
             sheet.note("left-out", format!("left out: {text}"));
         }
-        models.into_iter().map(|model| (model.id().to_string(), model)).collect()
+        models
     };
     if models.is_empty() {
         return Err("no model is available for this scene".into());
     }
-    if !models.iter().all(|(_, model)| model.validity().adhesive) {
+    if !models.iter().all(|model| model.validity().adhesive) {
         note_adhesion(file, sheet);
     }
     Ok(models)

@@ -1,13 +1,15 @@
 //! The largest tension of surfaces with adhesion.
 
 use asperity::recommended::{DMT, JKR_SEPARATION};
-use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
+use asperity::{
+    ContactModel, Described, Model, Quantity, Request, Scene, SeparationUnit, Tolerance, short,
+};
 use asperity_inputs::SceneFile;
 
 use crate::models::note_adhesion;
 use crate::number::rounded;
 use crate::subject::measured;
-use crate::{AnswerError, Cell, NamedModel, Sheet};
+use crate::{AnswerError, Cell, Sheet};
 
 /// Tension \[% of that of asperities of equal height\] below which there is practically none.
 const SMALLEST: f64 = 1e-6;
@@ -19,7 +21,7 @@ const SMALLEST: f64 = 1e-6;
 /// Those of the models on the scene.
 pub fn pull_off(
     file: &SceneFile,
-    models: &[NamedModel],
+    models: &[Model],
     tolerance: Tolerance,
     sheet: &mut Sheet,
 ) -> Result<(), AnswerError> {
@@ -27,7 +29,8 @@ pub fn pull_off(
     let scene = &file.scene;
     sheet.under(&[&heads]);
     note_adhesion(file, sheet);
-    for (id, model) in models {
+    for model in models {
+        let id = model.id();
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let contact = model.compile(scene, &request);
         let found = contact.and_then(|contact| asperity::pull_off(&*contact));

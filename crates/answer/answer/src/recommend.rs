@@ -7,7 +7,7 @@ use asperity::{
 use asperity_inputs::SceneFile;
 
 use crate::inquiry::column_beside;
-use crate::models::{NamedModel, by_reason, models, one_model};
+use crate::models::{by_reason, models, one_model};
 use crate::{AnswerError, Cell, Sheet};
 
 /// What the sheet of a recommendation is about.
@@ -79,7 +79,7 @@ impl Recommend<'_> {
         // Persson's theory has evidence, too.
         let allowed = SceneFile::models_beside_bem;
         let models = models(file, self.models, allowed, &self.request.quantities, sheet)?;
-        self.answer_of(file, models.into_iter().map(|(_, model)| model).collect(), reference, sheet)
+        self.answer_of(file, models, reference, sheet)
     }
 
     /// Fills a sheet likewise, for models and a reference that are not named by ids.
@@ -90,15 +90,16 @@ impl Recommend<'_> {
         &self,
         file: &SceneFile,
         models: Vec<Model>,
-        (id, reference): NamedModel,
+        reference: Model,
         sheet: &mut Sheet,
     ) -> Result<Recommendation, AnswerError> {
         let Self { request, within, .. } = self;
         let other = file.other_joint(models.iter().chain([&reference]));
         sheet.extend(file.accepted(other.into_iter().collect()));
-        let advice = file
-            .recommend_among(models, request, &reference, *within)
-            .map_err(|error| AnswerError::from(error).of_model(&format!("the reference {id}")))?;
+        let advice =
+            file.recommend_among(models, request, &reference, *within).map_err(|error| {
+                AnswerError::from(error).of_model(&format!("the reference {reference}"))
+            })?;
 
         let unloading = advice.compared.contains(&Compared::UnloadingStiffness);
         let off = if unloading { &OFF[..] } else { &OFF[..2] };

@@ -68,7 +68,7 @@ impl Subject<'_> {
 
     /// The scene over whose heights the model averages.
     pub(crate) fn scene(&self) -> Result<Cow<'_, Scene>, ContactError> {
-        (**self.model).averaged_over(&self.file.scene)
+        self.model.scene_of(&self.file.scene)
     }
 
     /// A separation from the plane of the scene, in this unit.

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Finding, Findings, Severity, Tolerance};
-pub use asperity_answer::{ALL_MODELS, NamedModel};
+use asperity::{Described, Finding, Findings, Model, Severity, Tolerance};
+pub use asperity_answer::ALL_MODELS;
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
@@ -95,7 +95,8 @@ impl LoadedScene {
     }
 
     /// A model on this scene, with a tolerance of its values.
-    pub fn subject<'a>(&'a self, (id, model): &'a NamedModel, tolerance: Tolerance) -> Subject<'a> {
+    pub fn subject<'a>(&'a self, model: &'a Model, tolerance: Tolerance) -> Subject<'a> {
+        let id = model.id();
         Subject { file: &self.file, name: &self.name, id, model, tolerance }
     }
 
@@ -125,12 +126,12 @@ impl LoadedScene {
 
     /// The model of this id, or the usual one, with the scene's options; an error if the scene has
     /// not what it needs.
-    pub fn model(&self, requested: Option<&str>) -> Result<NamedModel> {
+    pub fn model(&self, requested: Option<&str>) -> Result<Model> {
         self.answer(|_| one_model(&self.file, requested)).map(|(_, model)| model)
     }
 
     /// The same with a note where the usual one may ignore a hardness that was forgotten.
-    pub fn one_or_usual(&self, id: Option<&str>) -> Result<NamedModel> {
+    pub fn one_or_usual(&self, id: Option<&str>) -> Result<Model> {
         Ok(self.answer(|sheet| one_or_usual(&self.file, &self.name, id, sheet))?.1)
     }
 }

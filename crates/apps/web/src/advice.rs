@@ -307,7 +307,7 @@ mod tests {
         assert_eq!(answer["source"], "evidence");
         let file = [asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap()];
         let corrected = crate::answer::compile(&file, "ke").unwrap();
-        let corrected = corrected[0].corrected(&file[0], "ke").unwrap();
+        let corrected = corrected[0].corrected(&file[0]).unwrap();
         let wanted = corrected.at(At::Pressure(1e6)).unwrap();
         let wanted = wanted.value(asperity::Quantity::AreaFraction).unwrap();
         let area = &answer["first"][0];

@@ -212,7 +212,7 @@ impl Desk {
         };
         let rows: Vec<Row> = models.iter().map(|id| row(id)).collect();
         let corrected = corrected.entry(id).or_insert_with(|| match compiled.get(id) {
-            Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file, id),
+            Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file),
             _ => Err(ContactError::NoEvidence { reason: format!("{id} has no values") }),
         });
         let corrected = corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at));

@@ -33,8 +33,8 @@ fn guide(id: &str) -> String {
 /// law has a kink or a jump, the range, and the asperity.
 pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
     let model = file.model(id)?;
-    let Some(asperity_model) = model.asperity_model().filter(|m| m.of_one_contact().is_none())
-    else {
+    let one = model.asperity_model().filter(|_| model.sum_of_contacts().is_none());
+    let Some(asperity_model) = one else {
         let name = model_name(&model);
         return Err(Refusal::new(format!("{name} has no law of a single asperity")));
     };

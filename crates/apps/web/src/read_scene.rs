@@ -70,7 +70,7 @@ fn models(file: &SceneFile) -> Value {
             // Averages over contact angles take seconds to prepare.
             "slow": model.validity().angles,
             // Theories of the whole surface have no law of one asperity, and variants another.
-            "whole": model.asperity_model().is_none_or(|m| m.of_one_contact().is_some()),
+            "whole": model.asperity_model().is_none() || model.sum_of_contacts().is_some(),
             "equal": model.equal().id(),
             "reason": reason,
         })

@@ -2,6 +2,7 @@
 
 mod options;
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Deref;
 use std::str::FromStr;
@@ -18,7 +19,7 @@ use crate::{
     Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
     Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
-    Validity, ZhaoMaiettaChang, nearest_name,
+    SumOfContacts, Validity, ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -242,6 +243,14 @@ impl Described for Model {
 impl ContactModel for Model {
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         self.model.asperity_model()
+    }
+
+    fn sum_of_contacts(&self) -> Option<SumOfContacts> {
+        self.model.sum_of_contacts()
+    }
+
+    fn scene_of<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
+        self.model.scene_of(scene)
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {

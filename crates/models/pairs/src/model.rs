@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, ContactError, ContactModel, HeightDistribution, IsVariant, Law,
-    OneContact, Scene, Tolerance, Variant,
+    Asperity, AsperityModel, Contact, ContactError, ContactModel, HeightDistribution, IsVariant,
+    Law, Request, Scene, SumOfContacts, Variant, compile_laws,
 };
 
 use crate::integral::integral;
@@ -29,24 +29,6 @@ impl AsperityPairs {
         variant.validity.hertz_limit = None;
         Self(variant)
     }
-
-    /// The law of an asperity; `one` is that of one of its contacts.
-    fn law(
-        &self,
-        asperity: &Asperity,
-        one: impl Fn(&dyn AsperityModel, &Asperity) -> Result<Law, ContactError>,
-    ) -> Result<Law, ContactError> {
-        sum(
-            one(self.0.laws(&HeightDistribution::Gaussian)?, &self.one_contact(asperity))?,
-            asperity,
-        )
-    }
-
-    /// An asperity as the law of one contact sees it: with a density if that depends on it.
-    fn one_contact(&self, asperity: &Asperity) -> Asperity {
-        let density = asperity.density.filter(|_| self.0.model().validity().density);
-        Asperity { density, ..*asperity }
-    }
 }
 
 /// The law of an asperity from that of one of its contacts.
@@ -68,43 +50,21 @@ impl IsVariant for AsperityPairs {
     }
 }
 
-impl AsperityModel for AsperityPairs {
-    fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
+impl ContactModel for AsperityPairs {
+    fn asperity_model(&self) -> Option<&dyn AsperityModel> {
+        self.0.laws(&HeightDistribution::Gaussian).ok()
+    }
+
+    fn sum_of_contacts(&self) -> Option<SumOfContacts> {
+        Some(sum)
+    }
+
+    fn scene_of<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
         self.0.laws(&scene.heights)?;
         Ok(Cow::Owned(scene.of_contacts()?))
     }
 
-    fn of_one_contact(&self) -> Option<OneContact<'_>> {
-        Some(OneContact { model: self.0.model().asperity_model()?, sum })
-    }
-
-    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one, own| one.force(own, tolerance))
-    }
-
-    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one, own| one.area(own, tolerance))
-    }
-
-    fn stiffness(
-        &self,
-        asperity: &Asperity,
-        tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        let laws = self.0.laws(&HeightDistribution::Gaussian)?;
-        let one = laws.stiffness(&self.one_contact(asperity), tolerance)?;
-        one.map(|one| sum(one, asperity)).transpose()
-    }
-
-    fn contacts(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        self.law(asperity, |one, own| one.contacts(own, tolerance))
-    }
-
-    fn contact_radius(
-        &self,
-        asperity: &Asperity,
-        tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
-        self.law(asperity, |one, own| one.contact_radius(own, tolerance))
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        compile_laws(self, scene, request)
     }
 }

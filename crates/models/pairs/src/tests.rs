@@ -289,7 +289,8 @@ fn what_is_refused_has_its_reason() {
     scene.heights = HeightDistribution::Exponential;
     assert!(refused(&model("gw"), &scene).contains("heights must be Gaussian"));
     let alone = Asperity::new(&scene.interface, 1e-4).unwrap();
-    let message = model("gw").force(&alone, Tolerance::default()).unwrap_err().to_string();
+    let message =
+        model("gw").law(&alone, Quantity::Force, Tolerance::default()).unwrap_err().to_string();
     assert!(
         message.starts_with("asperity_density is missing: models of pairs need it"),
         "{message}"

@@ -1,7 +1,7 @@
 //! Persson's theory applied to a scene.
 
 use asperity_core::{
-    At, Contact, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
+    At, ContactEngine, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
     SeparationUnit, positive, short,
 };
 use asperity_quadrature::QuadratureError;
@@ -105,7 +105,7 @@ fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactEr
     move |source| ContactError::Integral { quantity, at, source }
 }
 
-impl Contact for OnScene {
+impl ContactEngine for OnScene {
     fn model(&self) -> &str {
         self.model.id()
     }

@@ -1,8 +1,8 @@
 //! A law of one asperity on a random surface, as a contact model.
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant, Part,
-    QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
+    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant,
+    Part, QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
     Variant,
 };
 
@@ -119,7 +119,7 @@ impl OnScene {
     }
 }
 
-impl Contact for OnScene {
+impl ContactEngine for OnScene {
     fn model(&self) -> &str {
         self.averaged.model()
     }

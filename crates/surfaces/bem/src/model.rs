@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
-    Findings, Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit,
+    At, Citation, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation,
+    Finding, Findings, Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit,
     Validity,
 };
 
@@ -231,7 +231,7 @@ fn same(one: LoadCase, other: LoadCase) -> bool {
     }
 }
 
-impl Contact for OnScene {
+impl ContactEngine for OnScene {
     fn model(&self) -> &str {
         SOURCE.id
     }

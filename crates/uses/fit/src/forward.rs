@@ -248,7 +248,7 @@ impl<'f> Forward<'f> {
     /// The reading of the separation under a load.
     fn separation(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Predicted {
         let (unit, from) = (SeparationUnit::Metres, self.data.datum());
-        let scene = self.model.averaged_over(on.scene)?;
+        let scene = self.model.scene_of(on.scene)?;
         let separation = on.separation(at)?.measured_in(unit, from, &scene)?;
         let load = at.load(on.scene).unwrap_or(0.0);
         Ok(separation.value + rig.separation_offset - rig.series_compliance * load)
@@ -257,7 +257,7 @@ impl<'f> Forward<'f> {
     /// Where the model is asked: a load as it is, a reading of a separation as the separation.
     fn place(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Result<At, ContactError> {
         let At::Separation(reading) = at else { return Ok(at) };
-        let own = self.model.averaged_over(on.scene)?;
+        let own = self.model.scene_of(on.scene)?;
         let reading = reading.measured_in(SeparationUnit::Metres, reading.from, &own)?;
         let unloaded = reading.value - rig.separation_offset;
         let mut at = At::from(Separation { value: unloaded, ..reading });

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Law, OneContact, QuadratureError, SumOfContacts,
-    Tolerance, positive,
+    Asperity, ContactError, ContactModel, Law, QuadratureError, SumOfContacts, Tolerance, positive,
 };
 
 use crate::UnloadingLaw;
@@ -81,10 +80,7 @@ impl AsperityLaws {
         let one = model.asperity_model().ok_or_else(|| {
             unsupported("these need a model of asperities of one radius, such as `ke`")
         })?;
-        let (one, sum) = match one.of_one_contact() {
-            Some(OneContact { model, sum }) => (model, Some(sum)),
-            None => (one, None),
-        };
+        let sum = model.sum_of_contacts();
         let force = tabulated(one.force(&asperity, tolerance)?);
         let area = tabulated(one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();

@@ -1,8 +1,8 @@
 //! Correlations of conductance on scenes, and the contacts that they describe.
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Described, Evaluation, Finding, Provenance,
-    Quantity, Request, Scene, Validity, short,
+    At, Citation, Contact, ContactEngine, ContactError, ContactModel, Described, Evaluation,
+    Finding, Provenance, Quantity, Request, Scene, Validity, short,
 };
 use serde::{Deserialize, Serialize};
 
@@ -217,7 +217,7 @@ impl Correlating {
     }
 }
 
-impl Contact for Correlating {
+impl ContactEngine for Correlating {
     fn model(&self) -> &str {
         self.model.correlation.id()
     }

@@ -1,6 +1,5 @@
 //! A joint: a model's contact on a scene, closed and opened.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use asperity_core::{
@@ -38,11 +37,8 @@ impl Joint {
         law: UnloadingLaw,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let averaged = match model.asperity_model() {
-            Some(one) => one.averaged_over(scene)?,
-            None => Cow::Borrowed(scene),
-        };
-        let loading = AsperityLaws::new(model, averaged.asperity()?, law, tolerance)?;
+        let asperity = model.scene_of(scene)?.asperity()?;
+        let loading = AsperityLaws::new(model, asperity, law, tolerance)?;
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
             source: *model.citation(),

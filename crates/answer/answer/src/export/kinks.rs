@@ -1,6 +1,6 @@
 //! Separations at which the force of a model may have a kink.
 
-use asperity::{ContactError, ContactModel};
+use asperity::{AsperityModel, ContactError, ContactModel};
 
 use crate::subject::Subject;
 
@@ -19,10 +19,8 @@ pub(crate) fn kinks(subject: &Subject<'_>) -> Result<Vec<f64>, ContactError> {
     if breaks.is_empty() {
         return Ok(vec![]);
     }
-    let law = match model.asperity_model() {
-        Some(model) => Some(model.force(&scene.asperity()?, tolerance)?),
-        None => None,
-    };
+    let force = |model: &dyn AsperityModel| model.force(&scene.asperity()?, tolerance);
+    let law = model.asperity_model().map(force).transpose()?;
     // Onset of contact, and the kinks of the law, as interferences [m].
     let mut interferences = vec![law.as_ref().map_or(0.0, |law| law.onset * law.interference_unit)];
     if let Some(law) = &law {

@@ -55,7 +55,6 @@ pub fn truth(
     watch: &dyn Watch,
 ) -> Result<(), AnswerError> {
     let models = models::models(of.0, models, SceneFile::models_beside_bem, &[], sheet)?;
-    let models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
     truth_of(of, &models, pressures, quantities, refine, sheet, watch)
 }
 

@@ -52,7 +52,7 @@ impl Check {
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
             let middle = LoadedScene { file: scene.file.middle()?, name: scene.name.clone() };
-            let (_, model) = middle.model(self.model.as_deref())?;
+            let model = middle.model(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)
         });
         let (mut checked, refused) = match answered {

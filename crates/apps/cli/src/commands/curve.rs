@@ -155,9 +155,9 @@ impl Curve {
             models(&scene.file, &self.asked.models, SceneFile::models, &request.quantities, sheet)
         };
         let mut plans = String::new();
-        for (id, model) in scene.answer(find)?.1 {
+        for model in scene.answer(find)?.1 {
             let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));
-            plans += &plan.with_context(|| format!("{}: {id}", scene.name))?.to_string();
+            plans += &plan.with_context(|| format!("{}: {model}", scene.name))?.to_string();
         }
         self.output.output.write_text(&plans)
     }

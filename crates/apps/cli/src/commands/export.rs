@@ -117,7 +117,7 @@ impl ExportCommand {
         }
         valid("export", self.format.check(self.conductance, self.friction));
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
-        let named = scene.model(Some(&self.model))?;
+        let model = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;
             let ends = [span.first, span.last];
@@ -130,9 +130,9 @@ impl ExportCommand {
             _ if film.is_some() => Separation::metres(value).from_surface_mean().into(),
             _ => Separation::film_ratio(value).into(),
         });
-        scene.report(scene.file.findings_at(&named.1, &ends));
+        scene.report(scene.file.findings_at(&model, &ends));
         let export = Export {
-            subject: scene.subject(&named, Tolerance::default()),
+            subject: scene.subject(&model, Tolerance::default()),
             ends,
             nodes: span.count.unwrap_or(2),
             log: span.log,

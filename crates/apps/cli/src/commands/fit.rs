@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
 use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, rank};
+use asperity::{Described, Model};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
@@ -19,7 +20,7 @@ use crate::output::fit_report::table;
 use crate::output::plot::{PANEL, POINTS, Plot};
 use crate::output::table::Format;
 use crate::output::{self, progress, show};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::scene::LoadedScene;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
 #[derive(Debug, Args)]
@@ -68,7 +69,7 @@ impl FitCommand {
             let text = "--model bem: boundary elements are not fitted; `asperity list models` lists other models";
             valid("fit", Err(text))
         }
-        let models: Vec<NamedModel> = match &self.models[..] {
+        let models: Vec<Model> = match &self.models[..] {
             [] => vec![scene.one_or_usual(None)?],
             ids => {
                 output::once(ids).iter().map(|id| scene.model(Some(id))).collect::<Result<_>>()?
@@ -90,11 +91,12 @@ impl FitCommand {
         &self,
         scene: &LoadedScene,
         data: &Data,
-        models: &[NamedModel],
+        models: &[Model],
     ) -> Result<(Vec<Fitted>, bool)> {
         interrupt::listen()?;
         let mut fitted = vec![];
-        for (id, model) in models {
+        for model in models {
+            let id = model.id();
             let bar = progress(id);
             let mut watch = |state: &Progress| {
                 let (starts, evaluations) = (state.starts.max(1), state.evaluations);
@@ -105,11 +107,7 @@ impl FitCommand {
                 }
             };
             match scene.file.fit(model, data, &self.free, &mut watch) {
-                Ok(mut found) => {
-                    // The name in the result, where options of the scene give the model another.
-                    found.model.clone_from(id);
-                    fitted.push(found);
-                }
+                Ok(found) => fitted.push(found),
                 Err(SceneError::Fit(FitError::Interrupted)) => return Ok((fitted, true)),
                 Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
                     output::warn("left-out", format!("left out: {error}"));
@@ -136,7 +134,7 @@ impl FitCommand {
         &self,
         scene: &LoadedScene,
         data: &Data,
-        models: &[NamedModel],
+        models: &[Model],
         ranked: &[Fitted],
     ) -> Result<()> {
         show(&scene.file.findings_of_fits(ranked));
@@ -179,7 +177,7 @@ const CURVE: usize = 101;
 fn picture(
     scene: &LoadedScene,
     data: &Data,
-    models: &[NamedModel],
+    models: &[Model],
     ranked: &[Fitted],
 ) -> Result<String> {
     let pair = |one: &Observation| [one.place().0.to_string(), one.measured.column()];
@@ -201,9 +199,9 @@ fn picture(
     };
     let between = data.between(CURVE);
     for fitted in ranked {
-        let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
+        let Some(model) = models.iter().find(|model| model.id() == fitted.model) else { continue };
         let values = scene.file.fitted_values(model, fitted, &between)?;
-        between.iter().zip(values).for_each(|(one, value)| add(id, one, value));
+        between.iter().zip(values).for_each(|(one, value)| add(model.id(), one, value));
     }
     data.iter().for_each(|one| add(POINTS, one, Some(one.value)));
     plot.svg(&sheet)

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
-use asperity::{At, SeparationUnit, Tolerance};
+use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
@@ -19,7 +19,7 @@ use crate::input::usage_error;
 use crate::interrupt::terminal;
 use crate::output::plot::Plot;
 use crate::output::{contact_map, once};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::scene::LoadedScene;
 
 /// Shifts of a loop by default, and on a scan, where each is solved.
 const POINTS: [usize; 2] = [101, 21];
@@ -113,7 +113,7 @@ fn retreats(text: &str) -> Result<Distances, String> {
 
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
-    fn all(&self, scene: &LoadedScene, (_, model): &NamedModel) -> Vec<At> {
+    fn all(&self, scene: &LoadedScene, model: &Model) -> Vec<At> {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
         for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
@@ -137,8 +137,8 @@ impl Joint {
         let ids = self.model.as_slice();
         let press = self.press.of_models("joint", ids);
         let scene = LoadedScene::load_pressing(&self.scene, ids, press)?;
-        let named = scene.one_or_usual(self.model.as_deref())?;
-        let (laws, is_scan) = (once(&self.laws), named.0 == Bem::ID);
+        let model = scene.one_or_usual(self.model.as_deref())?;
+        let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
@@ -150,12 +150,12 @@ impl Joint {
         if self.friction.is_some() && laws.len() > 1 {
             usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
-        let places = self.place.all(&scene, &named);
+        let places = self.place.all(&scene, &model);
         if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
             let text = "--stick-map needs --model bem and one load";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
-        let subject = scene.subject(&named, self.tolerance);
+        let subject = scene.subject(&model, self.tolerance);
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }

@@ -23,12 +23,12 @@ pub fn pull_off(asked: ModelArgs, output: &OutputArgs) -> Result<()> {
     };
     let mut models = vec![];
     for id in once(&ids) {
-        let named = scene.model(Some(&id))?;
-        if !named.1.validity().adhesive {
+        let model = scene.model(Some(&id))?;
+        if !model.validity().adhesive {
             let text = format!("{id} has no adhesion; use dmt, jkr or jkr-separation");
             valid("curve", Err(text))
         }
-        models.push(named);
+        models.push(model);
     }
     let (sheet, ()) = scene
         .answer(|sheet| asperity_answer::pull_off(&scene.file, &models, asked.tolerance, sheet))?;

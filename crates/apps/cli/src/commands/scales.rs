@@ -81,9 +81,11 @@ impl Scales {
             let number = |(_, number): (&str, Number)| number(&found.as_ref().ok()?.0);
             let mut numbers = COLUMNS.map(number).to_vec();
             match (found.and_then(|(s, smooth)| Ok((s.surface()?, smooth))), &asked, at) {
-                (Ok((asperities, smooth)), Some((scene, (id, _))), Some(at)) => {
+                (Ok((asperities, smooth)), Some((scene, model)), Some(at)) => {
                     let file = scene.file.with_scan(asperities, smooth);
-                    numbers.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
+                    numbers.extend(
+                        answers(&file, model.id(), at).with_context(|| scene.name.clone())?,
+                    );
                 }
                 (Err(reason), ..) => {
                     let reason =

@@ -154,12 +154,12 @@ pub(crate) fn recommend<'py>(
 ) -> PyResult<Table<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    let (mut sheet, id) = (Sheet::default(), asked.model.id().to_string());
+    let (mut sheet, reference) = (Sheet::default(), asked.model.clone());
     let among = models_among(file, &engines, &request.quantities, &mut sheet)?;
     let (models, at_defaults) = (&[][..], false);
-    let question = Recommend { models, reference: Some(&id), within, request, at_defaults };
-    let reference = (id.clone(), asked.model.clone());
-    let found = py.detach(|| question.answer_of(file, among, reference, &mut sheet));
+    let question =
+        Recommend { models, reference: Some(reference.id()), within, request, at_defaults };
+    let found = py.detach(|| question.answer_of(file, among, reference.clone(), &mut sheet));
     answered(found.map(drop), &engines, &sheet)?;
     table(py, &sheet)
 }
@@ -169,10 +169,8 @@ pub(crate) fn recommend<'py>(
 pub(crate) fn corrected<'py>(py: Python<'py>, asked: Arguments<'_>) -> PyResult<Table<'py>> {
     let asked = Asked::new(asked)?;
     let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    // Under the id by which the model was asked for.
-    let named = (asked.engine().id_asked(&asked.model), asked.model.clone());
     let mut sheet = Sheet::default();
-    let mut inquiry = Inquiry::new(file, vec![named], request);
+    let mut inquiry = Inquiry::new(file, vec![asked.model.clone()], request);
     inquiry.beside = Beside::Intervals;
     let found = run_interruptible(py, |stop| inquiry.answer(&mut sheet, stop))?;
     found.map_err(value_error)?;

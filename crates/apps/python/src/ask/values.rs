@@ -76,7 +76,7 @@ pub(crate) fn separations<'py>(
         let one = |(row, case, found): (usize, Option<Case>, Result<f64, ContactError>)| {
             let found = found?;
             case.map_or(Ok(found), |case| {
-                let scene = (*asked.model).averaged_over(&case.scene)?;
+                let scene = asked.model.scene_of(&case.scene)?;
                 Ok(unit.of(Separation::sigmas(found), rows.datum(row), &scene)?)
             })
         };

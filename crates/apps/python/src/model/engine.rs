@@ -166,13 +166,6 @@ impl Engine {
         }
     }
 
-    /// The id of the model with its own options, without those of a scene; that of `model` if it
-    /// is written in Python or exists on a scan only.
-    pub(crate) fn id_asked(&self, model: &Model) -> String {
-        let own = self.alone().ok().flatten().filter(|_| !self.is_written());
-        own.as_ref().unwrap_or(model).id().to_string()
-    }
-
     /// The model's id and its own options: options of other models may differ between scenes.
     fn own_options(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
         let (model, all) = (self.with(options, None)?, self.options(options)?);

@@ -110,7 +110,6 @@ impl Check {
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(contact, place, contacts))
             && let Some(laws) = model.asperity_model()
-            && let laws = laws.of_one_contact().map_or(laws, |one| one.model)
             && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
             && let Some(deep) = Interferences::of(contact, &law, place)?
         {

@@ -13,7 +13,8 @@ use crate::engine::row_integrals::{RowIntegrals, answers};
 use crate::request::separation::SeparationInSigma;
 use crate::response::{Response, respond};
 use crate::{
-    At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
+    At, Contact, ContactEngine, ContactError, Evaluation, Plan, Quantity, Request, Scene,
+    Separation, Share,
 };
 
 /// Loads whose separations are kept: more than few are asked of tables.
@@ -56,7 +57,7 @@ impl Alone {
     }
 }
 
-impl Contact for Alone {
+impl ContactEngine for Alone {
     fn model(&self) -> &str {
         &self.facts.model
     }
@@ -113,7 +114,7 @@ impl Contact for Alone {
         self.on(&self.scene)?.plan(request)
     }
 
-    fn respond(&self, request: &Request) -> Response {
+    fn respond_to(&self, request: &Request) -> Response {
         let columns = |places: &[At]| {
             let mut columns = empty(&request.quantities, places);
             for at in places {

@@ -8,7 +8,7 @@ use crate::error::require;
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::LOWEST;
 use crate::response::row_check::CANCELLED;
-use crate::{At, Contact, ContactError, Quantity};
+use crate::{At, ContactEngine, ContactError, Quantity};
 
 /// Number of values computed one by one if an array of them is not possible.
 const FALLBACK_BLOCK: usize = 16_384;
@@ -42,7 +42,7 @@ impl FillReport {
 /// Fills a column for each quantity: from `prepared` integrals where the quantity is a multiple of
 /// one, otherwise value by value.
 pub(crate) fn fill(
-    contact: &(impl Contact + ?Sized),
+    contact: &(impl ContactEngine + ?Sized),
     prepared: Option<&Prepared>,
     quantities: &[Quantity],
     separations: &[f64],
@@ -80,7 +80,7 @@ fn check(
 }
 
 fn one_by_one(
-    contact: &(impl Contact + ?Sized),
+    contact: &(impl ContactEngine + ?Sized),
     quantity: Quantity,
     separations: &[f64],
     values: &mut [f64],

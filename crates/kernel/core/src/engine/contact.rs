@@ -11,10 +11,11 @@ use crate::engine::prepared::Prepared;
 use crate::engine::row_integrals::RowIntegrals;
 use crate::response::Response;
 use crate::{
-    At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
+    At, Contact, ContactEngine, ContactError, Evaluation, Plan, Quantity, Request, Scene,
+    Separation, Share,
 };
 
-impl Contact for Prepared {
+impl ContactEngine for Prepared {
     fn model(&self) -> &str {
         &self.facts.model
     }
@@ -76,7 +77,7 @@ impl Contact for Prepared {
         self.facts.on(scene)
     }
 
-    fn respond(&self, request: &Request) -> Response {
+    fn respond_to(&self, request: &Request) -> Response {
         answer_prepared(self, request)
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use asperity_quadrature::Sampler;
 
 use crate::engine::inverse::force_at::{CachedFalls, Falls};
-use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
+use crate::{Asperity, At, ContactError, ContactModel, Law, Quantity, Scene, Tolerance, Validity};
 
 /// The laws of one asperity that quantities follow from.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ pub(crate) struct Laws {
 impl Laws {
     /// Those that these quantities need, and the force's if any place is a load.
     pub(crate) fn new(
-        model: &dyn AsperityModel,
+        model: &(impl ContactModel + ?Sized),
         asperity: Asperity,
         quantities: &[Quantity],
         by_load: bool,
@@ -46,9 +46,13 @@ impl Laws {
         };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
-                let own = model.stiffness(&asperity, tolerance)?;
-                found.own_stiffness = own.is_some();
-                found.laws.extend(own.map(|law| (quantity, Arc::new(law))));
+                match model.law(&asperity, quantity, tolerance) {
+                    Err(ContactError::NoLaw { .. }) => {}
+                    own => {
+                        found.own_stiffness = true;
+                        found.laws.push((quantity, Arc::new(own?)));
+                    }
+                }
             }
             for base in quantity.laws(found.own_stiffness) {
                 if found.law(base).is_none() {

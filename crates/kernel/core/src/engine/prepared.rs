@@ -12,7 +12,7 @@ use crate::engine::law_units::LawUnits;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;
-use crate::{AsperityModel, At, Contact, ContactError, Law, Quantity, Request, Scene};
+use crate::{At, Contact, ContactError, ContactModel, Law, Quantity, Request, Scene};
 
 /// The part of a request that does not depend on the surface.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ impl Facts {
     /// # Errors
     /// For inputs that are missing, and those of [`Laws::new`].
     pub(crate) fn new(
-        model: &dyn AsperityModel,
+        model: &(impl ContactModel + ?Sized),
         scene: &Scene,
         request: &Request,
     ) -> Result<Arc<Self>, ContactError> {

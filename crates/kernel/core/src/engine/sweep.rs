@@ -53,7 +53,7 @@ impl<'m> Sweep<'m> {
     ///
     /// # Errors
     /// Those of [`ContactModel::compile`] and
-    /// [`Contact::evaluate_at`](crate::Contact::evaluate_at).
+    /// [`ContactEngine::evaluate_at`](crate::ContactEngine::evaluate_at).
     pub fn evaluate(&self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
         Worker::new(self).run(std::slice::from_ref(case)).pop().unwrap_or(Ok(vec![]))
     }
@@ -74,14 +74,13 @@ impl<'m> Sweep<'m> {
     /// or threads.
     fn run_length(&self, cases: &[Case]) -> usize {
         let is_slow = |case: &Case| {
-            // Without laws of an asperity each case is compiled.
-            let Some(model) = self.model.asperity_model() else { return true };
-            let Self { quantities, tolerance, .. } = self;
-            let asperity = model.averaged_over(&case.scene).and_then(|scene| scene.asperity());
+            let Self { model, quantities, tolerance, .. } = self;
+            let asperity = model.scene_of(&case.scene).and_then(|scene| scene.asperity());
             let laws = asperity.and_then(|asperity| {
-                Laws::new(model, asperity, quantities, any_load(&[case.at]), *tolerance)
+                Laws::new(*model, asperity, quantities, any_load(&[case.at]), *tolerance)
             });
-            laws.is_ok_and(|laws| laws.are_costly())
+            // Without laws of an asperity each case is compiled.
+            model.asperity_model().is_none() || laws.is_ok_and(|laws| laws.are_costly())
         };
         if cases.first().is_some_and(is_slow) { SLOW_CASES_PER_RUN } else { CASES_PER_RUN }
     }

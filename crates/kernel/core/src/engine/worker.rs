@@ -8,9 +8,7 @@ use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::laws::{Laws, any_load};
 use crate::engine::row_integrals::RowIntegrals;
 use crate::engine::shapes::RecentShapes;
-use crate::{
-    AsperityModel, At, Case, Contact, ContactError, Evaluation, Quantity, Request, Scene, Sweep,
-};
+use crate::{At, Case, Contact, ContactError, Evaluation, Quantity, Request, Scene, Sweep};
 
 /// One thread's view of a sweep.
 pub(crate) struct Worker<'s> {
@@ -26,13 +24,13 @@ impl<'s> Worker<'s> {
     /// All quantities of each case.
     pub(crate) fn run(&mut self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
         let quantities = &self.sweep.quantities;
-        let Some(model) = self.sweep.model.asperity_model() else {
+        if self.sweep.model.asperity_model().is_none() {
             let each = |contact: &dyn Contact, case: &Case| {
                 quantities.iter().map(|quantity| contact.evaluate_at(*quantity, case.at)).collect()
             };
             return self.compiled(quantities, cases, each);
-        };
-        self.walk(model, cases, |integrals, at| {
+        }
+        self.walk(cases, |integrals, at| {
             let mut row = RowIntegrals::<_>::new(integrals, quantities, &at)?;
             quantities.iter().map(|quantity| row.quantity(*quantity)).collect()
         })
@@ -40,29 +38,28 @@ impl<'s> Worker<'s> {
 
     /// The separation of each case.
     pub(crate) fn separations(&mut self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        let Some(model) = self.sweep.model.asperity_model() else {
+        if self.sweep.model.asperity_model().is_none() {
             let separation = |contact: &dyn Contact, case: &Case| {
                 Ok(contact.separation(case.at)?.in_sigma(&case.scene)?.s)
             };
             return self.compiled(&[Quantity::Force], cases, separation);
-        };
-        self.walk(model, cases, |integrals, at| Ok(separation_at(integrals, &at)?.s))
+        }
+        self.walk(cases, |integrals, at| Ok(separation_at(integrals, &at)?.s))
     }
 
     /// `answer` of every case, with its laws and those of its neighbours at hand.
     fn walk<T>(
         &mut self,
-        model: &dyn AsperityModel,
         cases: &[Case],
         answer: impl Fn(&mut CaseIntegrals<'_>, At) -> Result<T, ContactError>,
     ) -> Vec<Result<T, ContactError>> {
         let mut before: Option<Rc<Laws>> = None;
-        let mut next = cases.first().map(|case| self.averaged(model, case, None));
+        let mut next = cases.first().map(|case| self.averaged(case, None));
         let mut answers = Vec::with_capacity(cases.len());
         for (k, case) in cases.iter().enumerate() {
             let Some(now) = next.take() else { break };
             let last = now.as_ref().ok().map(|(_, laws)| laws.clone());
-            next = cases.get(k + 1).map(|case| self.averaged(model, case, last.clone()));
+            next = cases.get(k + 1).map(|case| self.averaged(case, last.clone()));
             let after = next.as_ref().and_then(|next| next.as_ref().ok());
             answers.push(now.and_then(|(scene, laws)| {
                 let neighbours = [before.as_deref(), after.map(|(_, laws)| &**laws)];
@@ -78,18 +75,17 @@ impl<'s> Worker<'s> {
     /// if the asperity is the same.
     fn averaged<'c>(
         &self,
-        model: &dyn AsperityModel,
         case: &'c Case,
         last: Option<Rc<Laws>>,
     ) -> Result<(Cow<'c, Scene>, Rc<Laws>), ContactError> {
-        let Sweep { quantities, tolerance, .. } = self.sweep;
-        let scene = model.averaged_over(&case.scene)?;
+        let Sweep { model, quantities, tolerance, .. } = self.sweep;
+        let scene = model.scene_of(&case.scene)?;
         let asperity = scene.asperity()?;
         let by_load = any_load(&[case.at]);
         match last.filter(|last| last.serve(&asperity, by_load)) {
             Some(last) => Ok((scene, last)),
             None => {
-                let laws = Laws::new(model, asperity, quantities, by_load, *tolerance)?;
+                let laws = Laws::new(*model, asperity, quantities, by_load, *tolerance)?;
                 Ok((scene, Rc::new(laws)))
             }
         }

@@ -4,8 +4,8 @@ use asperity_quadrature::{Sampler, legendre};
 
 use crate::finding::short;
 use crate::{
-    Asperity, AsperityModel, ContactError, ContactModel, Finding, Findings, Law, Part, Quantity,
-    Tolerance,
+    Asperity, ContactError, ContactModel, Finding, Findings, Law, Part, Quantity, Tolerance,
+    Validity,
 };
 
 /// Range of x = w/unit that is checked.
@@ -26,20 +26,14 @@ pub fn check(
     model: &(impl ContactModel + ?Sized),
     asperity: &Asperity,
 ) -> Result<Findings, ContactError> {
-    let Some(model) = model.asperity_model() else {
-        let (model, quantity) = (model.id().into(), Quantity::Force);
-        return Err(ContactError::NoLaw { model, quantity });
-    };
     let tolerance = Tolerance::new(1e-10)?;
     let (mut findings, mut first) = (Findings::default(), None);
     let adhesive = model.validity().adhesive;
-    let laws = [
-        (Quantity::Force, Some(model.force(asperity, tolerance)?)),
-        (Quantity::Area, Some(model.area(asperity, tolerance)?)),
-        (Quantity::Stiffness, model.stiffness(asperity, tolerance)?),
-    ];
-    for (quantity, law) in laws {
-        let Some(law) = law else { continue };
+    for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
+        let law = match model.law(asperity, quantity, tolerance) {
+            Err(ContactError::NoLaw { .. }) if quantity == Quantity::Stiffness => continue,
+            law => law?,
+        };
         let onset = law.onset * law.interference_unit;
         let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
         if onset.total_cmp(&wanted).is_ne() {
@@ -57,7 +51,7 @@ pub fn check(
             undeclared_kinks(quantity, &law, part, &mut findings);
         }
         if quantity == Quantity::Force {
-            validity(model, asperity, &law, &mut findings);
+            validity(model.validity(), asperity, &law, &mut findings);
         }
     }
     Ok(findings)
@@ -106,8 +100,7 @@ fn bad_values(quantity: Quantity, law: &Law, part: &Part, findings: &mut Finding
     }
 }
 
-fn validity(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &mut Findings) {
-    let validity = model.validity();
+fn validity(validity: Validity, asperity: &Asperity, law: &Law, findings: &mut Findings) {
     if !validity.adhesive {
         findings.extend(falls(law, validity.force_monotone));
     }
@@ -202,7 +195,7 @@ fn unresolved(part: &Part, (low, high): (f64, f64), ends: (f64, f64), depth: u32
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Citation, Described, Formula, Interface, Power, Provenance};
+    use crate::{AsperityModel, Citation, Described, Formula, Interface, Power, Provenance};
 
     const SOURCE: Citation = Citation {
         id: "mine",

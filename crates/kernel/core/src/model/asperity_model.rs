@@ -1,22 +1,8 @@
 //! What to write for a model of one asperity: its laws.
 
-use std::borrow::Cow;
-
 use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
-use crate::{Asperity, ContactError, Described, Law, Quantity, Scene, Tolerance};
-
-/// The laws of one contact of an asperity that has several.
-#[derive(Debug, Clone, Copy)]
-pub struct OneContact<'m> {
-    /// The model of the contact.
-    pub model: &'m dyn AsperityModel,
-    /// From a law of the contact to that of the asperity.
-    pub sum: SumOfContacts,
-}
-
-/// See [`OneContact::sum`].
-pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
+use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 
 /// A model of one asperity, to be written: its averages over the heights, as a
 /// [`ContactModel`](crate::ContactModel), come with it.
@@ -31,17 +17,6 @@ pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
 /// input.
 #[allow(clippy::missing_errors_doc, reason = "those of all laws are above")]
 pub trait AsperityModel: Described {
-    /// The scene over whose heights the laws are averaged: the given one, but for models of pairs,
-    /// whose heights are the sums of those of two surfaces.
-    fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
-        Ok(Cow::Borrowed(scene))
-    }
-
-    /// The laws of one contact, where those that are averaged are sums over several.
-    fn of_one_contact(&self) -> Option<OneContact<'_>> {
-        None
-    }
-
     /// The law of the normal force \[N\].
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
 
@@ -81,31 +56,28 @@ pub trait AsperityModel: Described {
     }
 }
 
-impl dyn AsperityModel + '_ {
-    /// The law whose average over the heights is this quantity.
-    ///
-    /// # Errors
-    /// [`ContactError::NoLaw`] for a quantity that is derived from others,
-    /// [`ContactError::Unsupported`] for one that no law has, and those of the law.
-    pub fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
-        let law = match quantity.derivation() {
-            Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
-            Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
-            Derivation::Only(id) => {
-                let what = format!("`{quantity}`, which no law of asperities has: use `{id}`");
-                return Err(ContactError::Unsupported { model: self.id().into(), what });
-            }
-            Derivation::Flow | Derivation::Gap => {
-                let what = format!("`{quantity}`, which follows from the film alone");
-                return Err(ContactError::Unsupported { model: self.id().into(), what });
-            }
-            _ => None,
-        };
-        law.ok_or_else(|| ContactError::NoLaw { model: self.id().into(), quantity })
-    }
+/// The law of a model for a quantity; `id` is the name of the model in errors.
+///
+/// # Errors
+/// Those of [`ContactModel::law`](crate::ContactModel::law).
+pub(crate) fn law(
+    (model, id): (&dyn AsperityModel, &str),
+    asperity: &Asperity,
+    quantity: Quantity,
+    tolerance: Tolerance,
+) -> Result<Law, ContactError> {
+    let unsupported = |what| ContactError::Unsupported { model: id.into(), what };
+    let law = match quantity.derivation() {
+        Derivation::Integral(law) => Some(law(model, asperity, tolerance)?),
+        Derivation::IntegralOrSlope(law, _) => law(model, asperity, tolerance)?,
+        Derivation::Only(other) => {
+            let what = format!("`{quantity}`, which no law of asperities has: use `{other}`");
+            return Err(unsupported(what));
+        }
+        Derivation::Flow | Derivation::Gap => {
+            return Err(unsupported(format!("`{quantity}`, which follows from the film alone")));
+        }
+        _ => None,
+    };
+    law.ok_or_else(|| ContactError::NoLaw { model: id.into(), quantity })
 }

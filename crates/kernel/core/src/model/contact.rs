@@ -13,13 +13,20 @@ use crate::{
 
 /// A model applied to a scene: shared by threads, for many evaluations.
 ///
-/// The methods that take `impl Into<At>` are those to call, on `dyn Contact`.
+/// Its own methods are those for callers: `evaluate`, `force_and_tangent`, `respond`, `separation`,
+/// `separations`, `separation_in`, `shares` and `prepare`. [`ContactEngine`] has the rest: plain
+/// arrays, plans and the pull-off, and what a model that is no average over heights implements.
 ///
 /// Compiling integrates nothing: each range of separations (a unit below 0, a few tenths above) is
 /// integrated at its first call, which takes 0.04 to 0.5 ms for most models, 50 to 100 ms for
 /// models of inclined contacts and up to a second for asperities of different radii, and
 /// allocates. `prepare` does so beforehand for a range of separations.
-pub trait Contact: fmt::Debug + Send + Sync {
+pub trait Contact: ContactEngine {}
+
+impl<E: ContactEngine> Contact for E {}
+
+/// What answers behind a [`Contact`]: to be implemented by a model that is no average over heights.
+pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// The model's name.
     fn model(&self) -> &str;
 
@@ -149,8 +156,8 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported("moving to another scene"))
     }
 
-    /// Answers a request for the quantities this scene was compiled for, row by row.
-    fn respond(&self, request: &Request) -> Response {
+    /// Answers a request for the quantities of this contact, row by row.
+    fn respond_to(&self, request: &Request) -> Response {
         let columns = |places: &[At]| -> Vec<Vec<Answered>> {
             let at = |q: Quantity, at: &At| self.evaluate_at(q, *at).map_err(Box::new);
             let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
@@ -196,12 +203,30 @@ fn ranges(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 impl dyn Contact + '_ {
+    /// Answers a request for the quantities this scene was compiled for, row by row.
+    #[must_use]
+    pub fn respond(&self, request: &Request) -> Response {
+        self.respond_to(request)
+    }
+
+    /// All separations of a place: those at which a load is carried, ascending; that of a
+    /// separation itself.
+    ///
+    /// # Errors
+    /// Those of [`separations_at`](ContactEngine::separations_at).
+    pub fn separations(&self, at: impl Into<At>) -> Result<Vec<Separation>, ContactError> {
+        match at.into() {
+            At::Separation(separation) => Ok(vec![separation]),
+            at => self.separations_at(at.load(self.scene()).unwrap_or(f64::NAN)),
+        }
+    }
+
     /// Integrates all that later calls at separations from `from` to `to` \[σ_z from the mean of
     /// the asperity heights\] need, above -64: they then take no longer than any other, of
     /// compiled scenes with Gaussian heights. A search for a load begins at 0.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Contact::evaluate_at), but for quantities without a value where
+    /// Those of [`evaluate_at`](ContactEngine::evaluate_at), but for quantities without a value where
     /// nothing touches; [`ContactError::OutOfRange`] unless `from` and `to` ascend.
     pub fn prepare(&self, from: f64, to: f64) -> Result<(), ContactError> {
         require(from <= to && to.is_finite(), "to", to, "a finite separation, `from` or above,")?;
@@ -220,10 +245,10 @@ impl dyn Contact + '_ {
         Ok(())
     }
 
-    /// [`evaluate_at`](Contact::evaluate_at); a plain number is a multiple of σ_z.
+    /// [`evaluate_at`](ContactEngine::evaluate_at); a plain number is a multiple of σ_z.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Contact::evaluate_at).
+    /// Those of [`evaluate_at`](ContactEngine::evaluate_at).
     #[inline]
     pub fn evaluate(
         &self,
@@ -233,10 +258,10 @@ impl dyn Contact + '_ {
         self.evaluate_at(quantity, at.into())
     }
 
-    /// [`force_and_tangent_at`](Contact::force_and_tangent_at).
+    /// [`force_and_tangent_at`](ContactEngine::force_and_tangent_at).
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Contact::evaluate_at).
+    /// Those of [`evaluate_at`](ContactEngine::evaluate_at).
     #[inline]
     pub fn force_and_tangent(
         &self,
@@ -248,7 +273,7 @@ impl dyn Contact + '_ {
     /// The separation of a place: of a load, the largest that carries it.
     ///
     /// # Errors
-    /// Those of [`separation_at`](Contact::separation_at).
+    /// Those of [`separation_at`](ContactEngine::separation_at).
     pub fn separation(&self, at: impl Into<At>) -> Result<Separation, ContactError> {
         match at.into() {
             At::Separation(separation) => Ok(separation),
@@ -270,10 +295,10 @@ impl dyn Contact + '_ {
         Ok(self.separation(at)?.measured_in(unit, from, self.scene())?.value)
     }
 
-    /// [`shares_at`](Contact::shares_at).
+    /// [`shares_at`](ContactEngine::shares_at).
     ///
     /// # Errors
-    /// Those of [`shares_at`](Contact::shares_at).
+    /// Those of [`shares_at`](ContactEngine::shares_at).
     pub fn shares(
         &self,
         quantity: Quantity,

@@ -5,19 +5,60 @@ use std::borrow::Cow;
 use crate::engine::alone::Alone;
 use crate::engine::list::is_short;
 use crate::engine::prepared::{Facts, Prepared};
+use crate::model::asperity_model;
 use crate::{
     Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
     Scene, Tolerance,
 };
+
+/// From a law of one contact to that of an asperity that has several.
+pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
 
 /// A model of rough surfaces in contact.
 ///
 /// Every [`AsperityModel`] is one. A model that is not an average over heights (a closed form, a
 /// theory of the whole surface, a table) implements this trait and [`Contact`].
 pub trait ContactModel: Described {
-    /// The model of one asperity that it averages, if there is one.
+    /// The laws of one contact that it averages over heights, if there are any.
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         None
+    }
+
+    /// For a model of pairs, whose asperities have several contacts: from the law of one contact
+    /// to that which is averaged.
+    fn sum_of_contacts(&self) -> Option<SumOfContacts> {
+        None
+    }
+
+    /// The scene of a contact of this model on a scene, on which separations are counted: the given
+    /// one, but for models of pairs, whose heights are the sums of those of two surfaces.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming what the model of pairs refuses.
+    fn scene_of<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
+        Ok(Cow::Borrowed(scene))
+    }
+
+    /// The law of one asperity whose average over the heights is this quantity.
+    ///
+    /// # Errors
+    /// [`ContactError::NoLaw`] for a quantity that is derived from others or that the model lacks,
+    /// [`ContactError::Unsupported`] for one that no law has, and those of the law.
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        tolerance: Tolerance,
+    ) -> Result<Law, ContactError> {
+        let Some(model) = self.asperity_model() else {
+            return Err(ContactError::NoLaw { model: self.id().into(), quantity });
+        };
+        let law =
+            |own: &Asperity| asperity_model::law((model, self.id()), own, quantity, tolerance);
+        match self.sum_of_contacts() {
+            Some(sum) => sum(law(&asperity.seen_by(model.validity().density))?, asperity),
+            None => law(asperity),
+        }
     }
 
     /// Prepares a scene for many evaluations of the requested quantities.
@@ -31,6 +72,10 @@ pub trait ContactModel: Described {
     /// # Errors
     /// Those of [`compile`](Self::compile).
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        if self.asperity_model().is_some() && is_short(request, scene) {
+            let scene = self.scene_of(scene)?;
+            return Ok(Box::new(Alone::new(Facts::new(self, &scene, request)?, &scene)?));
+        }
         self.compile(scene, request)
     }
 
@@ -44,31 +89,17 @@ pub trait ContactModel: Described {
     }
 }
 
-impl dyn ContactModel + '_ {
-    /// The law of one asperity for a quantity.
-    ///
-    /// # Errors
-    /// [`ContactError::NoLaw`] if the model has none, and those of the law.
-    pub fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
-        match self.asperity_model() {
-            Some(model) => model.law(asperity, quantity, tolerance),
-            None => Err(ContactError::NoLaw { model: self.id().into(), quantity }),
-        }
-    }
-
-    /// The scene of a contact of this model on a scene, on which separations are counted: see
-    /// [`AsperityModel::averaged_over`].
-    ///
-    /// # Errors
-    /// Those of [`AsperityModel::averaged_over`].
-    pub fn averaged_over<'s>(&self, scene: &'s Scene) -> Result<Cow<'s, Scene>, ContactError> {
-        self.asperity_model().map_or(Ok(Cow::Borrowed(scene)), |one| one.averaged_over(scene))
-    }
+/// [`ContactModel::compile`] of a model that averages the laws of asperities over heights.
+///
+/// # Errors
+/// Those of [`ContactModel::compile`].
+pub fn compile_laws(
+    model: &(impl ContactModel + ?Sized),
+    scene: &Scene,
+    request: &Request,
+) -> Result<Box<dyn Contact>, ContactError> {
+    let scene = model.scene_of(scene)?;
+    Ok(Box::new(Prepared::new(Facts::new(model, &scene, request)?, &scene)?))
 }
 
 impl<M: AsperityModel> ContactModel for M {
@@ -77,17 +108,6 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        let scene = self.averaged_over(scene)?;
-        Ok(Box::new(Prepared::new(Facts::new(self, &scene, request)?, &scene)?))
-    }
-
-    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        match is_short(request, scene) {
-            true => {
-                let scene = self.averaged_over(scene)?;
-                Ok(Box::new(Alone::new(Facts::new(self, &scene, request)?, &scene)?))
-            }
-            false => self.compile(scene, request),
-        }
+        compile_laws(self, scene, request)
     }
 }

@@ -47,7 +47,8 @@ impl Variant {
     /// [`ContactError::Unsupported`] for other models and for other heights.
     pub fn laws(&self, heights: &HeightDistribution) -> Result<&dyn AsperityModel, ContactError> {
         let Validity { adhesive, angles, .. } = self.validity;
-        let Some(model) = self.model.asperity_model() else {
+        let one = self.model.asperity_model().filter(|_| self.model.sum_of_contacts().is_none());
+        let Some(model) = one else {
             return Err(self.refused("it has no law of one asperity"));
         };
         let reason = match heights {

@@ -6,7 +6,7 @@ pub(crate) mod row_check;
 use serde::Serialize;
 
 use self::row_check::RowCheck;
-use crate::{At, Contact, ContactError, Evaluation, Finding, Quantity, Request, Separation};
+use crate::{At, ContactEngine, ContactError, Evaluation, Finding, Quantity, Request, Separation};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -90,7 +90,7 @@ const ROWS_PER_BLOCK: usize = 8192;
 /// more than there are quantities: the separations, in σ_z from the mean of the asperity heights.
 /// `behind` returns the value whose sign a logarithm or share hides, where it may be negative.
 pub(crate) fn respond(
-    contact: &(impl Contact + ?Sized),
+    contact: &(impl ContactEngine + ?Sized),
     request: &Request,
     answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
     behind: impl Fn(Quantity, At) -> Option<f64>,

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use crate::{SEPARATION, compiled, model, scene, work_of};
 use asperity_adhesion::{PullOff, pull_off};
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Evaluation, HeightDistribution, Heights, Interface,
-    Quantity, Request, Scene, StandardisedHeights, Surface,
+    At, Contact, ContactEngine, ContactError, ContactModel, Evaluation, HeightDistribution,
+    Heights, Interface, Quantity, Request, Scene, StandardisedHeights, Surface,
 };
 
 #[test]
@@ -40,7 +40,7 @@ fn of_surfaces_next_to_smooth_all_asperities_pull_as_one() {
 #[derive(Debug)]
 struct Without<'c>(&'c dyn Contact);
 
-impl Contact for Without<'_> {
+impl ContactEngine for Without<'_> {
     fn model(&self) -> &str {
         self.0.model()
     }
