@@ -181,7 +181,7 @@ impl ContactEngine for OnScene {
 mod tests {
     use super::*;
     use crate::PerssonVariance;
-    use asperity_core::ContactModel;
+    use asperity_core::{Contact, ContactModel};
     use asperity_core::{
         HeightDistribution, Interface, ProfileMoments, Request, Separation, Surface,
     };
