@@ -66,9 +66,9 @@ impl Leak {
 /// The gap map of a contact.
 pub(crate) struct GapMap<'a> {
     map: &'a HeightMap,
-    /// The largest gap \[m\].
+    /// The largest conductivity: of a liquid g³ \[m³\].
     largest: f64,
-    /// Of conductivities g³ over that of the largest gap; 0 in contact.
+    /// Of conductivities over the largest; 0 in contact.
     network: Network,
 }
 
@@ -106,37 +106,53 @@ impl BoundaryElements {
     }
 
     pub(crate) fn gap_map(&self, solution: &Solution) -> Result<GapMap<'_>, BemError> {
+        self.gap_map_by(solution, |gap| gap.powi(3))
+    }
+
+    /// The gap map of a contact in which gaps conduct so.
+    pub(crate) fn gap_map_by(
+        &self,
+        solution: &Solution,
+        conductivity: impl Fn(f64) -> f64,
+    ) -> Result<GapMap<'_>, BemError> {
         self.pixels_of(solution)?;
         let gaps = solution.gaps.iter().zip(&solution.pressures);
-        Ok(self.gap_map_of(gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap })))
+        let open = gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) });
+        Ok(self.gap_map_of(open.map(conductivity).collect()))
     }
 
     /// The gap map of surfaces that do not touch, apart by this mean gap \[m\].
     pub(crate) fn open_gap_map(&self, mean_gap: f64) -> GapMap<'_> {
-        self.gap_map_of(self.map().heights().iter().map(|height| mean_gap - height))
+        let gap = |height: &f64| (mean_gap - height).max(0.0).powi(3);
+        self.gap_map_of(self.map().heights().iter().map(gap).collect())
     }
 
-    fn gap_map_of(&self, gaps: impl Iterator<Item = f64>) -> GapMap<'_> {
-        let mut cubes: Vec<f64> = gaps.map(|gap| gap.max(0.0)).collect();
-        let largest = cubes.iter().copied().fold(0.0, f64::max);
+    fn gap_map_of(&self, mut conductivities: Vec<f64>) -> GapMap<'_> {
+        let largest = conductivities.iter().copied().fold(0.0, f64::max);
         if largest > 0.0 {
-            cubes.iter_mut().for_each(|gap| *gap = (*gap / largest).powi(3));
+            conductivities.iter_mut().for_each(|one| *one /= largest);
         }
         let periodic = self.boundary_condition() == Boundary::Periodic;
         let map = self.map();
-        GapMap { map, largest, network: Network::new(cubes, map.shape(), map.pixel(), periodic) }
+        let network = Network::new(conductivities, map.shape(), map.pixel(), periodic);
+        GapMap { map, largest, network }
     }
 }
 
 impl GapMap<'_> {
-    pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
+    /// The conductivity of an even gap that lets as much pass.
+    pub(crate) fn conductance(&self, direction: Direction) -> Result<f64, BemError> {
         let [length, width] = outline(self.map, direction);
         let flows = inside(|| self.network.flows(direction));
         let [inlet, outlet] = flows.map(|flow| flow * length / width);
         match (inlet - outlet).abs() <= BALANCE * outlet {
-            true => Ok(self.largest * outlet.cbrt()),
+            true => Ok(self.largest * outlet),
             false => Err(BemError::Unbalanced { inlet, outlet }),
         }
+    }
+
+    pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
+        self.conductance(direction).map(f64::cbrt)
     }
 
     fn flux(&self, direction: Direction) -> Vec<f64> {
@@ -171,12 +187,12 @@ impl GapMap<'_> {
             low = 2.0 * low - 1.0;
         }
         let found = bracketed_root(mean, low, 0.0);
-        found.map_or(0.0, |logarithm| self.largest * (logarithm / 3.0).exp())
+        found.map_or(0.0, |logarithm| (self.largest * logarithm.exp()).cbrt())
     }
 }
 
 /// Length and width of a map along a flow.
-fn outline(map: &HeightMap, direction: Direction) -> [f64; 2] {
+pub(crate) fn outline(map: &HeightMap, direction: Direction) -> [f64; 2] {
     let ([rows, columns], [height, width]) = (map.shape(), map.pixel());
     let sides = [columns as f64 * width, rows as f64 * height];
     if direction == Direction::X { sides } else { [sides[1], sides[0]] }

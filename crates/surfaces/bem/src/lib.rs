@@ -76,6 +76,7 @@ mod compliance;
 mod continuation;
 mod error;
 mod front;
+mod gas;
 mod half_space;
 mod height_map;
 mod hydraulic;
@@ -99,6 +100,7 @@ mod unloading_path;
 
 pub use continuation::{BemOptions, Continuation};
 pub use error::BemError;
+pub use gas::{Gas, Rarefaction};
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use hydraulic::Leak;

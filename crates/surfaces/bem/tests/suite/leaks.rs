@@ -1,7 +1,8 @@
 //! Flow through the gap of a contact: closed forms, dense systems, symmetries, and real contacts.
 
 use asperity_bem::{
-    Boundary, BoundaryElements, Direction, HeightMap, Leak, LoadCase, RandomSurface, Solution,
+    Boundary, BoundaryElements, Direction, Gas, HeightMap, Leak, LoadCase, RandomSurface,
+    Rarefaction, Solution,
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -299,5 +300,56 @@ fn flow_follows_from_the_gap_and_the_outline() {
     close(leak.flow(1e-6, &map, Direction::Y), 1e-12 / 12e-3 * 2.0, 1e-14);
     for (viscosity, drop) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0)] {
         assert!(Leak::new(viscosity, drop).is_err());
+    }
+}
+
+#[test]
+fn gas_flows_as_in_closed_forms_and_as_free_molecules_do() {
+    // Helium at 20 °C from 10 to 1 bar through a gap as wide as long, in 1e-9 kg/s, by a solution
+    // of the BGK equation in the third column: a gap of 1 um, and 1 + 0.5 sin um across and along
+    // the flow.
+    let even = vec![1e-6; 64 * 64];
+    let wave = |k: usize| 1e-6 * (1.0 + 0.5 * (std::f64::consts::TAU * k as f64 / 64.0).sin());
+    let across: Vec<f64> = (0..64 * 64).map(|k| wave(k / 64)).collect();
+    let along: Vec<f64> = (0..64 * 64).map(|k| wave(k % 64)).collect();
+    let kinds = [Rarefaction::Continuum, Rarefaction::Slip, Rarefaction::Transition];
+    for (gaps, right) in [
+        (even, [3.456_099, 4.178_838, 4.325_28]),
+        (across, [4.752_136, 5.565_218, 5.725_10]),
+        (along, [1.496_535, 1.997_351, 2.110_57]),
+    ] {
+        let (elements, solution) = contact(&gaps, 64, [1e-6; 2], Boundary::Periodic);
+        let flow = |kind| {
+            let helium = Gas::new(1.96e-5, 4.002_602e-3, 293.15, kind).unwrap();
+            elements.gas_flow(&solution, &helium, [10e5, 1e5], Direction::X, 1.0).unwrap()
+        };
+        for (kind, (right, within)) in
+            kinds.into_iter().zip(right.into_iter().zip([1e-6, 4e-6, 9e-3]))
+        {
+            close(flow(kind), 1e-9 * right, within);
+        }
+        // A continuum has the hydraulic gap of a liquid: (p₁² - p₂²)/(2 R T) h³/(12 μ).
+        let h = elements.hydraulic_gap(&solution, Direction::X).unwrap();
+        let rt = 8.314_462_618_153_24 / 4.002_602e-3 * 293.15;
+        let exact = (1e12 - 1e10) / (2.0 * rt) * h.powi(3) / (12.0 * 1.96e-5);
+        close(flow(Rarefaction::Continuum), exact, 1e-12);
+    }
+    // Thick gaps forget the walls; the fit has small steps where its parts meet.
+    let q = |d: f64| Rarefaction::Transition.flow(d);
+    assert!((q(1e6) / (1e6 / 6.0) - 1.0).abs() < 1e-5);
+    for (d, step) in [(5.0, 2e-3), (0.15, 6e-3)] {
+        assert!((q(d * (1.0 - 1e-9)) / q(d) - 1.0).abs() < step, "{d}");
+    }
+    let helium = Gas::new(1.96e-5, 4e-3, 293.15, Rarefaction::Slip).unwrap();
+    assert!(helium.flow(1e-6, [0.0, 1e5], 1.0).is_err());
+    assert!(Gas::new(0.0, 4e-3, 293.15, Rarefaction::Slip).is_err());
+    // A fine sum over pressures instead of four of Gauss.
+    for (kind, within) in [(Rarefaction::Slip, 1e-12), (Rarefaction::Transition, 1e-3)] {
+        let helium = Gas::new(1.96e-5, 4e-3, 293.15, kind).unwrap();
+        for gap in [3e-8, 3e-7, 3e-6] {
+            let pressure = |k: u32| 1e5 + 9e5 * (f64::from(k) + 0.5) / 20_000.0;
+            let sum = (0..20_000).map(|k| helium.conductance(gap, pressure(k))).sum::<f64>();
+            close(helium.flow(gap, [1e6, 1e5], 2.0).unwrap(), 2.0 * sum * 9e5 / 20_000.0, within);
+        }
     }
 }
