@@ -1,5 +1,7 @@
-//! Tests of what is not computed here: the README's examples and definitions.
+//! The README's examples and definitions, and models of the registry beside the evidence.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test: a panic is the failure")]
 
+mod corrected;
 mod definitions;
 mod examples;
+mod recommend;

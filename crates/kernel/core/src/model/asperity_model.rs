@@ -96,8 +96,10 @@ impl dyn AsperityModel + '_ {
         let law = match quantity.derivation() {
             Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
-            Derivation::Only(id) => {
-                let what = format!("`{quantity}`, which no law of asperities has: use `{id}`");
+            Derivation::Map => {
+                let what = format!(
+                    "`{quantity}`, which follows from a map of the gap; use boundary elements"
+                );
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
             Derivation::Flow | Derivation::Gap => {
